@@ -1,0 +1,65 @@
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# Our own code is compiled with strict warnings; the target is never exported to users.
+# GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635).
+# -ffp-contract=off: no fused operations, so that the same input gives the same bytes everywhere.
+add_library(hypermap_warnings INTERFACE)
+target_compile_options(hypermap_warnings INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
+  $<$<BOOL:${HYPERMAP_WERROR}>:-Werror>)
+
+# hypermap_add_module(<name> SOURCES ... [PUBLIC_LINK ...] [PRIVATE_LINK ...])
+#
+# One call per top-level folder. Makes the library hypermap_<name>, its alias hypermap::<name>, its header
+# set (everything under include/) and its install rules. PUBLIC_LINK is the only place where the
+# dependency direction between folders is written.
+function(hypermap_add_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  set(target hypermap_${name})
+  if(NOT ARG_SOURCES)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/none.cpp "")
+    set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/none.cpp)
+  endif()
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(hypermap::${name} ALIAS ${target})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.hpp)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK}
+                                  PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:hypermap_warnings>)
+  target_include_directories(${target} PRIVATE src)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF LINKER_LANGUAGE CXX
+                                             POSITION_INDEPENDENT_CODE ON
+                                             VERIFY_INTERFACE_HEADER_SETS ON)
+  install(TARGETS ${target} EXPORT hypermap-targets FILE_SET HEADERS)
+endfunction()
+
+# hypermap_add_tests(<name> SOURCES ... LINK ...)
+#
+# One GoogleTest program. It knows where the project's data lie (HYPERMAP_SOURCE_DIR) and where data by
+# others may lie (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the
+# latter skip with a message when it is absent.
+function(hypermap_add_tests name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_warnings GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE HYPERMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()
+
+function(hypermap_install_package)
+  install(EXPORT hypermap-targets NAMESPACE hypermap::
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
+  configure_package_config_file(cmake/hypermap-config.cmake.in hypermap-config.cmake
+          INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
+  write_basic_package_version_file(hypermap-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/hypermap-config.cmake
+                ${PROJECT_BINARY_DIR}/hypermap-config-version.cmake
+                cmake/FindPclLite.cmake
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
+endfunction()

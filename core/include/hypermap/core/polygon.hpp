@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Footprints and areas: plane polygons with holes.
+///
+/// Source: [hypermap] 3.3.3 (semantic layer), 3.4.1 (Jaccard index).
+#pragma once
+
+#include "hypermap/core/result.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// A ring of points. Open: the first point is not repeated at the end. Unit: metre.
+using Ring = std::vector<Eigen::Vector2d>;
+
+/// A plane polygon: one outer ring, counter-clockwise, and holes, clockwise, in the plane of a
+/// frame that the owner names.
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+  friend bool operator==(const Polygon&, const Polygon&) = default;
+};
+
+/// Axis-aligned rectangle in the plane.
+struct Rect {
+  Eigen::Vector2d min = Eigen::Vector2d::Zero();
+  Eigen::Vector2d max = Eigen::Vector2d::Zero();
+  friend bool operator==(const Rect&, const Rect&) = default;
+};
+
+/// Brings a ring sequence into the form above: drops repeated points, corrects closure and
+/// orientation. Errors: kInvalidArgument with the reason: fewer than three distinct points, zero
+/// area, a spike, a ring that crosses itself, holes outside or overlapping, a coordinate that is
+/// not finite or beyond 1e6 m. Cost: O(n log n) for sane input; bounded for hostile input.
+[[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
+
+[[nodiscard]] double area_m2(const Polygon& polygon);
+/// Centroid of the area. Requires: a valid polygon.
+[[nodiscard]] Eigen::Vector2d centroid(const Polygon& polygon);
+[[nodiscard]] Rect bounds(const Polygon& polygon);
+/// Closed: points on an edge are inside.
+[[nodiscard]] bool contains(const Polygon& polygon, const Eigen::Vector2d& point);
+/// Closed: polygons that touch intersect.
+[[nodiscard]] bool intersects(const Polygon& a, const Polygon& b);
+/// Area of the intersection over area of the union, in place. Source: [hypermap] 3.4.1.
+[[nodiscard]] double jaccard(const Polygon& a, const Polygon& b);
+[[nodiscard]] Polygon translated(const Polygon& polygon, const Eigen::Vector2d& offset);
+/// Convex hull. Errors: kInvalidArgument when fewer than three points span an area.
+[[nodiscard]] Result<Polygon> convex_hull(std::span<const Eigen::Vector2d> points);
+
+}  // namespace hypermap
