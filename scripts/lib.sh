@@ -1,0 +1,52 @@
+# Shared by the scripts of this folder; sourced, not run.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+jobs=$(nproc)
+
+# The same sources give the same cache entries wherever the clone lies.
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+
+say() { printf '== %s\n' "$*"; }
+
+# install_packages LIST: installs those Debian packages of the list that are missing.
+install_packages() {
+  local wanted missing=() sudo_prefix=()
+  wanted=$(grep -v '^#' "$1")
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    say "no apt here; these Debian 12 packages, or their like, must be there:"
+    printf '%s\n' "$wanted"
+    return 0
+  fi
+  for package in $wanted; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
+      missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "all packages of $(basename "$1") are there"
+    return 0
+  fi
+  say "installing ${#missing[@]} packages: ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ]; then sudo_prefix=(sudo); fi
+  "${sudo_prefix[@]}" apt-get update -qq
+  "${sudo_prefix[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# build PRESET [TARGET...]: configures and builds.
+build() {
+  local preset=$1 log
+  shift
+  log=$(mktemp)
+  say "configuring $preset"
+  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || {
+    cat "$log"
+    rm -f "$log"
+    return 1
+  }
+  rm -f "$log"
+  say "building $preset with $jobs jobs"
+  local targets=()
+  if [ $# -gt 0 ]; then targets=(--target "$@"); fi
+  (cd "$root" && cmake --build --preset "$preset" -j "$jobs" "${targets[@]}" -- --quiet)
+}
