@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Whether the map's own geometry stands between two points.
+///
+/// The occupied voxels as an Embree scene: one primitive per brick, whose bits are walked in the
+/// callback. Source: I. Wald et al., "Embree", ACM TOG 33 (2014); J. Amanatides and A. Woo, "A fast
+/// voxel traversal algorithm for ray tracing", Eurographics 1987.
+#pragma once
+
+#include "hypermap/core/frames.hpp"
+#include "hypermap/core/result.hpp"
+#include "hypermap/octree_semantic/semantic_octree.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// "Is something between these two points?"
+struct SightLine {
+  PointInMap from;
+  PointInMap to;
+};
+
+/// Occlusion queries against one tree.
+///
+/// Threads: queries may run concurrently, not while `update` runs.
+class OcclusionScene {
+ public:
+  /// An empty scene: nothing occludes. Errors: kUnavailable when Embree cannot start.
+  [[nodiscard]] static Result<OcclusionScene> create();
+  OcclusionScene(OcclusionScene&&) noexcept;
+  OcclusionScene& operator=(OcclusionScene&&) noexcept;
+  OcclusionScene(const OcclusionScene&) = delete;
+  OcclusionScene& operator=(const OcclusionScene&) = delete;
+  ~OcclusionScene();
+
+  /// Brings the scene up to the tree's present state. Only bricks that changed since the last call
+  /// are copied. Returns how many.
+  /// Requires: always the same tree (or a later state of it); another one wants another scene.
+  /// Errors: kOutOfMemory.
+  [[nodiscard]] Result<std::size_t> update(const SemanticOctree& tree);
+
+  /// Whether an occupied voxel lies on the way from `from` to `to`, the last `margin_m` before `to`
+  /// left out (the thing itself should not hide itself).
+  ///
+  /// Boundary: voxels are closed, so a line along a face or through an edge is hidden by either
+  /// neighbour. A start inside an occupied voxel is occluded. Not longer than the margin, or not
+  /// finite: not occluded.
+  [[nodiscard]] bool occluded(const PointInMap& from, const PointInMap& to, double margin_m) const;
+  /// One answer per line: 1 when occluded. The result does not depend on the number of threads.
+  [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const SightLine> lines,
+                                                   double margin_m,
+                                                   int num_threads = 1) const;
+
+  [[nodiscard]] std::size_t num_bricks() const noexcept;
+
+ private:
+  struct Scene;
+  explicit OcclusionScene(std::unique_ptr<Scene> scene);
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace hypermap
