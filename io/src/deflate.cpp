@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deflate.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+
+namespace hypermap {
+namespace {
+
+constexpr int kRawWindowBits = -15;  // negative: no zlib header, as in zip files
+constexpr std::size_t kStep = std::size_t{1} << 18;
+
+// zlib counts in 32 bits; longer input is handed over in parts.
+uInt part_of(std::size_t num_bytes) {
+  return static_cast<uInt>(std::min<std::size_t>(num_bytes, std::numeric_limits<uInt>::max() / 2));
+}
+
+// zlib only reads through next_in, its type says otherwise unless ZLIB_CONST is set everywhere.
+Bytef* input_of(std::string_view bytes) {
+  return const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+}
+
+/// A z_stream that is ended whatever happens.
+template <int (*End)(z_streamp)>
+struct Stream {
+  z_stream z{};
+  bool open = false;
+  Stream() = default;
+  ~Stream() {
+    if (open) End(&z);
+  }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  Stream(Stream&&) = delete;
+  Stream& operator=(Stream&&) = delete;
+};
+
+/// Lets the stream write behind `out`, at most `max_step` bytes.
+void offer_room(z_stream& z, std::string& out, std::size_t max_step) {
+  const std::size_t used = out.size();
+  out.resize(used + max_step);
+  z.next_out = reinterpret_cast<Bytef*>(out.data() + used);
+  z.avail_out = static_cast<uInt>(max_step);
+}
+
+void offer_input(z_stream& z, std::string_view& rest) {
+  if (z.avail_in != 0 || rest.empty()) return;
+  z.next_in = input_of(rest);
+  z.avail_in = part_of(rest.size());
+  rest.remove_prefix(z.avail_in);
+}
+
+Unexpected no_memory() { return fail(ErrorCode::kOutOfMemory, "no memory to (de)compress"); }
+
+Result<std::string> try_pack(std::string_view content, Packing packing) {
+  Stream<deflateEnd> stream;
+  const int strategy = packing == Packing::kBest ? Z_DEFAULT_STRATEGY : Z_HUFFMAN_ONLY;
+  if (deflateInit2(&stream.z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRawWindowBits, 8, strategy) !=
+      Z_OK)
+    return no_memory();
+  stream.open = true;
+  std::string packed;
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    offer_input(stream.z, content);
+    offer_room(stream.z, packed, kStep);
+    state = deflate(&stream.z, content.empty() ? Z_FINISH : Z_NO_FLUSH);
+    packed.resize(packed.size() - stream.z.avail_out);
+  }
+  return packed;
+}
+
+Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes) {
+  const auto wrong_size = [&](const char* relation) {
+    return fail(ErrorCode::kMalformedFile,
+                std::string("inflates to ") + relation + " than its declared size of " +
+                    std::to_string(num_bytes) + " bytes");
+  };
+  Stream<inflateEnd> stream;
+  if (inflateInit2(&stream.z, kRawWindowBits) != Z_OK) return no_memory();
+  stream.open = true;
+  std::string content;
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    offer_input(stream.z, packed);
+    // One byte more than declared, so that a stream that is longer shows itself.
+    const auto room = static_cast<std::size_t>(
+        std::min<std::uint64_t>(kStep, num_bytes + 1 - content.size()));
+    offer_room(stream.z, content, room);
+    const std::size_t before = stream.z.total_in;
+    state = inflate(&stream.z, Z_NO_FLUSH);
+    const std::size_t got = room - stream.z.avail_out;
+    content.resize(content.size() - stream.z.avail_out);
+    if (state == Z_MEM_ERROR) return no_memory();
+    if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
+      return fail(ErrorCode::kMalformedFile, "damaged deflate stream");
+    if (content.size() > num_bytes) return wrong_size("more");
+    if (state != Z_STREAM_END && got == 0 && stream.z.total_in == before && packed.empty())
+      return fail(ErrorCode::kMalformedFile, "deflate stream without an end");
+  }
+  if (content.size() < num_bytes) return wrong_size("less");
+  if (stream.z.avail_in != 0 || !packed.empty())
+    return fail(ErrorCode::kMalformedFile, "bytes after the end of the deflate stream");
+  return content;
+}
+
+}  // namespace
+
+Result<std::string> pack(std::string_view content, Packing packing) {
+  try {
+    return try_pack(content, packing);
+  } catch (const std::exception&) {
+    return no_memory();
+  }
+}
+
+Result<std::string> unpack(std::string_view packed, std::uint64_t num_bytes) {
+  try {
+    return try_unpack(packed, num_bytes);
+  } catch (const std::exception&) {
+    return no_memory();
+  }
+}
+
+std::uint32_t crc32_of(std::string_view content) {
+  uLong crc = crc32(0, nullptr, 0);
+  while (!content.empty()) {
+    const uInt part = part_of(content.size());
+    crc = crc32(crc, input_of(content), part);
+    content.remove_prefix(part);
+  }
+  return static_cast<std::uint32_t>(crc);
+}
+
+}  // namespace hypermap

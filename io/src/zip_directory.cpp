@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "zip_directory.hpp"
+
+#include "zip_format.hpp"
+#include "zip_names.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace hypermap::zip {
+namespace {
+
+constexpr std::size_t kMaxCommentBytes = 0xffff;
+constexpr std::uint64_t kMaxDirectoryBytes = std::uint64_t{16} << 20;
+
+Unexpected malformed(std::string what) {
+  return fail(ErrorCode::kMalformedFile, std::move(what));
+}
+
+Unexpected zip64() {
+  return fail(ErrorCode::kUnsupported, "zip64 archives are not read (marked, or needed, as one)");
+}
+
+Unexpected in_entry(Unexpected error, std::string_view name) {
+  error.value().entry = name;
+  return error;
+}
+
+/// The one place where an end record with its comment reaches exactly to the end of the file.
+Result<std::size_t> find_end(std::string_view tail) {
+  std::size_t found = std::string_view::npos;
+  for (std::size_t at = 0; at + kEndBytes <= tail.size(); ++at) {
+    if (get32(tail, at) != kEndSignature) continue;
+    if (at + kEndBytes + get16(tail, at + 20) != tail.size()) continue;
+    if (found != std::string_view::npos) return malformed("has two end records");
+    found = at;
+  }
+  if (found == std::string_view::npos)
+    return malformed("not a map archive: no zip end record at its end (cut, or bytes after it)");
+  return found;
+}
+
+/// Extra fields must be well formed and must not change what the header says.
+Result<void> check_extra(std::string_view extra, std::string_view name) {
+  while (!extra.empty()) {
+    if (extra.size() < 4 || extra.size() - 4 < get16(extra, 2))
+      return malformed("damaged extra field");
+    const std::string_view data = extra.substr(4, get16(extra, 2));
+    if (get16(extra, 0) == kExtraZip64) return zip64();
+    if (get16(extra, 0) == kExtraUnicodeName && (data.size() < 5 || data.substr(5) != name))
+      return malformed("extra field gives the member another name");
+    extra.remove_prefix(4 + data.size());
+  }
+  return {};
+}
+
+Result<void> check_flags(std::uint16_t flags) {
+  if ((flags & (kFlagEncrypted | kFlagStrongEncryption | kFlagMaskedHeader)) != 0)
+    return fail(ErrorCode::kUnsupported, "encrypted entries are not supported");
+  if ((flags & ~(kFlagsDeflateLevel | kFlagDescriptor | kFlagUtf8)) != 0)
+    return fail(ErrorCode::kUnsupported, "unknown flags " + std::to_string(flags));
+  return {};
+}
+
+/// Only plain files and folders. Source: APPNOTE 4.4.2 and 4.4.15, upper half: mode of the system.
+Result<void> check_kind(std::uint16_t made_by, std::uint32_t attributes, bool is_folder) {
+  constexpr unsigned kUnix = 3;
+  constexpr unsigned kMacOs = 19;
+  const unsigned system = made_by >> 8U;
+  if (system != kUnix && system != kMacOs) return {};
+  const std::uint32_t kind = attributes >> 16U & 0170000U;
+  if (kind == 0 || kind == (is_folder ? 0040000U : 0100000U)) return {};
+  return malformed("is a link, a device or another special file, expected a plain file");
+}
+
+Result<void> check_method(const Entry& entry, std::uint16_t method) {
+  if (method != kStored && method != kDeflated)
+    return fail(ErrorCode::kUnsupported,
+                "compression method " + std::to_string(method) +
+                    " is not supported, expected 0 (stored) or 8 (deflated)");
+  const ZipMember& member = entry.member;
+  if (method == kStored && member.num_bytes != member.num_packed_bytes)
+    return malformed("is stored, yet its two sizes differ");
+  if (entry.is_folder && member.num_bytes != 0) return malformed("is a folder with content");
+  return {};
+}
+
+/// One central header at the front of `rest`, which is shortened by it.
+Result<Entry> take_entry(std::string_view& rest) {
+  if (rest.size() < kCentralBytes || get32(rest, 0) != kCentralSignature)
+    return malformed("central directory: no header where one is expected");
+  const std::size_t name_bytes = get16(rest, 28);
+  const std::size_t extra_bytes = get16(rest, 30);
+  const std::size_t all = kCentralBytes + name_bytes + extra_bytes + get16(rest, 32);
+  if (rest.size() < all) return malformed("central directory: header reaches beyond its end");
+  const std::string_view name = rest.substr(kCentralBytes, name_bytes);
+
+  const std::uint16_t method = get16(rest, 10);
+  Entry entry{.member = {.name = std::string(name),
+                         .num_bytes = get32(rest, 24),
+                         .num_packed_bytes = get32(rest, 20),
+                         .crc32 = get32(rest, 16),
+                         .deflated = method == kDeflated},
+              .flags = get16(rest, 8),
+              .header_offset = get32(rest, 42),
+              .is_folder = name.ends_with('/')};
+  const auto judge = [&]() -> Result<void> {
+    HYPERMAP_TRY(check_member_name(name));
+    if (get16(rest, 34) != 0) return malformed("lies on another disk");
+    if (get32(rest, 24) == kZip64Marker32 || get32(rest, 20) == kZip64Marker32 ||
+        get32(rest, 42) == kZip64Marker32)
+      return zip64();
+    HYPERMAP_TRY(check_flags(entry.flags));
+    HYPERMAP_TRY(check_method(entry, method));
+    HYPERMAP_TRY(check_kind(get16(rest, 4), get32(rest, 38), entry.is_folder));
+    return check_extra(rest.substr(kCentralBytes + name_bytes, extra_bytes), name);
+  };
+  if (auto judged = judge(); !judged)
+    return in_entry(tl::make_unexpected(std::move(judged).error()), name);
+  rest.remove_prefix(all);
+  return entry;
+}
+
+/// The end of the member's bytes, descriptor included, after its local header was judged.
+/// Source: APPNOTE 4.3.7, 4.3.9.
+Result<std::uint64_t> judge_local(const ByteSource& source,
+                                  std::uint64_t directory_offset,
+                                  Entry& entry) {
+  ZipMember& member = entry.member;
+  if (entry.header_offset > directory_offset ||
+      directory_offset - entry.header_offset < kLocalBytes)
+    return malformed("local header lies beyond the members");
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string header,
+                            source.read_at(entry.header_offset, kLocalBytes));
+  if (get32(header, 0) != kLocalSignature) return malformed("no local header where one is said");
+  const std::size_t name_bytes = get16(header, 26);
+  const std::size_t extra_bytes = get16(header, 28);
+  const std::uint64_t data_offset = entry.header_offset + kLocalBytes + name_bytes + extra_bytes;
+  if (data_offset > directory_offset ||
+      directory_offset - data_offset < member.num_packed_bytes)
+    return malformed("data reach into the central directory");
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const std::string names,
+      source.read_at(entry.header_offset + kLocalBytes, name_bytes + extra_bytes));
+  if (names.compare(0, name_bytes, member.name) != 0)
+    return malformed("local header names another member: '" +
+                     printable(names.substr(0, name_bytes)) + "'");
+  HYPERMAP_TRY(check_extra(std::string_view(names).substr(name_bytes), member.name));
+  if (get16(header, 6) != entry.flags || (get16(header, 8) == kDeflated) != member.deflated ||
+      (get16(header, 8) != kDeflated && get16(header, 8) != kStored))
+    return malformed("local and central header differ in flags or method");
+
+  const bool has_descriptor = (entry.flags & kFlagDescriptor) != 0;
+  const auto agrees = [&](std::string_view bytes, std::size_t at) {
+    return get32(bytes, at) == member.crc32 && get32(bytes, at + 4) == member.num_packed_bytes &&
+           get32(bytes, at + 8) == member.num_bytes;
+  };
+  const bool left_open =
+      has_descriptor && get32(header, 14) == 0 && get32(header, 18) == 0 && get32(header, 22) == 0;
+  if (!left_open && !agrees(header, 14))
+    return malformed("local and central header differ in size or CRC-32");
+  member.data_offset = data_offset;
+  const std::uint64_t data_end = data_offset + member.num_packed_bytes;
+  if (!has_descriptor) return data_end;
+
+  const auto room = static_cast<std::size_t>(
+      std::min<std::uint64_t>(16, directory_offset - data_end));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string descriptor, source.read_at(data_end, room));
+  if (room >= 16 && get32(descriptor, 0) == kDescriptorSignature && agrees(descriptor, 4))
+    return data_end + 16;
+  if (room >= 12 && agrees(descriptor, 0)) return data_end + 12;
+  return malformed("data descriptor and central header differ in size or CRC-32");
+}
+
+}  // namespace
+
+Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& limits) {
+  if (source.size() > limits.max_archive_bytes)
+    return fail(ErrorCode::kLimit,
+                "archive of " + std::to_string(source.size()) + " bytes, the limit is " +
+                    std::to_string(limits.max_archive_bytes));
+  const std::uint64_t tail_bytes =
+      std::min<std::uint64_t>(source.size(), kEndBytes + kMaxCommentBytes);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const std::string tail,
+      source.read_at(source.size() - tail_bytes, static_cast<std::size_t>(tail_bytes)));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::size_t at, find_end(tail));
+  const std::uint64_t end_offset = source.size() - tail_bytes + at;
+  const std::uint16_t num_entries = get16(tail, at + 10);
+  const EndRecord end{.num_entries = num_entries,
+                      .directory_offset = get32(tail, at + 16),
+                      .directory_bytes = get32(tail, at + 12)};
+  if (num_entries == kZip64Marker16 || end.directory_offset == kZip64Marker32 ||
+      end.directory_bytes == kZip64Marker32)
+    return zip64();
+  if (get16(tail, at + 4) != 0 || get16(tail, at + 6) != 0 || get16(tail, at + 8) != num_entries)
+    return malformed("archive in several parts");
+  if (end.num_entries > limits.max_entries)
+    return fail(ErrorCode::kLimit,
+                std::to_string(end.num_entries) + " entries, the limit is " +
+                    std::to_string(limits.max_entries));
+  if (end.directory_offset + end.directory_bytes != end_offset)
+    return malformed("central directory does not end where the end record begins");
+  if (end.directory_bytes > kMaxDirectoryBytes)
+    return fail(ErrorCode::kLimit,
+                "central directory of " + std::to_string(end.directory_bytes) +
+                    " bytes, the limit is " + std::to_string(kMaxDirectoryBytes));
+  return end;
+}
+
+Result<std::vector<Entry>> read_directory(const ByteSource& source,
+                                          const EndRecord& end,
+                                          const ZipLimits& limits) {
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const std::string directory,
+      source.read_at(end.directory_offset, static_cast<std::size_t>(end.directory_bytes)));
+  std::string_view rest = directory;
+  std::vector<Entry> entries;
+  MemberNames names;
+  std::uint64_t total_bytes = 0;
+  for (std::size_t i = 0; i < end.num_entries; ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(Entry entry, take_entry(rest));
+    HYPERMAP_TRY(names.add(entry.member.name));
+    HYPERMAP_TRY(check_size(entry.member, limits));
+    total_bytes += entry.member.num_bytes;
+    entries.push_back(std::move(entry));
+  }
+  if (!rest.empty()) return malformed("central directory holds more than it says");
+  if (total_bytes > limits.max_total_bytes)
+    return fail(ErrorCode::kLimit,
+                "members of together " + std::to_string(total_bytes) + " bytes, the limit is " +
+                    std::to_string(limits.max_total_bytes));
+  return entries;
+}
+
+Result<void> read_local_headers(const ByteSource& source,
+                                const EndRecord& end,
+                                std::vector<Entry>& entries) {
+  std::vector<Entry*> by_offset;
+  by_offset.reserve(entries.size());
+  for (Entry& entry : entries) by_offset.push_back(&entry);
+  std::stable_sort(by_offset.begin(), by_offset.end(), [](const Entry* a, const Entry* b) {
+    return a->header_offset < b->header_offset;
+  });
+  std::uint64_t filled_up_to = 0;
+  for (Entry* entry : by_offset) {
+    if (entry->header_offset < filled_up_to)
+      return in_entry(malformed("overlaps another entry"), entry->member.name);
+    if (entry->header_offset > filled_up_to)
+      return in_entry(malformed("bytes before it belong to no entry"), entry->member.name);
+    auto judged = judge_local(source, end.directory_offset, *entry);
+    if (!judged)
+      return in_entry(tl::make_unexpected(std::move(judged).error()), entry->member.name);
+    filled_up_to = *judged;
+  }
+  if (filled_up_to != end.directory_offset)
+    return malformed("bytes before the central directory belong to no entry");
+  return {};
+}
+
+Result<void> check_size(const ZipMember& member, const ZipLimits& limits) {
+  const auto too_large = [&](std::string what) {
+    return in_entry(fail(ErrorCode::kLimit, std::move(what)), member.name);
+  };
+  if (member.num_bytes > limits.max_entry_bytes)
+    return too_large(std::to_string(member.num_bytes) + " bytes, the limit for an entry is " +
+                     std::to_string(limits.max_entry_bytes));
+  if (member.num_bytes > limits.ratio_free_bytes &&
+      member.num_bytes / limits.max_ratio >= std::max<std::uint64_t>(member.num_packed_bytes, 1))
+    return too_large(std::to_string(member.num_bytes) + " bytes packed into " +
+                     std::to_string(member.num_packed_bytes) + ", the limit is a ratio of " +
+                     std::to_string(limits.max_ratio) + ":1");
+  return {};
+}
+
+}  // namespace hypermap::zip
