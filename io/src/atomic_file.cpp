@@ -20,22 +20,34 @@
 
 namespace hypermap {
 
-int FileCalls::open(const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); }
+int FileCalls::open(const char* path, int flags, mode_t mode) {
+  return ::open(path, flags, mode);
+}
 ssize_t FileCalls::write(int descriptor, const char* bytes, std::size_t num_bytes) {
   return ::write(descriptor, bytes, num_bytes);
 }
-int FileCalls::fchmod(int descriptor, mode_t mode) { return ::fchmod(descriptor, mode); }
+int FileCalls::fchmod(int descriptor, mode_t mode) {
+  return ::fchmod(descriptor, mode);
+}
 int FileCalls::fchown(int descriptor, uid_t owner, gid_t group) {
   return ::fchown(descriptor, owner, group);
 }
-int FileCalls::fsync(int descriptor) { return ::fsync(descriptor); }
-int FileCalls::close(int descriptor) { return ::close(descriptor); }
-int FileCalls::rename(const char* from, const char* to) { return ::rename(from, to); }
-int FileCalls::unlink(const char* path) { return ::unlink(path); }
+int FileCalls::fsync(int descriptor) {
+  return ::fsync(descriptor);
+}
+int FileCalls::close(int descriptor) {
+  return ::close(descriptor);
+}
+int FileCalls::rename(const char* from, const char* to) {
+  return ::rename(from, to);
+}
+int FileCalls::unlink(const char* path) {
+  return ::unlink(path);
+}
 
 namespace {
 
-constexpr int kMaxLinks = 40;           // as Linux follows them
+constexpr int kMaxLinks = 40;  // as Linux follows them
 constexpr int kMaxTemporaryNames = 1000;
 constexpr std::size_t kMaxWriteBytes = std::size_t{1} << 30;  // one write() takes at most 2 GiB
 
@@ -87,8 +99,7 @@ Result<Target> find_target(const std::filesystem::path& path) {
     if (S_ISLNK(status.st_mode)) {
       std::error_code reason;
       const auto next = std::filesystem::read_symlink(target.path, reason);
-      if (reason)
-        return tl::make_unexpected(system_error(path, "follow the link", reason.value()));
+      if (reason) return tl::make_unexpected(system_error(path, "follow the link", reason.value()));
       target.path = next.is_absolute() ? next : target.folder() / next;
       continue;
     }

@@ -109,8 +109,8 @@ Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& path,
       std::make_unique<FileSource>(path, descriptor, static_cast<std::uint64_t>(status.st_size));
   Error error{.code = ErrorCode::kIo, .what = {}, .file = path.string()};
   if (!S_ISREG(status.st_mode)) {
-    error.what = S_ISDIR(status.st_mode) ? "is a folder, expected a regular file"
-                                         : "is not a regular file";
+    error.what =
+        S_ISDIR(status.st_mode) ? "is a folder, expected a regular file" : "is not a regular file";
     return tl::make_unexpected(std::move(error));
   }
   if (source->size() > max_bytes) {

@@ -53,7 +53,9 @@ void offer_input(z_stream& z, std::string_view& rest) {
   rest.remove_prefix(z.avail_in);
 }
 
-Unexpected no_memory() { return fail(ErrorCode::kOutOfMemory, "no memory to (de)compress"); }
+Unexpected no_memory() {
+  return fail(ErrorCode::kOutOfMemory, "no memory to (de)compress");
+}
 
 Result<std::string> try_pack(std::string_view content, Packing packing) {
   Stream<deflateEnd> stream;
@@ -87,8 +89,8 @@ Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes)
   while (state != Z_STREAM_END) {
     offer_input(stream.z, packed);
     // One byte more than declared, so that a stream that is longer shows itself.
-    const auto room = static_cast<std::size_t>(
-        std::min<std::uint64_t>(kStep, num_bytes + 1 - content.size()));
+    const auto room =
+        static_cast<std::size_t>(std::min<std::uint64_t>(kStep, num_bytes + 1 - content.size()));
     offer_room(stream.z, content, room);
     const std::size_t before = stream.z.total_in;
     state = inflate(&stream.z, Z_NO_FLUSH);

@@ -137,8 +137,7 @@ Result<std::uint64_t> judge_local(const ByteSource& source,
   const std::size_t name_bytes = get16(header, 26);
   const std::size_t extra_bytes = get16(header, 28);
   const std::uint64_t data_offset = entry.header_offset + kLocalBytes + name_bytes + extra_bytes;
-  if (data_offset > directory_offset ||
-      directory_offset - data_offset < member.num_packed_bytes)
+  if (data_offset > directory_offset || directory_offset - data_offset < member.num_packed_bytes)
     return malformed("data reach into the central directory");
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string names,
@@ -164,8 +163,8 @@ Result<std::uint64_t> judge_local(const ByteSource& source,
   const std::uint64_t data_end = data_offset + member.num_packed_bytes;
   if (!has_descriptor) return data_end;
 
-  const auto room = static_cast<std::size_t>(
-      std::min<std::uint64_t>(16, directory_offset - data_end));
+  const auto room =
+      static_cast<std::size_t>(std::min<std::uint64_t>(16, directory_offset - data_end));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string descriptor, source.read_at(data_end, room));
   if (room >= 16 && get32(descriptor, 0) == kDescriptorSignature && agrees(descriptor, 4))
     return data_end + 16;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "utf8.hpp"
 #include "zip_names.hpp"
 
 #include "hypermap/io/zip_reader.hpp"
+#include "utf8.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 255;
 
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
 
 bool has_drive(std::string_view name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

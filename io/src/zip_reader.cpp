@@ -54,12 +54,11 @@ Result<std::string> ZipReader::read(std::string_view name, std::uint64_t max_byt
     return fail(ErrorCode::kNotFound, "no member '" + printable(name) + "' in the archive");
   const ZipMember& member = members_[found->second];
   if (member.num_bytes > max_bytes)
-    return tl::make_unexpected(
-        in_member({.code = ErrorCode::kLimit,
-                   .what = std::to_string(member.num_bytes) +
-                           " bytes, the limit for an entry of its kind is " +
-                           std::to_string(max_bytes)},
-                  member));
+    return tl::make_unexpected(in_member(
+        {.code = ErrorCode::kLimit,
+         .what = std::to_string(member.num_bytes) +
+                 " bytes, the limit for an entry of its kind is " + std::to_string(max_bytes)},
+        member));
   auto content = content_of(*source_, member);
   if (!content) return tl::make_unexpected(in_member(std::move(content).error(), member));
   return content;

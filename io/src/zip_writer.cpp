@@ -19,7 +19,7 @@ using zip::put32;
 constexpr std::uint32_t kVersionNeeded = 20;       // 2.0: deflate
 constexpr std::uint32_t kMadeBy = 3U << 8U | 30U;  // Unix, so that the mode is read
 constexpr std::uint32_t kMode = 0100644U << 16U;
-constexpr std::uint32_t kDosTime = 0;            // 00:00
+constexpr std::uint32_t kDosTime = 0;              // 00:00
 constexpr std::uint32_t kDosDate = 1U << 5U | 1U;  // 1980-01-01, the first day that zip knows
 
 bool is_ascii(std::string_view name) {
@@ -83,7 +83,9 @@ Result<std::optional<std::string>> pack_member(ZipMember member,
   return std::optional<std::string>(std::move(packed));
 }
 
-Unexpected no_memory() { return fail(ErrorCode::kOutOfMemory, "no memory for the archive"); }
+Unexpected no_memory() {
+  return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
+}
 
 }  // namespace
 

@@ -69,9 +69,11 @@ TEST(ZipReader, AnEmptyArchiveIsAnArchive) {
 }
 
 TEST(ZipReader, OtherFilesAreNoArchives) {
-  for (const std::string& bytes :
-       {std::string(), std::string("PK"), std::string("PK\x03\x04"), std::string(5000, '\0'),
-        std::string("layers:\n  - {class: OccupancyGridLayer}\n")})
+  for (const std::string& bytes : {std::string(),
+                                   std::string("PK"),
+                                   std::string("PK\x03\x04"),
+                                   std::string(5000, '\0'),
+                                   std::string("layers:\n  - {class: OccupancyGridLayer}\n")})
     EXPECT_THAT(error_of(bytes), HasSubstr("not a map archive"));
 }
 
@@ -89,7 +91,9 @@ TEST(ZipReader, AFlippedBitGivesTheSameContentOrAnError) {
     std::string flipped = bytes;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << (bit % 8));
     const auto after = contents(flipped);
-    if (after) EXPECT_EQ(*after, *content) << "bit " << bit;
+    if (after) {
+      EXPECT_EQ(*after, *content) << "bit " << bit;
+    }
   }
 }
 
@@ -125,7 +129,10 @@ TEST(ZipReader, ContentMustFitItsCrcAndSize) {
   EXPECT_THAT(error_of(raw_zip({wrong_crc})), HasSubstr("CRC-32"));
   EXPECT_THAT(error_of(raw_zip({wrong_crc})), HasSubstr("a: "));
   for (const std::uint32_t declared : {std::uint32_t{6}, std::uint32_t{8}}) {
-    RawMember member = stored("a", std::string("\x01\x07\x00\xf8\xff""content", 12));  // deflate
+    RawMember member = stored("a",
+                              std::string("\x01\x07\x00\xf8\xff"
+                                          "content",
+                                          12));  // deflate
     member.method = 8;
     member.num_bytes = declared;
     member.crc = stored("a", "content").crc;
@@ -168,12 +175,28 @@ TEST(ZipReader, FolderEntriesAreLeftOut) {
 
 TEST(ZipReader, NamesThatCouldLeadElsewhereAreErrors) {
   using namespace std::string_literals;
-  for (const std::string& name :
-       {""s, "../a"s, "a/../b"s, "/a"s, "a//b"s, "./a"s, "a/."s, "C:\\a"s, "C:a"s, "a\\b"s,
-        "a\0b"s, "a\nb"s, "\xff\xfe"s, "\xc0\xae"s, std::string(256, 'a')})
+  for (const std::string& name : {""s,
+                                  "../a"s,
+                                  "a/../b"s,
+                                  "/a"s,
+                                  "a//b"s,
+                                  "./a"s,
+                                  "a/."s,
+                                  "C:\\a"s,
+                                  "C:a"s,
+                                  "a\\b"s,
+                                  "a\0b"s,
+                                  "a\nb"s,
+                                  "\xff\xfe"s,
+                                  "\xc0\xae"s,
+                                  std::string(256, 'a')})
     EXPECT_THAT(error_of(raw_zip({stored(name, "1")})), HasSubstr("member name '")) << name;
-  EXPECT_TRUE(contents(raw_zip({stored(std::string(255, 'a'), "1"), stored("k\xc3\xbc" "che", "2"),
-                                stored("a..b", "3"), stored("...", "4")})));
+  EXPECT_TRUE(contents(raw_zip({stored(std::string(255, 'a'), "1"),
+                                stored("k\xc3\xbc"
+                                       "che",
+                                       "2"),
+                                stored("a..b", "3"),
+                                stored("...", "4")})));
 }
 
 TEST(ZipReader, LinksDevicesEncryptedAndOtherMethodsAreErrors) {
@@ -189,26 +212,26 @@ TEST(ZipReader, LinksDevicesEncryptedAndOtherMethodsAreErrors) {
 
 TEST(ZipReader, Zip64MarkersAreErrors) {
   using namespace std::string_literals;
-  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) {
-                m.num_bytes = 0xffffffff;
-              })})),
-              HasSubstr("zip64"));
-  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) {
-                m.extra = "\x01\x00\x00\x00"s;
-              })})),
+  EXPECT_THAT(
+      error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) { m.num_bytes = 0xffffffff; })})),
+      HasSubstr("zip64"));
+  EXPECT_THAT(error_of(raw_zip(
+                  {with(stored("a", "x"), [](RawMember& m) { m.extra = "\x01\x00\x00\x00"s; })})),
               HasSubstr("zip64"));
   EXPECT_THAT(error_of(test::end_record(0xffff, 0, 0)), HasSubstr("zip64"));
 }
 
 TEST(ZipReader, DamagedExtraFieldsAndASecondNameAreErrors) {
   using namespace std::string_literals;
-  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) {
-                m.extra = "\x99\x99\x05\x00"s;
-              })})),
+  EXPECT_THAT(error_of(raw_zip(
+                  {with(stored("a", "x"), [](RawMember& m) { m.extra = "\x99\x99\x05\x00"s; })})),
               HasSubstr("extra field"));
-  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) {
-                m.extra = "\x75\x70\x06\x00\x01\x00\x00\x00\x00" "b"s;
-              })})),
+  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"),
+                                     [](RawMember& m) {
+                                       m.extra =
+                                           "\x75\x70\x06\x00\x01\x00\x00\x00\x00"
+                                           "b"s;
+                                     })})),
               HasSubstr("another name"));
 }
 

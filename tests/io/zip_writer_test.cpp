@@ -31,14 +31,21 @@ std::string write(std::initializer_list<std::pair<std::string, std::string>> mem
 TEST(ZipWriter, WhatItWritesIsReadBack) {
   const std::string random = noise(70000);
   const std::string large(3 << 20, 'z');
-  const std::string bytes =
-      write({{"empty", ""}, {"random", random}, {"large", large}, {"k\xc3\xbc" "che", "sink"}});
+  const std::string bytes = write({{"empty", ""},
+                                   {"random", random},
+                                   {"large", large},
+                                   {"k\xc3\xbc"
+                                    "che",
+                                    "sink"}});
   const auto zip = ZipReader::create(view_bytes(bytes));
   ASSERT_TRUE(zip) << to_string(zip.error());
   EXPECT_EQ(zip->read("empty").value(), "");
   EXPECT_EQ(zip->read("random").value(), random);
   EXPECT_EQ(zip->read("large").value(), large);
-  EXPECT_EQ(zip->read("k\xc3\xbc" "che").value(), "sink");
+  EXPECT_EQ(zip->read("k\xc3\xbc"
+                      "che")
+                .value(),
+            "sink");
 }
 
 TEST(ZipWriter, LibzipReadsItInStrictMode) {

@@ -64,8 +64,8 @@ class ZipReader {
   /// The content of a member, read to its last byte and checked against size and CRC-32.
   /// Errors: kNotFound; kLimit when it is larger than `max_bytes`, judged before anything is
   /// inflated; kMalformedFile when data, size and CRC-32 do not fit each other; kIo; kOutOfMemory.
-  [[nodiscard]] Result<std::string> read(
-      std::string_view name, std::uint64_t max_bytes = std::uint64_t{2} << 30) const;
+  [[nodiscard]] Result<std::string> read(std::string_view name,
+                                         std::uint64_t max_bytes = std::uint64_t{2} << 30) const;
 
  private:
   ZipReader(std::shared_ptr<const ByteSource> source, std::vector<ZipMember> members);

@@ -20,10 +20,9 @@ class ZipWriter {
  public:
   explicit ZipWriter(const ZipLimits& limits = {}) : limits_(limits) {}
 
-  /// Errors: those that ZipReader would give for such a member: kMalformedFile for the name, kLimit;
-  /// kOutOfMemory.
-  /// Boundary: a member that would deflate beyond the reader's limit on ratios is packed by Huffman
-  /// codes alone (at most 8:1), so that the reader lets it pass.
+  /// Errors: those that ZipReader would give for such a member: kMalformedFile for the name,
+  /// kLimit; kOutOfMemory. Boundary: a member that would deflate beyond the reader's limit on
+  /// ratios is packed by Huffman codes alone (at most 8:1), so that the reader lets it pass.
   [[nodiscard]] Result<void> add(std::string_view name, std::string_view content);
 
   /// The archive. Leaves the writer empty.
