@@ -18,8 +18,11 @@ struct CameraWaypoint {
   Eigen::Vector3d look_at_in_map = Eigen::Vector3d::UnitX();
 };
 
-/// A smooth way through waypoints: position, heading and pitch are cubic curves through the stops
-/// (Catmull-Rom tangents); the camera never rolls.
+/// A smooth way through waypoints: position, heading and pitch are monotone cubic curves through
+/// the stops, which never overshoot; the camera never rolls. It starts and ends at rest.
+///
+/// Source: F. Fritsch, J. Butland, "A method for constructing local monotone piecewise cubic
+/// interpolants", 1984 (the harmonic mean for legs of any length).
 ///
 /// Time at a leg is what the slower of driving and turning needs, so that the sequence stays slow
 /// enough to see things wherever the robot turns.

@@ -55,7 +55,7 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<CameraWaypoint> waypoints;
   CameraPath::Options path;
-  /// How much a seed moves free-standing things on the floor; a tenth of it what lies on others.
+  /// How much a seed moves free-standing things on the floor; two fifths of it what stands on others.
   double position_jitter_m = 0.05;
   double yaw_jitter_rad = 0.1745329251994329577;  ///< 10 degrees
 };

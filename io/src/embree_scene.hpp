@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Triangle meshes that answer rays, with Embree kept in one file.
+#pragma once
+
+#include "hypermap/core/result.hpp"
+#include "hypermap/io/triangle_mesh.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace hypermap {
+
+/// What a ray met first.
+struct RayHit {
+  std::uint32_t mesh = 0;  ///< Position among the meshes given to `create`.
+  std::uint32_t triangle = 0;
+};
+
+/// Copies the meshes' triangles. Const calls are safe in parallel.
+class EmbreeScene {
+ public:
+  static constexpr int kPacket = 8;  ///< Rays that are followed together.
+
+  EmbreeScene() = default;  ///< Empty: to be assigned to before use.
+
+  /// Errors: kUnavailable when Embree gives no device or refuses the scene.
+  [[nodiscard]] static Result<EmbreeScene> create(std::span<const TriangleMesh* const> meshes);
+
+  /// The first hit of each of eight rays from one origin.
+  [[nodiscard]] std::array<std::optional<RayHit>, kPacket> nearest(
+      const Eigen::Vector3f& origin, const std::array<Eigen::Vector3f, kPacket>& directions) const;
+
+  /// True when something lies between `from` and `from + reach`.
+  [[nodiscard]] bool is_blocked(const Eigen::Vector3f& from, const Eigen::Vector3f& reach) const;
+
+ private:
+  std::shared_ptr<void> scene_;  ///< An RTCScene with its release function.
+};
+
+}  // namespace hypermap
