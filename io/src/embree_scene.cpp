@@ -57,8 +57,10 @@ Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> mes
   const RTCScene scene = scene_of(result.scene_);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   bool complete = true;
-  for (unsigned i = 0; i < meshes.size(); ++i)
+  for (unsigned i = 0; i < meshes.size(); ++i) {
+    if (meshes[i]->triangles.empty()) continue;
     complete = attach(device, scene, *meshes[i], i) && complete;
+  }
   rtcCommitScene(scene);
   const bool failed = !complete || rtcGetDeviceError(device) != RTC_ERROR_NONE;
   rtcReleaseDevice(device);

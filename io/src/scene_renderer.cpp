@@ -2,6 +2,7 @@
 #include "hypermap/io/scene_renderer.hpp"
 
 #include "embree_scene.hpp"
+#include "hypermap/core/detection.hpp"
 #include "surface_color.hpp"
 
 #include <tbb/blocked_range.h>
@@ -95,7 +96,8 @@ Vector3f SceneRenderer::Impl::lit(const Surface& surface,
   const Vector3f color = surface_color(
       material, surface.shape_from_map * point, surface.shape_from_map.linear() * normal);
   if (is_glowing(material)) return color;
-  float light = 0.42F + 0.1F * normal.z();  // light from all around, more from above
+  float light =
+      0.4F + 0.12F * std::abs(normal.z());  // light from all around, reflected by floor and ceiling
   for (const Vector3f& lamp : lamps) light += lamp_light(everything, lamp, point, normal);
   return color * std::min(light, 1.15F);
 }
@@ -111,6 +113,7 @@ void SceneRenderer::Impl::shade_pixel(
   const Vector3d direction = rays.direction(u, v);
   const double slope = normal.dot(direction);
   const double depth = normal.dot(corner - rays.origin) / slope;
+  if (!(depth > 0.0) || !std::isfinite(depth)) return;  // grazed a triangle seen edge on
   view.depth_m.at(u, v) = static_cast<float>(depth);
   view.incidence_cos.at(u, v) = static_cast<float>(std::abs(slope) / direction.norm());
   view.instances.at(u, v) = ObjectId{hit.mesh};

@@ -61,7 +61,7 @@ float tiles(const Vector2f& at) {
 
 float brick(const Vector2f& at) {
   const float row = std::floor(at.y() / 0.08F);
-  const float along = at.x() / 0.25F + 0.5F * fraction(0.5F * row) * 2.0F;
+  const float along = at.x() / 0.25F + fraction(0.5F * row);
   if (fraction(at.y() / 0.08F) < 0.1F || fraction(along) < 0.04F) return 1.1F;
   return 0.85F + 0.2F * cell_noise(along, row, 31);
 }

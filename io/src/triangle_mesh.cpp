@@ -161,8 +161,12 @@ MeshBuilder& MeshBuilder::leaf(const Eigen::Vector3d& stem,
   const Eigen::Vector3d bulge{0.0, 0.0, 0.25 * along.norm()};
   const Eigen::Vector3d middle = stem + 0.5 * along + bulge;
   const Eigen::Vector3d near = stem + 0.2 * along + 0.6 * bulge;
-  sheet(std::array{stem, near + 0.6 * side, middle + side, middle - side, near - 0.6 * side});
-  return sheet(std::array{tip, middle + side, middle - side});
+  const Eigen::Vector3d left = middle + side;
+  const Eigen::Vector3d right = middle - side;
+  const Eigen::Vector3d near_left = near + 0.6 * side;
+  const Eigen::Vector3d near_right = near - 0.6 * side;
+  sheet(std::array{stem, near_left, left, right, near_right});
+  return sheet(std::array{tip, left, right});
 }
 
 TriangleMesh MeshBuilder::build() && {

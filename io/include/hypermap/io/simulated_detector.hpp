@@ -8,6 +8,7 @@
 #include "hypermap/core/ids.hpp"
 #include "hypermap/core/image.hpp"
 #include "hypermap/core/result.hpp"
+#include "hypermap/io/counter_rng.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -31,15 +32,14 @@ struct SimulatedDetectorOptions {
   double min_score = 0.3;               ///< Scores are uniform from here ...       Range: 0 .. 1
   double max_score = 0.95;              ///< ... to here.                           Range: 0 .. 1
   double perfect_probability = 0.99;    ///< Of the true class without noise.       Range: 0 .. 1
-  bool masks = false;  ///< Also give the pixels of each thing (not of false alarms).
+  /// Also give the pixels of each thing (not of false alarms).
+  bool masks = false;
+  /// What the detector can name. Empty: `coco_class_names()`.
+  std::vector<std::string> class_names = {};
 };
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SimulatedDetectorOptions& options);
-
-/// The 80 classes of COCO in VOC spelling ("sofa", "tvmonitor", "pottedplant", "diningtable"),
-/// which the simulated detector can name.
-[[nodiscard]] std::span<const std::string_view> detector_class_names();
 
 /// A thing as it appears in one picture.
 struct VisibleObject {
@@ -56,6 +56,11 @@ struct VisibleObject {
     const Image<ObjectId>& instances, std::span<const std::string_view> class_names);
 
 /// Names things in pictures. A value: same seed, same frame, same things give the same detections.
+///
+/// Class vectors of the noisy detector: the score is the weight of the named class; of it a fifth
+/// goes to similar classes (chair/sofa, cup/bottle, tvmonitor/laptop, diningtable/desk, table/desk,
+/// as far as the detector knows them), and what is left to 1 spreads evenly over the others. A
+/// wrong class is a similar one where there is one, else any.
 class SimulatedDetector {
  public:
   /// Adds the detector's classes to `registry`.
@@ -84,7 +89,14 @@ class SimulatedDetector {
   };
   SimulatedDetector() = default;
   [[nodiscard]] std::optional<std::size_t> position_of(std::string_view class_name) const;
+  /// `weight` on the named class (noisy: a part of it on similar ones), the rest spread evenly.
   [[nodiscard]] std::vector<ClassEvidence> class_vector(std::size_t named, double weight) const;
+  /// A similar class when there is one, else any other.
+  [[nodiscard]] std::size_t wrong_class(std::size_t truth, CounterRng& random) const;
+  [[nodiscard]] std::optional<Detection> detect_one(const VisibleObject& object,
+                                                    const Image<ObjectId>& instances,
+                                                    std::uint64_t frame) const;
+  [[nodiscard]] Detection false_alarm(const Image<ObjectId>& instances, CounterRng& random) const;
 
   SimulatedDetectorOptions options_;
   std::uint64_t seed_ = 0;

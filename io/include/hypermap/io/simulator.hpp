@@ -27,8 +27,8 @@ namespace hypermap {
 struct SimulationOptions {
   int num_frames = 200;    ///< Spread evenly over the scene's camera path. Range: 1 .. 100,000
   std::uint64_t seed = 1;  ///< Of noise, detector and arrangement.
-  /// Drift of the recorded poses: 1 walks randomly by 1 cm and 0.1 degrees for each root of a metre
-  /// driven; 0: exact. Range: 0 .. 100
+  /// Drift of the recorded poses: 1 walks randomly by 1 cm and 0.1 degrees in the first metre,
+  /// growing with the root of the way; 0: exact. Range: 0 .. 100
   double pose_noise = 0.0;
   PinholeCamera camera{640, 480, 525.0, 525.0, 319.5, 239.5};
   SensorNoiseOptions sensor;
@@ -41,10 +41,11 @@ struct SimulationOptions {
 
 /// One moment of the simulation.
 struct SimulatedFrame {
-  RgbdFrame frame;                ///< As a dataset reader would give it: noise, recorded pose.
-  MapFromCamera true_pose;        ///< Where the camera really was.
-  InstanceImage instances;        ///< What each pixel really shows.
-  std::vector<int> depth_pixels;  ///< Measured pixels of each object, by id - 1.
+  RgbdFrame frame;                     ///< As a dataset reader would give it: noise, recorded pose.
+  MapFromCamera true_pose;             ///< Where the camera really was.
+  InstanceImage instances;             ///< What each pixel really shows.
+  std::vector<VisibleObject> visible;  ///< Things with enough pixels, in id order.
+  std::vector<int> depth_pixels;       ///< Measured pixels of each object, by id - 1.
 };
 
 /// A scene that can be photographed at any moment of the camera's way.
