@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "octomap_writer.hpp"
+
+#include "octomap_node.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};
+
+bool contains(const OctomapCube& cube, const OctomapLeaf& leaf) {
+  const unsigned shift = 3U * static_cast<unsigned>(kOctomapDepth - cube.depth);
+  return cube.depth < leaf.depth && cube.code >> shift == leaf.key.morton() >> shift;
+}
+
+/// The child of `cube` in which the leaf lies.
+unsigned child_towards(const OctomapCube& cube, const OctomapLeaf& leaf) {
+  return static_cast<unsigned>(leaf.key.morton() / cube.child_stride() % 8);
+}
+
+/// Sums of the children's colours, as OctoMap averages them: white ones do not count.
+struct ColorSum {
+  unsigned r = 0;
+  unsigned g = 0;
+  unsigned b = 0;
+  unsigned count = 0;
+
+  void add(Rgb8 color) {
+    if (color == kNoColor) return;
+    r += color.r;
+    g += color.g;
+    b += color.b;
+    ++count;
+  }
+  [[nodiscard]] Rgb8 mean() const {
+    if (count == 0) return kNoColor;
+    return {.r = static_cast<std::uint8_t>(r / count),
+            .g = static_cast<std::uint8_t>(g / count),
+            .b = static_cast<std::uint8_t>(b / count)};
+  }
+};
+
+/// Writes nodes depth first: an inner node when the first leaf below it comes, completed when a
+/// leaf outside it comes.
+class FullWriter {
+ public:
+  explicit FullWriter(const OctomapTree& tree) : tree_(tree) {}
+
+  OctomapNodeBytes write() {
+    for (std::size_t i = 0; i < tree_.leaves.size(); ++i) {
+      const OctomapLeaf& leaf = tree_.leaves[i];
+      while (!open_.empty() && !contains(open_.back().cube, leaf)) close();
+      if (open_.empty() && leaf.depth > 0) open({});
+      while (!open_.empty() && open_.back().cube.depth + 1 < leaf.depth) open(child_of_last(leaf));
+      if (!open_.empty()) child_of_last(leaf);
+      write_leaf(i);
+    }
+    while (!open_.empty()) close();
+    return std::move(out_);
+  }
+
+ private:
+  struct Open {
+    OctomapCube cube;
+    std::size_t at = 0;           // of the node's first byte
+    std::size_t children_at = 0;  // of its byte of children
+    std::uint8_t children = 0;
+    float max_of_children = -std::numeric_limits<float>::infinity();
+    ColorSum colors;
+  };
+
+  /// Notes the child of the last open node in which the leaf lies.
+  OctomapCube child_of_last(const OctomapLeaf& leaf) {
+    Open& last = open_.back();
+    const unsigned i = child_towards(last.cube, leaf);
+    last.children = static_cast<std::uint8_t>(last.children | 1U << i);
+    return last.cube.child(i);
+  }
+
+  void open(const OctomapCube& cube) {
+    Open node{.cube = cube, .at = out_.bytes.size()};
+    append(out_.bytes, 0.0F);
+    append_payload(kNoColor, nullptr);
+    node.children_at = out_.bytes.size();
+    append(out_.bytes, std::uint8_t{0});
+    ++out_.num_nodes;
+    open_.push_back(node);
+  }
+
+  void close() {
+    const Open node = open_.back();
+    open_.pop_back();
+    store(out_.bytes, node.at, node.max_of_children);
+    if (tree_.kind == OctomapKind::kColor)
+      store(out_.bytes, node.at + sizeof(float), node.colors.mean());
+    store(out_.bytes, node.children_at, node.children);
+    tell_parent(node.max_of_children, node.colors.mean());
+  }
+
+  void write_leaf(std::size_t index) {
+    const OctomapLeaf& leaf = tree_.leaves[index];
+    const Rgb8 color = tree_.colors.empty() ? kNoColor : tree_.colors[index];
+    append(out_.bytes, leaf.log_odds);
+    append_payload(color,
+                   leaf.label == OctomapLeaf::kNoLabel ? nullptr : &tree_.labels[leaf.label]);
+    append(out_.bytes, std::uint8_t{0});
+    ++out_.num_nodes;
+    tell_parent(leaf.log_odds, color);
+  }
+
+  void append_payload(Rgb8 color, const VoxelLabel* label) {
+    if (tree_.kind == OctomapKind::kColor) append(out_.bytes, color);
+    if (tree_.kind == OctomapKind::kSemantic) append_label(label);
+  }
+
+  void append_label(const VoxelLabel* label) {
+    append(out_.bytes, std::uint8_t{label != nullptr});
+    if (label != nullptr) append(out_.bytes, *label);
+  }
+
+  void tell_parent(float log_odds, Rgb8 color) {
+    if (open_.empty()) return;
+    Open& parent = open_.back();
+    parent.max_of_children = std::max(parent.max_of_children, log_odds);
+    parent.colors.add(color);
+  }
+
+  const OctomapTree& tree_;
+  std::vector<Open> open_;
+  OctomapNodeBytes out_;
+};
+
+/// Two bits for each child of an inner node; see BinaryReader.
+class BinaryWriter {
+ public:
+  explicit BinaryWriter(const OctomapTree& tree) : tree_(tree) {}
+
+  OctomapNodeBytes write() {
+    for (const OctomapLeaf& leaf : tree_.leaves) {
+      while (!open_.empty() && !contains(open_.back().cube, leaf)) open_.pop_back();
+      if (open_.empty()) open({});
+      while (open_.back().cube.depth + 1 < leaf.depth) open(child_of_last(leaf, kInner));
+      child_of_last(leaf, leaf.log_odds >= 0.0F ? kOccupied : kFree);
+      ++out_.num_nodes;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr unsigned kFree = 1;
+  static constexpr unsigned kOccupied = 2;
+  static constexpr unsigned kInner = 3;
+  struct Open {
+    OctomapCube cube;
+    std::size_t at = 0;
+  };
+
+  OctomapCube child_of_last(const OctomapLeaf& leaf, unsigned what) {
+    const Open& last = open_.back();
+    const unsigned i = child_towards(last.cube, leaf);
+    const unsigned codes = load<std::uint16_t>(out_.bytes, last.at) | what << 2U * i;
+    store(out_.bytes, last.at, static_cast<std::uint16_t>(codes));
+    return last.cube.child(i);
+  }
+
+  void open(const OctomapCube& cube) {
+    open_.push_back({.cube = cube, .at = out_.bytes.size()});
+    append(out_.bytes, std::uint16_t{0});
+    ++out_.num_nodes;
+  }
+
+  const OctomapTree& tree_;
+  std::vector<Open> open_;
+  OctomapNodeBytes out_;
+};
+
+}  // namespace
+
+OctomapNodeBytes write_full_nodes(const OctomapTree& tree) {
+  return FullWriter(tree).write();
+}
+OctomapNodeBytes write_binary_nodes(const OctomapTree& tree) {
+  return BinaryWriter(tree).write();
+}
+
+}  // namespace hypermap
