@@ -120,10 +120,11 @@ LeafSource leaf_source(const OctomapTree& tree) {
       const double half_edge_m = 0.5 * leaf.edge_voxels() * tree.resolution_m;
       const Eigen::Vector3d corner =
           grid.centre(leaf.key).xyz - Eigen::Vector3d::Constant(0.5 * tree.resolution_m);
-      LeafSample sample{.centre_in_map = corner + Eigen::Vector3d::Constant(half_edge_m),
-                        .edge_m = 2.0 * half_edge_m,
-                        .occupancy = LogOdds(static_cast<double>(leaf.log_odds)),
-                        .occupied = leaf.log_odds >= 0.0F};
+      LeafSample sample;
+      sample.centre_in_map = corner + Eigen::Vector3d::Constant(half_edge_m);
+      sample.edge_m = 2.0 * half_edge_m;
+      sample.occupancy = LogOdds(static_cast<double>(leaf.log_odds));
+      sample.occupied = leaf.log_odds >= 0.0F;
       if (sample.occupied && leaf.label != OctomapLeaf::kNoLabel) {
         sample.best_class = tree.labels[leaf.label].best_class();
         sample.object = tree.labels[leaf.label].object;
@@ -194,7 +195,8 @@ Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(own));
   Changes changes;
   for (const OctomapLeaf& leaf : tree.leaves) {
-    StoredLeaf stored{.log_odds = converted(leaf.log_odds, octree.sensor_model(), changes)};
+    StoredLeaf stored;
+    stored.log_odds = converted(leaf.log_odds, octree.sensor_model(), changes);
     if (leaf.label != OctomapLeaf::kNoLabel) stored.label = tree.labels[leaf.label];
     for (std::uint64_t i = 0; i < leaf.num_voxels(); ++i) {
       stored.key = VoxelKey::from_morton(leaf.key.morton() + i);

@@ -71,7 +71,7 @@ class FullWriter {
     std::size_t children_at = 0;  // of its byte of children
     std::uint8_t children = 0;
     float max_of_children = -std::numeric_limits<float>::infinity();
-    ColorSum colors;
+    ColorSum colors = {};
   };
 
   /// Notes the child of the last open node in which the leaf lies.

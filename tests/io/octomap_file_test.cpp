@@ -81,8 +81,9 @@ OctomapTree random_tree(unsigned seed, OctomapKind kind) {
                 .value())};
     if (kind == OctomapKind::kSemantic && engine() % 2 == 0) {
       leaf.label = static_cast<std::uint32_t>(tree.labels.size());
-      VoxelLabel label{.object_votes = 1,
-                       .object = ObjectId{static_cast<std::uint32_t>(1 + engine() % 9)}};
+      VoxelLabel label;
+      label.object_votes = 1;
+      label.object = ObjectId{static_cast<std::uint32_t>(1 + engine() % 9)};
       label.classes[0] = {.class_id = static_cast<std::uint16_t>(engine() % 80), .log_odds = 1234};
       tree.labels.push_back(label);
     }
@@ -307,16 +308,17 @@ TEST_P(OctomapFilesOfOthers, GiveTheSameLeavesAsOctomapsOwnReader) {
   const auto ours = read_octomap(path);
   ASSERT_TRUE(ours) << to_string(ours.error());
   EXPECT_THAT(ours->findings, IsEmpty());
-  octomap::OcTree octree(0.1);
+  std::unique_ptr<octomap::AbstractOcTree> read;
   if (path.extension() == ".bt") {
-    ASSERT_TRUE(octree.readBinary(path.string()));
+    auto binary = std::make_unique<octomap::OcTree>(0.1);
+    ASSERT_TRUE(binary->readBinary(path.string()));
+    read = std::move(binary);
   } else {
-    const std::unique_ptr<octomap::AbstractOcTree> read(
-        octomap::AbstractOcTree::read(path.string()));
-    const auto* tree = dynamic_cast<octomap::OcTree*>(read.get());
-    ASSERT_NE(tree, nullptr);
-    octree = *tree;
+    read.reset(octomap::AbstractOcTree::read(path.string()));
   }
+  const auto* tree = dynamic_cast<octomap::OcTree*>(read.get());
+  ASSERT_NE(tree, nullptr);
+  const octomap::OcTree& octree = *tree;
   EXPECT_EQ(octree.getResolution(), ours->value.resolution_m);
   const auto theirs = leaves_of(octree);
   ASSERT_EQ(theirs.size(), ours->value.leaves.size());

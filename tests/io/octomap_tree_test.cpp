@@ -15,7 +15,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 VoxelLabel label_of(std::uint16_t class_id, std::uint32_t object) {
-  VoxelLabel label{.object_votes = 3, .object = ObjectId{object}};
+  VoxelLabel label;
+  label.object_votes = 3;
+  label.object = ObjectId{object};
   label.classes[0] = {.class_id = class_id, .log_odds = 2000};
   return label;
 }
@@ -26,10 +28,11 @@ SemanticOctree room() {
   for (std::uint16_t x = 0; x < 16; ++x)
     for (std::uint16_t y = 0; y < 16; ++y)
       for (std::uint16_t z = 0; z < 8; ++z) {
-        StoredLeaf leaf{.key = {static_cast<std::uint16_t>(32768 + x),
-                                static_cast<std::uint16_t>(32768 + y),
-                                static_cast<std::uint16_t>(32768 + z)},
-                        .log_odds = -2000};
+        StoredLeaf leaf;
+        leaf.key = {static_cast<std::uint16_t>(32768 + x),
+                    static_cast<std::uint16_t>(32768 + y),
+                    static_cast<std::uint16_t>(32768 + z)};
+        leaf.log_odds = -2000;
         if (x == 3 && y == 5) {
           leaf.log_odds = static_cast<MilliLogOdds>(847 + z);
           leaf.label = label_of(7, 12);

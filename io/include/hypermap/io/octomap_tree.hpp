@@ -27,7 +27,7 @@ struct OctomapLeaf {
   static constexpr std::uint8_t kVoxelDepth = 16;
   static constexpr std::uint32_t kNoLabel = 0xFFFFFFFF;
 
-  VoxelKey key;  ///< Of the voxel at the lower corner.
+  VoxelKey key = {};  ///< Of the voxel at the lower corner.
   std::uint8_t depth = kVoxelDepth;
   float log_odds = 0.0F;
   std::uint32_t label = kNoLabel;  ///< Index into OctomapTree::labels.
@@ -44,9 +44,9 @@ struct OctomapLeaf {
 struct OctomapTree {
   OctomapKind kind = OctomapKind::kOccupancy;
   double resolution_m = 0.05;
-  std::vector<OctomapLeaf> leaves;  ///< In Morton order, disjoint.
-  std::vector<Rgb8> colors;         ///< kColor: one per leaf; white means none. Else empty.
-  std::vector<VoxelLabel> labels;   ///< kSemantic: those that leaves point to. Else empty.
+  std::vector<OctomapLeaf> leaves = {};  ///< In Morton order, disjoint.
+  std::vector<Rgb8> colors = {};         ///< kColor: one per leaf; white means none. Else empty.
+  std::vector<VoxelLabel> labels = {};   ///< kSemantic: those that leaves point to. Else empty.
   friend bool operator==(const OctomapTree&, const OctomapTree&) = default;
 };
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// `hmap_config.yaml`: which layers and extensions a map archive has, and in which files they lie.
+///
+/// Source: [hypermap] 3.3.5, and the archives that its first implementation wrote: `layers` and
+/// `transforms`. Ours adds `extensions`, a key that the first implementation ignores.
+#pragma once
+
+#include "hypermap/core/result.hpp"
+#include "hypermap/io/source_name.hpp"
+#include "hypermap/projection/frame_tree.hpp"
+#include "hypermap/projection/hypermap.hpp"
+#include "hypermap/projection/value_tree.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// The member that every archive has by this name.
+inline constexpr std::string_view kConfigName = "hmap_config.yaml";
+/// What this version writes and the newest that it reads; 0 stands for the first implementation's
+/// archives, which say nothing.
+inline constexpr std::int64_t kArchiveFormatVersion = 1;
+
+/// A layer as the configuration tells of it; content comes from its file.
+struct LayerEntry {
+  std::string class_name;
+  LayerInfo info;
+  friend bool operator==(const LayerEntry&, const LayerEntry&) = default;
+};
+
+/// A part of the map beyond the strict form.
+struct ExtensionEntry {
+  std::string format;        ///< "octomap", "hypermap-objects", or one that nobody here knows.
+  std::int64_t version = 1;  ///< Of the format.
+  std::string name;
+  std::string frame_id = "map";
+  std::string file = {};  ///< Member name.
+  ValueTree extra = {};   ///< All other keys, as a map; null when there are none.
+  friend bool operator==(const ExtensionEntry&, const ExtensionEntry&) = default;
+};
+
+struct HypermapConfig {
+  std::int64_t format_version = 0;
+  std::vector<LayerEntry> layers;
+  FrameTree frames = {};
+  std::vector<ExtensionEntry> extensions = {};
+  /// Extensions that lack one of the keys above: not ours, kept as they are.
+  std::vector<ValueTree> foreign_extensions = {};
+  ValueTree extra = {};  ///< All other keys, as a map; null when there are none.
+  friend bool operator==(const HypermapConfig&, const HypermapConfig&) = default;
+};
+
+/// The member names that a layer's or extension's file may have are checked when it is read, since
+/// a configuration on disk may name files anywhere.
+///
+/// Findings: unknown keys, with the nearest known one.
+/// Errors: kMalformedFile naming field and line (a missing key, a wrong type, a name that is not
+/// plain or there twice, a transform that closes a loop); kUnsupported "written by a newer version
+/// N"; kLimit for too many layers or extensions.
+[[nodiscard]] Result<Loaded<HypermapConfig>> parse_hypermap_config(std::string_view bytes,
+                                                                   const SourceName& source);
+
+/// The strict form first: layers, transforms; then format_version, extensions, other keys.
+/// Boundary: without layers the list is there, empty; without extensions their key and
+/// format_version are not written.
+[[nodiscard]] std::string write_hypermap_config(const HypermapConfig& config);
+
+}  // namespace hypermap
