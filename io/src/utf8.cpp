@@ -1,46 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "utf8.hpp"
 
-#include <cstddef>
+#include <array>
 
 namespace hypermap {
 namespace {
 
-/// What may follow a lead byte: how many bytes, and the range of the first of them.
-struct Sequence {
-  std::size_t num_following = 0;
-  unsigned char min_second = 0x80;
-  unsigned char max_second = 0xbf;
-  bool valid = true;
-};
+/// Smallest code that needs so many bytes.
+constexpr std::array<std::uint32_t, 5> kFirstOfLength{0, 0, 0x80, 0x800, 0x10000};
 
-Sequence sequence_of(unsigned char lead) {
-  if (lead < 0x80) return {};
-  if (lead >= 0xc2 && lead <= 0xdf) return {.num_following = 1};
-  if (lead == 0xe0) return {.num_following = 2, .min_second = 0xa0};
-  if (lead == 0xed) return {.num_following = 2, .max_second = 0x9f};
-  if (lead >= 0xe1 && lead <= 0xef) return {.num_following = 2};
-  if (lead == 0xf0) return {.num_following = 3, .min_second = 0x90};
-  if (lead >= 0xf1 && lead <= 0xf3) return {.num_following = 3};
-  if (lead == 0xf4) return {.num_following = 3, .max_second = 0x8f};
-  return {.valid = false};
+std::size_t length_by_lead(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
 }
 
 }  // namespace
 
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto lead = static_cast<unsigned char>(text[at]);
+  const std::size_t length = length_by_lead(lead);
+  if (length <= 1) return length;
+  if (at + length > text.size()) return 0;
+  std::uint32_t code = lead & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    const auto byte = static_cast<unsigned char>(text[at + i]);
+    if ((byte & 0xC0U) != 0x80U) return 0;
+    code = (code << 6U) | (byte & 0x3FU);
+  }
+  const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+  return code < kFirstOfLength.at(length) || is_surrogate || code > 0x10FFFF ? 0 : length;
+}
+
 bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const Sequence sequence = sequence_of(static_cast<unsigned char>(text[i]));
-    if (!sequence.valid || sequence.num_following > text.size() - i - 1) return false;
-    for (std::size_t k = 1; k <= sequence.num_following; ++k) {
-      const auto byte = static_cast<unsigned char>(text[i + k]);
-      const unsigned char min = k == 1 ? sequence.min_second : 0x80;
-      const unsigned char max = k == 1 ? sequence.max_second : 0xbf;
-      if (byte < min || byte > max) return false;
-    }
-    i += sequence.num_following;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(text, at);
+    if (length == 0) return false;
+    at += length;
   }
   return true;
+}
+
+void append_utf8(std::string& text, std::uint32_t code) {
+  const auto tail = [&](unsigned shift) {
+    text.push_back(static_cast<char>(0x80U | ((code >> shift) & 0x3FU)));
+  };
+  if (code < 0x80) {
+    text.push_back(static_cast<char>(code));
+  } else if (code < 0x800) {
+    text.push_back(static_cast<char>(0xC0U | (code >> 6U)));
+    tail(0);
+  } else if (code < 0x10000) {
+    text.push_back(static_cast<char>(0xE0U | (code >> 12U)));
+    tail(6);
+    tail(0);
+  } else {
+    text.push_back(static_cast<char>(0xF0U | (code >> 18U)));
+    tail(12);
+    tail(6);
+    tail(0);
+  }
 }
 
 }  // namespace hypermap

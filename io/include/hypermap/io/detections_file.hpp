@@ -71,6 +71,8 @@ struct FrameDetections {
   std::optional<Stamp> stamp;  ///< Exact to the nanosecond.
   int width_px = 0;            ///< 0: not stated.
   int height_px = 0;
+  /// Boxes are shares of the picture's sides (YOLO text), not pixels.
+  bool boxes_are_shares = false;
   std::vector<NamedDetection> detections;
   friend bool operator==(const FrameDetections&, const FrameDetections&) = default;
 };
