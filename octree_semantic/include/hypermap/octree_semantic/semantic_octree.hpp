@@ -15,6 +15,7 @@
 #include "hypermap/octree_semantic/brick.hpp"
 #include "hypermap/octree_semantic/brick_table.hpp"
 #include "hypermap/octree_semantic/sensor_model.hpp"
+#include "hypermap/octree_semantic/voxel_grid.hpp"
 #include "hypermap/octree_semantic/voxel_key.hpp"
 #include "hypermap/octree_semantic/voxel_label.hpp"
 

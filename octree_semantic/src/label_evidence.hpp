@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What one frame's labels say about the class and object of a voxel.
+#pragma once
+
+#include "hypermap/core/ids.hpp"
+#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "hypermap/octree_semantic/voxel_label.hpp"
+#include "label_votes.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// Evidence for one class in steps of 0.001: logit(p) - logit(1/N).
+struct ScoredClass {
+  std::uint16_t class_id = 0;
+  std::int32_t evidence = 0;
+};
+
+/// A frame's evidence for every class that its vector names.
+struct VoxelEvidence {
+  std::span<const ScoredClass> by_id;  ///< Ascending ids.
+  std::span<const ScoredClass> best;   ///< The seven strongest at most, strongest first.
+  ObjectId object;                     ///< Of most measurements; the lower id of equals.
+};
+
+/// Turns votes into evidence: the class vectors are averaged over the measurements first, so that a
+/// voxel gets one observation per frame however many measurements ended in it, then come to
+/// log-odds. Where all measurements have one label (nearly everywhere), nothing is computed per
+/// voxel.
+class LabelEvidence {
+ public:
+  /// Throws std::bad_alloc. Requires: `labels` outlives the use.
+  void start(std::span<const PixelLabels> labels);
+  /// Valid until the next call.
+  [[nodiscard]] VoxelEvidence of(std::span<const LabelVote> votes) noexcept;
+
+ private:
+  struct Range {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  struct Scored {
+    std::vector<ScoredClass> by_id;
+    std::vector<ScoredClass> best;
+  };
+  struct Prepared {
+    Range by_id;
+    Range best;
+  };
+  [[nodiscard]] VoxelEvidence mixed(std::span<const LabelVote> votes, ObjectId object) noexcept;
+
+  std::span<const PixelLabels> labels_;
+  Scored scored_;  // of all labels, one after the other
+  std::vector<Prepared> prepared_;
+  std::vector<ClassEvidence> sum_;  // of the voxel at hand
+  std::vector<ClassEvidence> merged_;
+  Scored mixed_;
+};
+
+/// Adds the evidence to a voxel's belief: every class of the vector, then the cut to the best
+/// three.
+///
+/// Source: [smap] Eq. (3.18) in log-odds, clamped to +-`limit`.
+void observe(VoxelLabel& label, const VoxelEvidence& evidence, MilliLogOdds limit) noexcept;
+
+}  // namespace hypermap
