@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// CPU time of putting frames with labels into the semantic octree, against OctoMap's
+// insertPointCloud (without labels) on the same points in the same run. `cpu_ratio` is OctoMap's
+// time over ours; a ray is a measured depth pixel.
+#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "octree_semantic/support/labelled_frame.hpp"
+
+#include <benchmark/benchmark.h>
+#include <octomap/octomap.h>
+
+#include <cstddef>
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace hypermap::test {
+namespace {
+
+constexpr double kMaxRangeM = 5.0;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Runs `work` and returns the CPU time it took, of all threads.
+template <class Work>
+double cpu_time_of(Work&& work) {
+  const double before = cpu_seconds();
+  work();
+  return cpu_seconds() - before;
+}
+
+struct Sequence {
+  std::vector<LabelledFrame> frames;
+  std::vector<octomap::Pointcloud> clouds;
+  std::size_t num_rays = 0;
+};
+
+Sequence prepare(std::vector<LabelledFrame> frames) {
+  Sequence sequence{.frames = std::move(frames), .clouds = {}, .num_rays = 0};
+  for (const LabelledFrame& labelled : sequence.frames) {
+    octomap::Pointcloud& cloud = sequence.clouds.emplace_back();
+    for (const Eigen::Vector3f& point : measured_points(labelled.frame)) {
+      cloud.push_back(point.x(), point.y(), point.z());
+    }
+    sequence.num_rays += cloud.size();
+  }
+  return sequence;
+}
+
+const Sequence& room() {
+  static const Sequence kSequence = prepare(room_frames(20, 640));
+  return kSequence;
+}
+const Sequence& kitchen() {
+  static const Sequence kSequence = prepare(kitchen_frames(5, 40));
+  return kSequence;
+}
+
+double insert_into_octomap(const Sequence& sequence, double resolution_m, bool discretize) {
+  octomap::OcTree tree(resolution_m);
+  return cpu_time_of([&] {
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+      const Eigen::Vector3d sensor = sequence.frames[i].frame.map_from_camera.origin().xyz;
+      const octomap::point3d origin(static_cast<float>(sensor.x()),
+                                    static_cast<float>(sensor.y()),
+                                    static_cast<float>(sensor.z()));
+      tree.insertPointCloud(sequence.clouds[i], origin, kMaxRangeM, false, discretize);
+    }
+  });
+}
+
+double integrate(const Sequence& sequence,
+                 double resolution_m,
+                 const IntegrationOptions& options,
+                 benchmark::State& state) {
+  auto tree = SemanticOctree::create({.resolution_m = resolution_m}).value();
+  FrameIntegrator integrator;
+  const double seconds = cpu_time_of([&] {
+    for (const LabelledFrame& labelled : sequence.frames) {
+      if (!integrator.integrate(tree, labelled.frame, labelled.labels, options)) {
+        state.SkipWithError("a frame was refused");
+      }
+    }
+  });
+  const LeafCount leaves = tree.num_leaves();
+  state.counters["occupied"] = static_cast<double>(leaves.occupied);
+  state.counters["bytes_per_occupied"] =
+      static_cast<double>(tree.memory_bytes()) / static_cast<double>(leaves.occupied);
+  return seconds;
+}
+
+void compare(benchmark::State& state,
+             const Sequence& (*sequence_of)(),
+             double resolution_m,
+             IntegrationMode mode,
+             bool octomap_discretize) {
+  const Sequence& sequence = sequence_of();
+  if (sequence.frames.empty()) {
+    state.SkipWithError("test data not present");
+    return;
+  }
+  const IntegrationOptions options{.mode = mode, .max_range_m = kMaxRangeM, .num_threads = 1};
+  double ours = 0.0;
+  double octomaps = 0.0;
+  for (auto _ : state) {
+    const double seconds = integrate(sequence, resolution_m, options, state);
+    octomaps += insert_into_octomap(sequence, resolution_m, octomap_discretize);
+    ours += seconds;
+    state.SetIterationTime(seconds);
+  }
+  const double rays = static_cast<double>(sequence.num_rays * state.iterations());
+  state.counters["ns_per_ray"] = ours / rays * 1e9;
+  state.counters["octomap_ns_per_ray"] = octomaps / rays * 1e9;
+  state.counters["cpu_ratio"] = octomaps / ours;
+}
+
+void register_one(const std::string& scene, const Sequence& (*sequence)(), double resolution_m) {
+  const std::string suffix =
+      "/" + scene + "/" + std::to_string(static_cast<int>(resolution_m * 100.0 + 0.5)) + "cm";
+  const auto add = [&](const std::string& name, IntegrationMode mode, bool octomap_discretize) {
+    benchmark::RegisterBenchmark(
+        (name + suffix).c_str(), compare, sequence, resolution_m, mode, octomap_discretize)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("discretize_vs_insertPointCloud", IntegrationMode::kDiscretize, false);
+  add("discretize_vs_octomap_discretize", IntegrationMode::kDiscretize, true);
+  add("exact_vs_insertPointCloud", IntegrationMode::kExact, false);
+}
+
+}  // namespace
+}  // namespace hypermap::test
+
+int main(int argc, char** argv) {
+  for (const double resolution_m : {0.05, 0.02}) {
+    hypermap::test::register_one("room", hypermap::test::room, resolution_m);
+    hypermap::test::register_one("kitchen", hypermap::test::kitchen, resolution_m);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
