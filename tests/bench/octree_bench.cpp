@@ -111,7 +111,7 @@ void compare(benchmark::State& state,
     ours += seconds;
     state.SetIterationTime(seconds);
   }
-  const double rays = static_cast<double>(sequence.num_rays * state.iterations());
+  const double rays = static_cast<double>(sequence.num_rays) * static_cast<double>(state.iterations());
   state.counters["ns_per_ray"] = ours / rays * 1e9;
   state.counters["octomap_ns_per_ray"] = octomaps / rays * 1e9;
   state.counters["cpu_ratio"] = octomaps / ours;

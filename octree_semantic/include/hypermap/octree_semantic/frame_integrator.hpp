@@ -48,10 +48,10 @@ struct IntegrationOptions {
 
 /// What is known of some measurements of a frame: they belong together.
 struct PixelLabels {
-  ObjectId object = kNoObject;              ///< kNoObject: they vote for no object.
-  std::vector<ClassEvidence> class_scores;  ///< Sorted by id, sums to 1; may be empty.
+  ObjectId object = kNoObject;                ///< kNoObject: they vote for no object.
+  std::vector<ClassEvidence> class_scores{};  ///< Sorted by id, sums to 1; may be empty.
   /// Row-major positions of depth pixels (or indices of cloud points), in any order.
-  std::vector<std::uint32_t> pixel_indices;
+  std::vector<std::uint32_t> pixel_indices{};
 };
 
 /// What became of a frame's measurements. Each pixel or point is counted in exactly one of the

@@ -29,8 +29,8 @@
 namespace hypermap {
 
 struct OctreeOptions {
-  double resolution_m = 0.05;       ///< Edge of a voxel, 0.001 .. 10.
-  SensorModelOptions sensor_model;  ///< OctoMap's defaults.
+  double resolution_m = 0.05;         ///< Edge of a voxel, 0.001 .. 10.
+  SensorModelOptions sensor_model{};  ///< OctoMap's defaults.
   /// Class evidence of a voxel saturates at +- this, 0.1 .. 30. [smap] table D.2: 10.
   LogOdds max_class_log_odds{10.0};
   friend bool operator==(const OctreeOptions&, const OctreeOptions&) = default;
@@ -42,7 +42,7 @@ struct OctreeOptions {
 struct StoredLeaf {
   VoxelKey key;
   MilliLogOdds log_odds = 0;
-  std::optional<VoxelLabel> label;
+  std::optional<VoxelLabel> label{};
   friend bool operator==(const StoredLeaf&, const StoredLeaf&) = default;
 };
 using StoredLeafVisitor = std::function<void(const StoredLeaf&)>;

@@ -24,7 +24,7 @@ inline constexpr std::size_t kBrickVolume = 512;
 /// Moves the lower 16 bits of `value` apart, so that two zero bits follow each of them.
 [[nodiscard]] constexpr std::uint64_t spread_bits(std::uint32_t value) noexcept {
   std::uint64_t v = value & 0xFFFFU;
-  v = (v | v << 16U) & 0x0000'00FF'0000'00FFULL;
+  v = (v | v << 16U) & 0x0000'0000'FF00'00FFULL;
   v = (v | v << 8U) & 0x0000'00F0'0F00'F00FULL;
   v = (v | v << 4U) & 0x0000'0C30'C30C'30C3ULL;
   return (v | v << 2U) & 0x0000'2492'4924'9249ULL;
@@ -35,7 +35,7 @@ inline constexpr std::size_t kBrickVolume = 512;
   std::uint64_t v = spread & 0x0000'2492'4924'9249ULL;
   v = (v | v >> 2U) & 0x0000'0C30'C30C'30C3ULL;
   v = (v | v >> 4U) & 0x0000'00F0'0F00'F00FULL;
-  v = (v | v >> 8U) & 0x0000'00FF'0000'00FFULL;
+  v = (v | v >> 8U) & 0x0000'0000'FF00'00FFULL;
   return static_cast<std::uint32_t>((v | v >> 16U) & 0xFFFFU);
 }
 
