@@ -38,6 +38,17 @@ struct Rect {
 /// not finite or beyond 1e6 m. Cost: O(n log n) for sane input; bounded for hostile input.
 [[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
 
+/// What a ring that is wound more than once, or that touches or crosses itself, stands for: the area
+/// where its winding number is not zero, in one or several parts, without holes inside the area.
+///
+/// Faulty hull code writes such rings; all their winding numbers have one sign. A simple ring gives
+/// itself. Parts are in the order of their lowest, then leftmost point.
+/// Errors: kInvalidArgument with the reason: winding numbers of both signs (a bow-tie), a spike,
+/// fewer than three distinct points, zero area, a coordinate that is not finite or beyond 1e6 m;
+/// kLimit when the ring has more than 10^5 points or more crossings than points.
+/// Cost: O((n + crossings) log n), the crossings bounded by the limit.
+[[nodiscard]] Result<std::vector<Polygon>> resolve_winding(Ring ring);
+
 [[nodiscard]] double area_m2(const Polygon& polygon);
 /// Centroid of the area. Requires: a valid polygon.
 [[nodiscard]] Eigen::Vector2d centroid(const Polygon& polygon);
