@@ -38,7 +38,7 @@ struct PointVote {
 };
 
 struct PointEvidenceOptions {
-  double edge_m = 0.02;          ///< Edge of a cell to begin with, 0.001 to 1 m.
+  double edge_m = 0.02;            ///< Edge of a cell to begin with, 0.001 to 1 m.
   std::uint32_t max_cells = 4096;  ///< More make cells twice as wide; 64 to 65,536.
   /// A cell counts when it and its neighbours in a block have at least this share of the votes that
   /// the well-seen blocks have, in [0, 1]. 0 counts all: the hull of all errors.

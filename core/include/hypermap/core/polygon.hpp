@@ -38,8 +38,9 @@ struct Rect {
 /// not finite or beyond 1e6 m. Cost: O(n log n) for sane input; bounded for hostile input.
 [[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
 
-/// What a ring that is wound more than once, or that touches or crosses itself, stands for: the area
-/// where its winding number is not zero, in one or several parts, without holes inside the area.
+/// What a ring that is wound more than once, or that touches or crosses itself, stands for: the
+/// area where its winding number is not zero, in one or several parts, without holes inside the
+/// area.
 ///
 /// Faulty hull code writes such rings; all their winding numbers have one sign. A simple ring gives
 /// itself. Parts are in the order of their lowest, then leftmost point.

@@ -20,10 +20,10 @@ namespace hypermap {
 
 /// Everything that a ShapeEvidence remembers, for storing it.
 struct ShapeEvidenceState {
-  std::vector<Polygon> shapes;     ///< The kept shapes, in the order of their arrival.
-  std::uint64_t num_seen = 0;      ///< All shapes ever added, dropped ones included.
+  std::vector<Polygon> shapes;  ///< The kept shapes, in the order of their arrival.
+  std::uint64_t num_seen = 0;   ///< All shapes ever added, dropped ones included.
   Eigen::Vector2d centroid_sum = Eigen::Vector2d::Zero();  ///< Of the centroids of all of them.
-  std::optional<Polygon> hull;     ///< Convex hull of all of them.
+  std::optional<Polygon> hull;                             ///< Convex hull of all of them.
   friend bool operator==(const ShapeEvidenceState&, const ShapeEvidenceState&) = default;
 };
 
