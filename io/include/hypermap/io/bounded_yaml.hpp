@@ -3,9 +3,9 @@
 /// YAML from untrusted hands: read within limits, asked by key and type, with errors that name
 /// file, line and field.
 ///
-/// Scope: one document a file, UTF-8 (a byte order mark is skipped; UTF-16 is refused), keys are
-/// scalars, no key twice in a map, no tags but those of the core schema. Aliases are copied, within
-/// a limit. Nothing depends on the locale.
+/// Scope: one document a file, UTF-8 (a byte order mark is skipped; UTF-16 is refused), line ends LF
+/// or CRLF, keys are scalars, no key twice in a map, no merge keys, no tags but those of the core
+/// schema. Aliases are copied, within a limit. Nothing depends on the locale.
 #pragma once
 
 #include "hypermap/core/result.hpp"
@@ -26,8 +26,10 @@ namespace hypermap {
 struct YamlLimits {
   std::size_t max_bytes = std::size_t{16} << 20U;  ///< Of the file.
   int max_depth = 64;                              ///< Of nested lists and maps.
-  std::size_t max_nodes = 2'000'000;               ///< Of all values.
-  std::size_t max_alias_nodes = 10'000;            ///< Values that aliases may add by copying.
+  std::size_t max_nodes = 1'000'000;                ///< Of all values.
+  std::size_t max_alias_nodes = 10'000;             ///< Values that anchors and aliases copy.
+  std::size_t max_alias_bytes = std::size_t{1} << 20U;  ///< Text that anchors and aliases copy.
+  std::size_t max_flow_items = 500'000;             ///< Within one outermost [] or {}.
 };
 
 /// A place in a document: a value and the way to it ("layers[1].file").
@@ -103,7 +105,7 @@ struct YamlDocument {
                                              const YamlLimits& limits = {});
 
 enum class YamlStyle {
-  kBlock,  ///< A line for each key and item; maps of scalars inside lists in one line's braces.
+  kBlock,  ///< A line for each key and item; lists of scalars in one line.
   kFlow,   ///< All in one line.
 };
 

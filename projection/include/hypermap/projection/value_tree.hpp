@@ -22,7 +22,9 @@ struct ValueTree {
 
   ValueKind kind = ValueKind::kNull;
   std::string text = {};  ///< Of a scalar, escapes resolved, UTF-8.
-  bool quoted = false;    ///< A scalar in quotes is text even if it looks like a number.
+  /// A scalar that is text although, bare, it would read as a number, a truth value or nothing;
+  /// false for all other text, in quotes or not.
+  bool quoted = false;
   std::vector<ValueTree> items = {};  ///< Of a list.
   std::vector<Entry> entries = {};    ///< Of a map; no key twice.
   int line = 0;                       ///< 1-based; 0 when it came from no document.
@@ -35,7 +37,11 @@ struct ValueTree {
 
 [[nodiscard]] ValueTree make_list(std::vector<ValueTree> items);
 [[nodiscard]] ValueTree make_map(std::vector<ValueTree::Entry> entries);
-/// Text; written in quotes where it would otherwise read as something else.
+/// Whether `text` without quotes would read as a number, a truth value or nothing; also what
+/// other readers take for one: `010`, `1_000`, `1:30`, `2020-01-01`.
+[[nodiscard]] bool reads_as_no_text(std::string_view text);
+
+/// Text, whatever it looks like.
 [[nodiscard]] ValueTree make_text(std::string text);
 /// A number, shortest form that reads back to the same value; NaN and infinities as YAML has them.
 [[nodiscard]] ValueTree make_number(double number);

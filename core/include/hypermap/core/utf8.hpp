@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Whether bytes are UTF-8, and where its characters end.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace hypermap {
+
+/// Bytes of the UTF-8 sequence that starts at text[at]; 0 when there is no valid one (cut, overlong,
+/// a surrogate, beyond U+10FFFF). Requires: at < text.size().
+[[nodiscard]] std::size_t utf8_length(std::string_view text, std::size_t at);
+
+/// Position of the first byte that is no UTF-8; text.size() when all is well.
+[[nodiscard]] std::size_t first_bad_utf8(std::string_view text);
+
+}  // namespace hypermap

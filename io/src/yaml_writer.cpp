@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/utf8.hpp"
+#include "hypermap/io/bounded_yaml.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace hypermap {
+namespace {
+
+constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+
+/// Text that every YAML reader takes as one bare scalar, inside and outside flow collections.
+bool is_safe_bare(std::string_view text) {
+  constexpr std::string_view kNeverFirst = "!&*-?|>@`%'\"#[]{},:=<~ ";
+  constexpr std::string_view kNever = "\"'#[]{},:\\`|>&*!%@";
+  if (text.empty() || kNeverFirst.find(text.front()) != std::string_view::npos) return false;
+  if (text.back() == ' ' || text == "..." || text.starts_with("---")) return false;
+  return std::all_of(text.begin(), text.end(), [&](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x20 && byte < 0x7F && kNever.find(c) == std::string_view::npos;
+  });
+}
+
+/// A negative number may start with the minus sign that other bare text may not.
+bool is_bare_number(std::string_view text) {
+  return reads_as_no_text(text) && std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c == '+' || c == '-' ||
+                  c == '.';
+         });
+}
+
+std::string escaped(unsigned char byte) {
+  switch (byte) {
+    case '"':
+      return "\\\"";
+    case '\\':
+      return "\\\\";
+    case '\n':
+      return "\\n";
+    case '\t':
+      return "\\t";
+    case '\r':
+      return "\\r";
+    default:
+      return {'\\', 'x', kHexDigits[byte >> 4U], kHexDigits[byte & 0xFU]};
+  }
+}
+
+/// In double quotes; control characters escaped, other characters as they are.
+std::string in_quotes(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_active = byte < 0x20 || byte == 0x7F || c == '"' || c == '\\';
+    out += is_active ? escaped(byte) : std::string(1, c);
+  }
+  return out + "\"";
+}
+
+std::string scalar(const ValueTree& tree) {
+  if (tree.kind == ValueKind::kNull) return "~";
+  if (!tree.quoted && (is_bare_number(tree.text) || is_safe_bare(tree.text))) return tree.text;
+  return in_quotes(tree.text);
+}
+
+bool is_scalar(const ValueTree& tree) {
+  return tree.kind == ValueKind::kNull || tree.kind == ValueKind::kScalar;
+}
+
+bool is_empty(const ValueTree& tree) { return tree.items.empty() && tree.entries.empty(); }
+
+// NOLINTBEGIN(misc-no-recursion): the depth of a tree is bounded by whoever made it
+std::string flow(const ValueTree& tree) {
+  if (is_scalar(tree)) return scalar(tree);
+  const bool is_list = tree.kind == ValueKind::kList;
+  std::string out = is_list ? "[" : "{";
+  std::string_view separator;
+  for (const ValueTree& item : tree.items) {
+    out += std::string(separator) + flow(item);
+    separator = ", ";
+  }
+  for (const auto& [key, value] : tree.entries) {
+    out += std::string(separator) + yaml_scalar(key) + ": " + flow(value);
+    separator = ", ";
+  }
+  return out + (is_list ? "]" : "}");
+}
+
+/// Lists of scalars stay in one line, as do empty collections.
+bool fits_one_line(const ValueTree& tree) {
+  if (is_scalar(tree) || is_empty(tree)) return true;
+  return tree.kind == ValueKind::kList &&
+         std::all_of(tree.items.begin(), tree.items.end(), is_scalar);
+}
+
+void append_block(std::string& out, const ValueTree& tree, std::size_t indent, bool first_inline);
+
+void append_value(std::string& out, const ValueTree& value, std::size_t indent) {
+  if (fits_one_line(value)) {
+    out += " " + flow(value) + "\n";
+  } else {
+    out += "\n";
+    append_block(out, value, indent, false);
+  }
+}
+
+/// `first_inline`: the first line continues one that has its indent already (after "- ").
+void append_block(std::string& out, const ValueTree& tree, std::size_t indent, bool first_inline) {
+  const std::string blanks(indent, ' ');
+  bool is_first = first_inline;
+  for (const ValueTree& item : tree.items) {
+    out += (std::exchange(is_first, false) ? "" : blanks) + "-";
+    if (fits_one_line(item)) {
+      out += " " + flow(item) + "\n";
+    } else {
+      out += " ";
+      append_block(out, item, indent + 2, true);
+    }
+  }
+  for (const auto& [key, value] : tree.entries) {
+    out += (std::exchange(is_first, false) ? "" : blanks) + yaml_scalar(key) + ":";
+    append_value(out, value, indent + 2);
+  }
+}
+// NOLINTEND(misc-no-recursion)
+
+}  // namespace
+
+std::string yaml_scalar(std::string_view text) {
+  const bool bare = is_safe_bare(text) && !reads_as_no_text(text);
+  return bare ? std::string(text) : in_quotes(text);
+}
+
+std::string write_yaml(const ValueTree& tree, YamlStyle style) {
+  if (style == YamlStyle::kFlow || fits_one_line(tree)) return flow(tree) + "\n";
+  std::string out;
+  append_block(out, tree, 0, false);
+  return out;
+}
+
+}  // namespace hypermap
