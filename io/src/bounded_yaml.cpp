@@ -5,6 +5,7 @@
 #include "hypermap/io/byte_source.hpp"
 #include "yaml_tree_builder.hpp"
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
@@ -18,7 +19,8 @@ namespace hypermap {
 namespace {
 
 int line_of(std::string_view bytes, std::size_t at) {
-  return 1 + static_cast<int>(std::count(bytes.begin(), bytes.begin() + static_cast<long>(at), '\n'));
+  return 1 +
+         static_cast<int>(std::count(bytes.begin(), bytes.begin() + static_cast<long>(at), '\n'));
 }
 
 Error malformed(std::string what, int line) {
@@ -42,8 +44,8 @@ Result<void> check_encoding(std::string_view bytes) {
     return tl::make_unexpected(malformed("is UTF-16 or UTF-32, expected UTF-8", 1));
   }
   if (const std::size_t bad = first_bad_utf8(bytes); bad < bytes.size()) {
-    return tl::make_unexpected(malformed(
-        "byte " + printable(bytes.substr(bad, 1)) + " is no UTF-8", line_of(bytes, bad)));
+    return tl::make_unexpected(
+        malformed("byte " + printable(bytes.substr(bad, 1)) + " is no UTF-8", line_of(bytes, bad)));
   }
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     if (const auto what = forbidden(bytes, at)) {
@@ -75,6 +77,11 @@ class CountingBuffer : public std::streambuf {
   }
   int_type uflow() override {
     return next_ < bytes_.size() ? traits_type::to_int_type(bytes_[next_++]) : traits_type::eof();
+  }
+
+  /// The parser looks at the first bytes for a mark of their encoding and puts them back.
+  int_type pbackfail(int_type /*byte*/) override {
+    return next_ > 0 ? traits_type::to_int_type(bytes_[--next_]) : traits_type::eof();
   }
 
  private:
@@ -116,8 +123,8 @@ Result<YamlDocument> parse_yaml(std::string_view bytes,
   const auto refuse = [&](Error error) { return tl::make_unexpected(with_source(error, source)); };
   if (bytes.size() > limits.max_bytes) {
     return refuse({.code = ErrorCode::kLimit,
-                   .what = "has " + std::to_string(bytes.size()) + " bytes, the limit for YAML is " +
-                           std::to_string(limits.max_bytes)});
+                   .what = "has " + std::to_string(bytes.size()) +
+                           " bytes, the limit for YAML is " + std::to_string(limits.max_bytes)});
   }
   if (auto checked = check_encoding(bytes); !checked) return refuse(checked.error());
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);

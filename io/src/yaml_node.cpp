@@ -129,7 +129,9 @@ Result<double> YamlNode::as_double(double min, double max) const {
   return tl::make_unexpected(error("is " + kind_name(*value_) + expected));
 }
 
-Result<double> YamlNode::as_double() const { return as_double(-kNoBound, kNoBound); }
+Result<double> YamlNode::as_double() const {
+  return as_double(-kNoBound, kNoBound);
+}
 
 Result<std::int64_t> YamlNode::as_int(std::int64_t min, std::int64_t max) const {
   const auto number = is_scalar() ? parse_int(value_->text) : std::nullopt;
@@ -153,8 +155,8 @@ Result<bool> YamlNode::as_bool() const {
 Result<std::vector<double>> YamlNode::as_doubles(std::size_t count) const {
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> nodes, as_list());
   if (nodes.size() != count) {
-    return tl::make_unexpected(error("has " + std::to_string(nodes.size()) +
-                                     " values, expected " + std::to_string(count) + " numbers"));
+    return tl::make_unexpected(error("has " + std::to_string(nodes.size()) + " values, expected " +
+                                     std::to_string(count) + " numbers"));
   }
   std::vector<double> numbers;
   for (const YamlNode& node : nodes) {

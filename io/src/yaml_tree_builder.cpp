@@ -28,7 +28,9 @@ TreeSize size_of(const ValueTree& tree) {  // NOLINT(misc-no-recursion): depth i
   return size;
 }
 
-int line_of(const YAML::Mark& mark) { return mark.line + 1; }
+int line_of(const YAML::Mark& mark) {
+  return mark.line + 1;
+}
 
 }  // namespace
 
@@ -108,8 +110,7 @@ void YamlTreeBuilder::OnMapStart(const YAML::Mark& mark,
 }
 
 void YamlTreeBuilder::refuse(ErrorCode code, std::string what, int line) const {
-  throw YamlRefusal{
-      {.code = code, .what = std::move(what), .field = path(), .line = line}};
+  throw YamlRefusal{{.code = code, .what = std::move(what), .field = path(), .line = line}};
 }
 
 std::string YamlTreeBuilder::path() const {

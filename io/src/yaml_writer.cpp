@@ -70,7 +70,9 @@ bool is_scalar(const ValueTree& tree) {
   return tree.kind == ValueKind::kNull || tree.kind == ValueKind::kScalar;
 }
 
-bool is_empty(const ValueTree& tree) { return tree.items.empty() && tree.entries.empty(); }
+bool is_empty(const ValueTree& tree) {
+  return tree.items.empty() && tree.entries.empty();
+}
 
 // NOLINTBEGIN(misc-no-recursion): the depth of a tree is bounded by whoever made it
 std::string flow(const ValueTree& tree) {

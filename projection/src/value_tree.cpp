@@ -36,9 +36,9 @@ ValueTree make_map(std::vector<ValueTree::Entry> entries) {
 
 bool reads_as_no_text(std::string_view text) {
   constexpr std::array<std::string_view, 29> kWords = {
-      "~",    "null", "Null", "NULL", "true", "True", "TRUE", "false", "False", "FALSE",
-      "yes",  "Yes",  "YES",  "no",   "No",   "NO",   "on",   "On",    "ON",    "off",
-      "Off",  "OFF",  "y",    "Y",    "n",    "N",    ".nan", ".NaN",  ".NAN"};
+      "~",   "null", "Null", "NULL", "true", "True", "TRUE", "false", "False", "FALSE",
+      "yes", "Yes",  "YES",  "no",   "No",   "NO",   "on",   "On",    "ON",    "off",
+      "Off", "OFF",  "y",    "Y",    "n",    "N",    ".nan", ".NaN",  ".NAN"};
   if (text.empty() || std::find(kWords.begin(), kWords.end(), text) != kWords.end()) return true;
   std::string_view rest = text;
   if (rest.front() == '+' || rest.front() == '-') rest.remove_prefix(1);
@@ -60,6 +60,8 @@ ValueTree make_number(double number) {
   return plain(std::string(digits.data(), end.ptr));
 }
 
-ValueTree make_bool(bool value) { return plain(value ? "true" : "false"); }
+ValueTree make_bool(bool value) {
+  return plain(value ? "true" : "false");
+}
 
 }  // namespace hypermap

@@ -3,9 +3,9 @@
 /// YAML from untrusted hands: read within limits, asked by key and type, with errors that name
 /// file, line and field.
 ///
-/// Scope: one document a file, UTF-8 (a byte order mark is skipped; UTF-16 is refused), line ends LF
-/// or CRLF, keys are scalars, no key twice in a map, no merge keys, no tags but those of the core
-/// schema. Aliases are copied, within a limit. Nothing depends on the locale.
+/// Scope: one document a file, UTF-8 (a byte order mark is skipped; UTF-16 is refused), line ends
+/// LF or CRLF, keys are scalars, no key twice in a map, no merge keys, no tags but those of the
+/// core schema. Aliases are copied, within a limit. Nothing depends on the locale.
 #pragma once
 
 #include "hypermap/core/result.hpp"
@@ -24,12 +24,12 @@
 namespace hypermap {
 
 struct YamlLimits {
-  std::size_t max_bytes = std::size_t{16} << 20U;  ///< Of the file.
-  int max_depth = 64;                              ///< Of nested lists and maps.
-  std::size_t max_nodes = 1'000'000;                ///< Of all values.
-  std::size_t max_alias_nodes = 10'000;             ///< Values that anchors and aliases copy.
+  std::size_t max_bytes = std::size_t{16} << 20U;       ///< Of the file.
+  int max_depth = 64;                                   ///< Of nested lists and maps.
+  std::size_t max_nodes = 1'000'000;                    ///< Of all values.
+  std::size_t max_alias_nodes = 10'000;                 ///< Values that anchors and aliases copy.
   std::size_t max_alias_bytes = std::size_t{1} << 20U;  ///< Text that anchors and aliases copy.
-  std::size_t max_flow_items = 500'000;             ///< Within one outermost [] or {}.
+  std::size_t max_flow_items = 500'000;                 ///< Within one outermost [] or {}.
 };
 
 /// A place in a document: a value and the way to it ("layers[1].file").
