@@ -32,13 +32,20 @@ struct LayerEntry {
   friend bool operator==(const LayerEntry&, const LayerEntry&) = default;
 };
 
-/// A part of the map beyond the strict form.
+/// Formats of extensions that are read here, all at version 1. `octomap` is any `.ot` or `.bt`.
+inline constexpr std::string_view kOctomapFormat = "octomap";
+inline constexpr std::string_view kObjectsFormat = "hypermap-objects";
+inline constexpr std::string_view kClassesFormat = "hypermap-classes";
+inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
+inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
+
+/// A part of the map beyond the strict form, of a known format.
 struct ExtensionEntry {
-  std::string format;        ///< "octomap", "hypermap-objects", or one that nobody here knows.
-  std::int64_t version = 1;  ///< Of the format.
+  std::string format;
+  std::int64_t version = 1;
   std::string name;
   std::string frame_id = "map";
-  std::string file = {};  ///< Member name.
+  std::string file = {};  ///< Member name; of a class grid the stem, as for an occupancy layer.
   ValueTree extra = {};   ///< All other keys, as a map; null when there are none.
   friend bool operator==(const ExtensionEntry&, const ExtensionEntry&) = default;
 };
@@ -48,7 +55,7 @@ struct HypermapConfig {
   std::vector<LayerEntry> layers;
   FrameTree frames = {};
   std::vector<ExtensionEntry> extensions = {};
-  /// Extensions that lack one of the keys above: not ours, kept as they are.
+  /// Extensions of other formats, whole, as they are.
   std::vector<ValueTree> foreign_extensions = {};
   ValueTree extra = {};  ///< All other keys, as a map; null when there are none.
   friend bool operator==(const HypermapConfig&, const HypermapConfig&) = default;
@@ -57,7 +64,7 @@ struct HypermapConfig {
 /// The member names that a layer's or extension's file may have are checked when it is read, since
 /// a configuration on disk may name files anywhere.
 ///
-/// Findings: unknown keys, with the nearest known one.
+/// Findings: unknown keys, with the nearest known one; extensions of unknown format. Both are kept.
 /// Errors: kMalformedFile naming field and line (a missing key, a wrong type, a name that is not
 /// plain or there twice, a transform that closes a loop); kUnsupported "written by a newer version
 /// N"; kLimit for too many layers or extensions.

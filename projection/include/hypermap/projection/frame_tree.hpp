@@ -6,6 +6,7 @@
 #pragma once
 
 #include "hypermap/core/result.hpp"
+#include "hypermap/projection/value_tree.hpp"
 
 #include <Eigen/Geometry>
 
@@ -23,6 +24,7 @@ struct FrameTransform {
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;
+  ValueTree extra = {};  ///< Unknown keys of the configuration, as a map; null when there are none.
 
   [[nodiscard]] Eigen::Isometry2d parent_from_child() const;
   friend bool operator==(const FrameTransform&, const FrameTransform&) = default;
