@@ -6,6 +6,7 @@
 #include "hypermap/io/bounded_yaml.hpp"
 
 #include <Eigen/LU>
+#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include <array>

@@ -43,7 +43,7 @@ inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
 struct ExtensionEntry {
   std::string format;
   std::int64_t version = 1;
-  std::string name;
+  std::string name = {};
   std::string frame_id = "map";
   std::string file = {};  ///< Member name; of a class grid the stem, as for an occupancy layer.
   ValueTree extra = {};   ///< All other keys, as a map; null when there are none.
