@@ -68,12 +68,12 @@ class HeaderParser {
 
  private:
   Result<void> take_first_line() {
-    auto line = take_line();
-    if (!line || (!line->starts_with(kFirstLine) && !line->starts_with(kFirstLineBinary)))
+    header_.binary = bytes_.starts_with(kFirstLineBinary);
+    if (!header_.binary && !bytes_.starts_with(kFirstLine))
       return fail(ErrorCode::kMalformedFile,
                   "not an OctoMap file: expected '" + std::string(kFirstLine) + "' or '" +
                       std::string(kFirstLineBinary) + "' in the first line");
-    header_.binary = line->starts_with(kFirstLineBinary);
+    HYPERMAP_TRY(take_line());
     return {};
   }
 

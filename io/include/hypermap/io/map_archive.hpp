@@ -7,6 +7,7 @@
 #pragma once
 
 #include "hypermap/core/class_registry.hpp"
+#include "hypermap/core/object_map.hpp"
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/atomic_file.hpp"
 #include "hypermap/io/hypermap_config.hpp"
@@ -49,6 +50,7 @@ struct ClassGrid {
 struct MapArchive {
   Hypermap hypermap;
   ClassRegistry classes = {};
+  ObjectMap objects = {};
   std::optional<SemanticOctree> octree = {};
   std::vector<ClassGrid> class_grids = {};
   std::optional<Provenance> provenance = {};
