@@ -41,16 +41,19 @@ struct ForegroundOptions {
   double plane_min_share = 0.12;
   /// Half thickness of a background plane without noise; the sensor's noise is added. Unit: metre.
   double plane_thickness_m = 0.007;
-  /// Times the sensor's axial noise (1.2 mm + 1.9 mm (z - 0.4)^2) that planes and steps tolerate.
-  double noise_factor = 2.5;
+  /// Times the sensor's axial noise (1.2 mm + 1.9 mm (z - 0.4)^2) that a plane tolerates after
+  /// smoothing.
+  double noise_factor = 1.2;
   /// Neighbouring pixels with a larger step in depth are different surfaces; noise and slope are
   /// added. Unit: metre.
   double depth_step_m = 0.02;
   /// Step allowed per metre of depth, for surfaces seen at an angle. No unit.
   double depth_step_per_m = 0.015;
-  /// Surfaces nearer to each other than this may be parts of one thing; 0 keeps only the best
-  /// surface. Unit: metre.
+  /// Surfaces nearer to each other than this on the floor plan may be parts of one thing; 0 keeps
+  /// only the best surface. Unit: metre.
   double part_gap_m = 0.08;
+  /// And this near in height: the seat of a chair and its feet. Unit: metre.
+  double part_height_gap_m = 0.4;
   /// A surface with more than this share of its pixels outside the box is not a part.
   double part_max_outside = 0.35;
   /// Spacing of the points of small things; larger things get coarser ones. Unit: metre.
@@ -106,9 +109,9 @@ struct GeometricSegmentationOptions {
   /// Depth extent without loss of confidence. [smap] table D.1, obj_ths: 0.2. Unit: metre.
   double depth_slack_m = 0.2;
   /// Read by policy kForeground only.
-  ForegroundOptions foreground;
+  ForegroundOptions foreground = {};
   /// Read by policy kRegionGrowing only.
-  RegionGrowingOptions region_growing;
+  RegionGrowingOptions region_growing = {};
 
   friend bool operator==(const GeometricSegmentationOptions&,
                          const GeometricSegmentationOptions&) = default;

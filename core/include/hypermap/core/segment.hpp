@@ -17,7 +17,8 @@ namespace hypermap {
 
 /// What one frame shows of one thing. Frame: Map. Unit: metre.
 struct Segment {
-  /// Surface points, thinned by a voxel grid; never empty. Their order is that of the grid's keys.
+  /// Surface points, thinned by a voxel grid; never empty. Ordered by the first pixel of each
+  /// voxel.
   std::vector<Eigen::Vector3f> points_in_map;
   /// The depth pixels that lie on the thing, row-major positions in the picture, ascending.
   std::vector<std::uint32_t> pixel_indices;

@@ -51,8 +51,8 @@ struct StackingOptions {
 /// Joins detections of different detectors that show the same thing; detections of one detector are
 /// never joined with each other.
 ///
-/// The joined detection has the mean box weighted by score, the union of the masks when all have
-/// one (else the one mask there is), the highest score, and the detector of that score.
+/// The joined detection has the mean box weighted by score, the union of the masks that there are,
+/// the highest score, and the detector of that score.
 /// Greedy by score, then by position: the same result for the same input.
 /// Errors: those of combine_class_scores, naming the detection.
 /// Cost: O(n^2) in the detections of one picture.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The planes that surround a detection: floor, table top, wall.
+#pragma once
+
+#include "segmentation/depth_window.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hypermap {
+
+/// Points p with normal . p + offset_m = 0. Frame: Camera.
+struct Plane {
+  Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
+  float offset_m = 0.0F;
+
+  [[nodiscard]] float distance_m(const Eigen::Vector3f& point) const {
+    return normal.dot(point) + offset_m;
+  }
+};
+
+/// Whether a measured point may be one of the plane, given the sensor's noise there.
+[[nodiscard]] bool lies_on(const Plane& plane,
+                           const Eigen::Vector3f& point_in_camera,
+                           const ForegroundOptions& options);
+
+/// The planes that hold most of what is outside the box, the largest first.
+///
+/// RANSAC over horizontal planes through one point (the map's z axis is up) and free planes through
+/// three, each refined by least squares; the random numbers are fixed, so the result is.
+[[nodiscard]] std::vector<Plane> background_planes(const DepthWindow& window,
+                                                   const Eigen::Vector3f& up_in_camera,
+                                                   const ForegroundOptions& options);
+
+}  // namespace hypermap

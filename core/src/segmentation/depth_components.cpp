@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segmentation/depth_components.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// A hole in the depth of this many cells does not part a surface.
+constexpr int kBridge = 2;
+
+constexpr std::array<std::pair<int, int>, 4> kDirections{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+class Labeller {
+ public:
+  Labeller(const DepthWindow& window,
+           const std::vector<std::uint8_t>& kind_of_cell,
+           const ForegroundOptions& options)
+      : window_(window), kind_of_cell_(kind_of_cell), options_(options) {
+    result_.of_cell.assign(window.size(), kNoComponent);
+  }
+
+  DepthComponents run() && {
+    for (int y = 0; y < window_.height(); ++y) {
+      for (int x = 0; x < window_.width(); ++x) {
+        if (is_open(window_.cell(x, y))) flood_from(x, y);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_open(std::size_t cell) const {
+    return window_.depth_m[cell] > 0.0F && result_.of_cell[cell] == kNoComponent;
+  }
+
+  void flood_from(int x, int y) {
+    component_ = {.kind = kind_of_cell_[window_.cell(x, y)]};
+    take(x, y);
+    while (!stack_.empty()) {
+      const auto [cx, cy] = stack_.back();
+      stack_.pop_back();
+      for (const auto& [dx, dy] : kDirections) visit_towards(cx, cy, dx, dy);
+    }
+    result_.components.push_back(component_);
+  }
+
+  /// The nearest measured cell in a direction, over a hole of at most kBridge cells.
+  void visit_towards(int x, int y, int dx, int dy) {
+    const std::size_t from = window_.cell(x, y);
+    for (int distance = 1; distance <= kBridge + 1; ++distance) {
+      const int nx = x + distance * dx;
+      const int ny = y + distance * dy;
+      if (nx < 0 || ny < 0 || nx >= window_.width() || ny >= window_.height()) return;
+      const std::size_t to = window_.cell(nx, ny);
+      if (window_.depth_m[to] == 0.0F) continue;
+      if (is_open(to) && kind_of_cell_[to] == component_.kind && same_surface(from, to))
+        take(nx, ny);
+      return;
+    }
+  }
+
+  [[nodiscard]] bool same_surface(std::size_t from, std::size_t to) const {
+    const float a = window_.depth_m[from];
+    const float b = window_.depth_m[to];
+    return std::abs(a - b) <= allowed_step_m(std::min(a, b), options_);
+  }
+
+  void take(int x, int y) {
+    result_.of_cell[window_.cell(x, y)] = static_cast<std::uint32_t>(result_.components.size());
+    stack_.emplace_back(x, y);
+    if (window_.outside(x, y)) ++component_.num_outside;
+    if (!window_.in_box(x, y)) return;
+    const int u = x + window_.rect.u_begin;
+    const int v = y + window_.rect.v_begin;
+    PixelRect& bounds = component_.bounds_in_box;
+    bounds = component_.num_in_box == 0 ? PixelRect{u, v, u + 1, v + 1}
+                                        : PixelRect{std::min(bounds.u_begin, u),
+                                                    std::min(bounds.v_begin, v),
+                                                    std::max(bounds.u_end, u + 1),
+                                                    std::max(bounds.v_end, v + 1)};
+    ++component_.num_in_box;
+  }
+
+  const DepthWindow& window_;
+  const std::vector<std::uint8_t>& kind_of_cell_;
+  const ForegroundOptions& options_;
+  DepthComponents result_;
+  DepthComponent component_;
+  std::vector<std::pair<int, int>> stack_;
+};
+
+}  // namespace
+
+DepthComponents connected_components(const DepthWindow& window,
+                                     const std::vector<std::uint8_t>& kind_of_cell,
+                                     const ForegroundOptions& options) {
+  return Labeller(window, kind_of_cell, options).run();
+}
+
+}  // namespace hypermap

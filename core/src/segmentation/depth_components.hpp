@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Connected surfaces of a depth window.
+#pragma once
+
+#include "segmentation/depth_window.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace hypermap {
+
+/// One connected surface.
+struct DepthComponent {
+  std::uint8_t kind = 0;          ///< As given: 0, or the plane it is part of, from 1.
+  std::uint32_t num_in_box = 0;   ///< Its cells within the box.
+  std::uint32_t num_outside = 0;  ///< Its cells outside the tolerant box.
+  PixelRect bounds_in_box = {};   ///< Of its cells within the box, in pixels of the picture.
+
+  /// Share of the surface that lies outside the box.
+  [[nodiscard]] double outside_share() const {
+    const double all = static_cast<double>(num_in_box) + static_cast<double>(num_outside);
+    return all > 0.0 ? static_cast<double>(num_outside) / all : 0.0;
+  }
+};
+
+struct DepthComponents {
+  std::vector<std::uint32_t> of_cell;  ///< Per cell its component; kNoComponent where none.
+  std::vector<DepthComponent> components;
+};
+
+inline constexpr std::uint32_t kNoComponent = 0xFFFFFFFFU;
+
+/// Joins cells of equal kind that are neighbours (across up to two cells without measurement) and
+/// differ in depth by no more than the step of one surface. Numbered by their first cell.
+/// Cost: O(cells).
+[[nodiscard]] DepthComponents connected_components(const DepthWindow& window,
+                                                   const std::vector<std::uint8_t>& kind_of_cell,
+                                                   const ForegroundOptions& options);
+
+}  // namespace hypermap

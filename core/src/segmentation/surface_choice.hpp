@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which of the surfaces in a detection's box are the detected thing.
+#pragma once
+
+#include "segmentation/depth_components.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace hypermap {
+
+using ComponentIds = std::vector<std::uint32_t>;  ///< Positions in the components, ascending.
+
+/// The surface that explains the box best (large in it, absent outside it, from edge to edge) and
+/// the parts that complete it; a flat patch of its support when nothing stands out. Empty when
+/// nothing lies in the box. `upright_from_camera` turns the camera's axes so that z is up.
+[[nodiscard]] ComponentIds choose_surfaces(const DepthWindow& window,
+                                           const DepthComponents& labelled,
+                                           const Eigen::Matrix3f& upright_from_camera,
+                                           const ForegroundOptions& options);
+
+/// Calls `visit(x, y)` for each cell of a component that lies in the box, row by row.
+template <class Visit>
+void for_each_cell_of(const DepthWindow& window,
+                      const DepthComponents& labelled,
+                      std::uint32_t id,
+                      Visit visit) {
+  const PixelRect& bounds = labelled.components[id].bounds_in_box;
+  for (int v = bounds.v_begin; v < bounds.v_end; ++v) {
+    for (int u = bounds.u_begin; u < bounds.u_end; ++u) {
+      const int x = u - window.rect.u_begin;
+      const int y = v - window.rect.v_begin;
+      if (labelled.of_cell[window.cell(x, y)] == id) visit(x, y);
+    }
+  }
+}
+
+}  // namespace hypermap
