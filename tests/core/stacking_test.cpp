@@ -25,9 +25,9 @@ Scores scores(const std::map<ClassId, double>& values) {
 
 std::map<ClassId, double> combined(const std::vector<Scores>& likelihoods,
                                    const StackingOptions& options) {
+  const Scores cells = combine_class_scores(likelihoods, kTwoDetectors, options).value();
   std::map<ClassId, double> out;
-  for (const ClassEvidence& evidence :
-       combine_class_scores(likelihoods, kTwoDetectors, options).value()) {
+  for (const ClassEvidence& evidence : cells) {
     out[evidence.id] = evidence.probability.value();
   }
   return out;
