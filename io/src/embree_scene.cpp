@@ -41,6 +41,29 @@ bool attach(RTCDevice device, RTCScene scene, const TriangleMesh& mesh, unsigned
   return allocated;
 }
 
+void set_ray(RTCRay8& rays,
+             std::size_t i,
+             const Eigen::Vector3f& origin,
+             const Eigen::Vector3f& direction,
+             float farthest) {
+  rays.org_x[i] = origin.x();
+  rays.org_y[i] = origin.y();
+  rays.org_z[i] = origin.z();
+  rays.dir_x[i] = direction.x();
+  rays.dir_y[i] = direction.y();
+  rays.dir_z[i] = direction.z();
+  rays.tnear[i] = 1e-3F;
+  rays.tfar[i] = farthest;
+  rays.mask[i] = ~0U;
+}
+
+RTCIntersectContext coherent_context() {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
+}
+
 Unexpected refused(const char* what) {
   return fail(ErrorCode::kUnavailable, what, "embree");
 }
@@ -69,26 +92,16 @@ Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> mes
 }
 
 std::array<std::optional<RayHit>, EmbreeScene::kPacket> EmbreeScene::nearest(
-    const Eigen::Vector3f& origin, const std::array<Eigen::Vector3f, kPacket>& directions) const {
+    const Eigen::Vector3f& origin, const Packet& directions) const {
   RTCRayHit8 packet{};
   alignas(32) std::array<int, kPacket> valid{};
   for (std::size_t i = 0; i < directions.size(); ++i) {
     valid[i] = -1;
-    packet.ray.org_x[i] = origin.x();
-    packet.ray.org_y[i] = origin.y();
-    packet.ray.org_z[i] = origin.z();
-    packet.ray.dir_x[i] = directions[i].x();
-    packet.ray.dir_y[i] = directions[i].y();
-    packet.ray.dir_z[i] = directions[i].z();
-    packet.ray.tnear[i] = 1e-3F;
-    packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    packet.ray.mask[i] = ~0U;
+    set_ray(packet.ray, i, origin, directions[i], std::numeric_limits<float>::infinity());
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCIntersectContext context = coherent_context();
   rtcIntersect8(valid.data(), scene_of(scene_), &context, &packet);
   std::array<std::optional<RayHit>, kPacket> hits;
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -98,20 +111,22 @@ std::array<std::optional<RayHit>, EmbreeScene::kPacket> EmbreeScene::nearest(
   return hits;
 }
 
-bool EmbreeScene::is_blocked(const Eigen::Vector3f& from, const Eigen::Vector3f& reach) const {
-  RTCRay ray{};
-  ray.org_x = from.x();
-  ray.org_y = from.y();
-  ray.org_z = from.z();
-  ray.dir_x = reach.x();
-  ray.dir_y = reach.y();
-  ray.dir_z = reach.z();
-  ray.tfar = 1.0F;
-  ray.mask = ~0U;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_of(scene_), &context, &ray);
-  return ray.tfar < 0.0F;
+std::array<bool, EmbreeScene::kPacket> EmbreeScene::hidden(
+    const Eigen::Vector3f& origin,
+    const Packet& targets,
+    const std::array<bool, kPacket>& wanted) const {
+  constexpr float kBeforeTarget = 0.999F;
+  RTCRay8 rays{};
+  alignas(32) std::array<int, kPacket> valid{};
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    valid[i] = wanted[i] ? -1 : 0;
+    set_ray(rays, i, origin, targets[i] - origin, kBeforeTarget);
+  }
+  RTCIntersectContext context = coherent_context();
+  rtcOccluded8(valid.data(), scene_of(scene_), &context, &rays);
+  std::array<bool, kPacket> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = wanted[i] && rays.tfar[i] < 0.0F;
+  return result;
 }
 
 }  // namespace hypermap

@@ -32,12 +32,17 @@ class EmbreeScene {
   /// Errors: kUnavailable when Embree gives no device or refuses the scene.
   [[nodiscard]] static Result<EmbreeScene> create(std::span<const TriangleMesh* const> meshes);
 
-  /// The first hit of each of eight rays from one origin.
-  [[nodiscard]] std::array<std::optional<RayHit>, kPacket> nearest(
-      const Eigen::Vector3f& origin, const std::array<Eigen::Vector3f, kPacket>& directions) const;
+  using Packet = std::array<Eigen::Vector3f, kPacket>;
 
-  /// True when something lies between `from` and `from + reach`.
-  [[nodiscard]] bool is_blocked(const Eigen::Vector3f& from, const Eigen::Vector3f& reach) const;
+  /// The first hit of each of eight rays from one origin.
+  [[nodiscard]] std::array<std::optional<RayHit>, kPacket> nearest(const Eigen::Vector3f& origin,
+                                                                   const Packet& directions) const;
+
+  /// Which of the `wanted` targets cannot be seen from the origin because something lies before
+  /// them; a target's own surface, within a thousandth of the way, does not hide it.
+  [[nodiscard]] std::array<bool, kPacket> hidden(const Eigen::Vector3f& origin,
+                                                 const Packet& targets,
+                                                 const std::array<bool, kPacket>& wanted) const;
 
  private:
   std::shared_ptr<void> scene_;  ///< An RTCScene with its release function.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ using Eigen::Vector3f;
 constexpr float kLampReachM = 7.0F;  // beyond it a lamp adds nothing
 constexpr float kLampStrength = 0.75F;
 constexpr float kShadowOffsetM = 2e-3F;
+constexpr float kBrightest = 1.15F;
 constexpr double kSilhouetteMargin = 1.0;      // of the picture's size, on each side
 constexpr double kSilhouetteSamples = 4096.0;  // wanted number of grid points per object
 
@@ -42,22 +44,50 @@ struct RayGrid {
   [[nodiscard]] Vector3d direction(double u, double v) const {
     return map_from_camera * camera.unproject(u, v, 1.0).xyz;
   }
+
+  /// Rays through pixels (u, v), (u + step, v), ...
+  [[nodiscard]] EmbreeScene::Packet packet(int u, int step, int v) const {
+    EmbreeScene::Packet directions;
+    for (int i = 0; i < EmbreeScene::kPacket; ++i)
+      directions[static_cast<std::size_t>(i)] = direction(u + i * step, v).cast<float>();
+    return directions;
+  }
 };
 
-/// How lamps light a point: window over distance, angle, shadow.
-float lamp_light(const EmbreeScene& scene,
-                 const Vector3f& lamp,
-                 const Vector3f& point,
-                 const Vector3f& normal) {
-  const Vector3f to_lamp = lamp - point;
+/// What a pixel shows, and how it is lit so far.
+struct SurfacePoint {
+  Vector3f in_map = Vector3f::Zero();
+  Vector3f normal = Vector3f::UnitZ();  ///< Towards the camera.
+  Vector3f color = Vector3f::Zero();
+  float light = 0.0F;
+  bool is_lit = false;  ///< False where nothing was hit, and on what shines by itself.
+};
+using SurfacePoints = std::array<SurfacePoint, EmbreeScene::kPacket>;
+
+/// Light of a lamp that nothing is in the way of: a window over distance, and the angle.
+float open_light(const Vector3f& lamp, const SurfacePoint& point) {
+  const Vector3f to_lamp = lamp - point.in_map;
   const float distance = to_lamp.norm();
-  if (distance >= kLampReachM) return 0.0F;
-  const float angle = normal.dot(to_lamp) / distance;
-  if (angle <= 0.0F) return 0.0F;
-  const Vector3f start = point + kShadowOffsetM * normal;
-  if (scene.is_blocked(start, lamp - start)) return 0.0F;
+  if (!point.is_lit || distance >= kLampReachM) return 0.0F;
   const float nearness = 1.0F - distance * distance / (kLampReachM * kLampReachM);
-  return kLampStrength * angle * nearness * nearness;
+  return kLampStrength * std::max(0.0F, point.normal.dot(to_lamp) / distance) * nearness * nearness;
+}
+
+/// Adds a lamp's light to the points that it reaches.
+void add_lamp(const EmbreeScene& scene, const Vector3f& lamp, SurfacePoints& points) {
+  std::array<float, EmbreeScene::kPacket> light{};
+  std::array<bool, EmbreeScene::kPacket> reached{};
+  EmbreeScene::Packet targets;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    light[i] = open_light(lamp, points[i]);
+    reached[i] = light[i] > 0.0F;
+    targets[i] = points[i].in_map + kShadowOffsetM * points[i].normal;
+  }
+  if (std::ranges::none_of(reached, std::identity{})) return;
+  const auto hidden = scene.hidden(lamp, targets, reached);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!hidden[i]) points[i].light += light[i];
+  }
 }
 
 Rgb8 to_rgb(const Vector3f& color) {
@@ -81,28 +111,13 @@ struct SceneRenderer::Impl {
   EmbreeScene everything;
   std::vector<EmbreeScene> alone;  ///< Each object by itself, by id - 1.
 
-  void shade_row(const RayGrid& rays, int v, RenderedView& view) const;
-  void shade_pixel(const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const;
-  [[nodiscard]] Vector3f lit(const Surface& surface,
-                             const SurfaceMaterial& material,
-                             const Vector3f& point,
-                             const Vector3f& normal) const;
+  void render_row(const RayGrid& rays, int v, RenderedView& view) const;
+  /// Fills depth, incidence and instance of a pixel, and says what is there.
+  [[nodiscard]] SurfacePoint measure(
+      const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const;
 };
 
-Vector3f SceneRenderer::Impl::lit(const Surface& surface,
-                                  const SurfaceMaterial& material,
-                                  const Vector3f& point,
-                                  const Vector3f& normal) const {
-  const Vector3f color = surface_color(
-      material, surface.shape_from_map * point, surface.shape_from_map.linear() * normal);
-  if (is_glowing(material)) return color;
-  float light =
-      0.4F + 0.12F * std::abs(normal.z());  // light from all around, reflected by floor and ceiling
-  for (const Vector3f& lamp : lamps) light += lamp_light(everything, lamp, point, normal);
-  return color * std::min(light, 1.15F);
-}
-
-void SceneRenderer::Impl::shade_pixel(
+SurfacePoint SceneRenderer::Impl::measure(
     const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const {
   const Surface& surface = surfaces[hit.mesh];
   const auto& [a, b, c] = surface.mesh.triangles[hit.triangle];
@@ -113,28 +128,37 @@ void SceneRenderer::Impl::shade_pixel(
   const Vector3d direction = rays.direction(u, v);
   const double slope = normal.dot(direction);
   const double depth = normal.dot(corner - rays.origin) / slope;
-  if (!(depth > 0.0) || !std::isfinite(depth)) return;  // grazed a triangle seen edge on
+  if (!(depth > 0.0) || !std::isfinite(depth)) return {};  // grazed a triangle seen edge on
   view.depth_m.at(u, v) = static_cast<float>(depth);
   view.incidence_cos.at(u, v) = static_cast<float>(std::abs(slope) / direction.norm());
   view.instances.at(u, v) = ObjectId{hit.mesh};
-  const Vector3d facing = slope > 0.0 ? Vector3d(-normal) : normal;
+  SurfacePoint point;
+  point.in_map = (rays.origin + depth * direction).cast<float>();
+  point.normal = (slope > 0.0 ? Vector3d(-normal) : normal).cast<float>();
   const SurfaceMaterial& material =
       surface.mesh.materials[surface.mesh.material_of_triangle[hit.triangle]];
-  const Vector3d point = rays.origin + depth * direction;
-  view.color.at(u, v) = to_rgb(lit(surface, material, point.cast<float>(), facing.cast<float>()));
+  point.color = surface_color(material,
+                              surface.shape_from_map * point.in_map,
+                              surface.shape_from_map.linear() * point.normal);
+  point.is_lit = !is_glowing(material);
+  // Light from all around, thrown back by floor and ceiling.
+  point.light = point.is_lit ? 0.4F + 0.12F * std::abs(point.normal.z()) : 1.0F;
+  return point;
 }
 
-void SceneRenderer::Impl::shade_row(const RayGrid& rays, int v, RenderedView& view) const {
-  std::array<Vector3f, EmbreeScene::kPacket> directions;
+void SceneRenderer::Impl::render_row(const RayGrid& rays, int v, RenderedView& view) const {
   const int width = rays.camera.width_px;
   for (int first = 0; first < width; first += EmbreeScene::kPacket) {
-    for (int i = 0; i < EmbreeScene::kPacket; ++i)
-      directions[static_cast<std::size_t>(i)] = rays.direction(first + i, v).cast<float>();
-    const auto hits = everything.nearest(rays.origin.cast<float>(), directions);
-    for (int i = 0; i < std::min(EmbreeScene::kPacket, width - first); ++i) {
-      const auto& hit = hits[static_cast<std::size_t>(i)];
-      if (hit) shade_pixel(rays, first + i, v, *hit, view);
+    const auto hits = everything.nearest(rays.origin.cast<float>(), rays.packet(first, 1, v));
+    const auto inside = static_cast<std::size_t>(std::min(EmbreeScene::kPacket, width - first));
+    SurfacePoints points;
+    for (std::size_t i = 0; i < inside; ++i) {
+      if (hits[i]) points[i] = measure(rays, first + static_cast<int>(i), v, *hits[i], view);
     }
+    for (const Vector3f& lamp : lamps) add_lamp(everything, lamp, points);
+    for (std::size_t i = 0; i < inside; ++i)
+      view.color.at(first + static_cast<int>(i), v) =
+          to_rgb(points[i].color * std::min(points[i].light, kBrightest));
   }
 }
 
@@ -169,7 +193,7 @@ RenderedView SceneRenderer::render(const PinholeCamera& camera,
   tbb::parallel_for(tbb::blocked_range<int>(0, camera.height_px, 8),
                     [&](const tbb::blocked_range<int>& rows) {
                       for (int v = rows.begin(); v < rows.end(); ++v)
-                        impl_->shade_row(rays, v, view);
+                        impl_->render_row(rays, v, view);
                     });
   return view;
 }
@@ -210,13 +234,10 @@ double unhidden_share(const EmbreeScene& alone,
   const int step = std::max(1, static_cast<int>(std::sqrt(area / kSilhouetteSamples)));
   int all = 0;
   int visible = 0;
-  std::array<Vector3f, EmbreeScene::kPacket> directions;
   const auto first_u = static_cast<int>(std::floor(window.u_min_px));
   for (int v = static_cast<int>(std::floor(window.v_min_px)); v <= window.v_max_px; v += step) {
     for (int u = first_u; u <= window.u_max_px; u += step * EmbreeScene::kPacket) {
-      for (int i = 0; i < EmbreeScene::kPacket; ++i)
-        directions[static_cast<std::size_t>(i)] = rays.direction(u + i * step, v).cast<float>();
-      const auto hits = alone.nearest(rays.origin.cast<float>(), directions);
+      const auto hits = alone.nearest(rays.origin.cast<float>(), rays.packet(u, step, v));
       for (int i = 0; i < EmbreeScene::kPacket; ++i) {
         if (!hits[static_cast<std::size_t>(i)]) continue;
         ++all;

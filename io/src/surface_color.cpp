@@ -25,7 +25,7 @@ float cell_noise(float x, float y, std::uint64_t salt) {
   const auto cell = [](float value) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)));
   };
-  const std::uint64_t bits = mix_bits(mix_bits(cell(x) ^ salt) ^ (cell(y) << 20U));
+  const std::uint64_t bits = mix_bits((cell(x) << 32U) ^ (cell(y) & 0xFFFFFFFFU) ^ (salt << 56U));
   return static_cast<float>(bits >> 40U) * 0x1.0p-24F;
 }
 
