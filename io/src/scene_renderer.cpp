@@ -7,6 +7,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -190,11 +191,12 @@ RenderedView SceneRenderer::render(const PinholeCamera& camera,
                     InstanceImage(camera.width_px, camera.height_px),
                     ColorImage(camera.width_px, camera.height_px)};
   const RayGrid rays(camera, map_from_camera);
-  tbb::parallel_for(tbb::blocked_range<int>(0, camera.height_px, 8),
-                    [&](const tbb::blocked_range<int>& rows) {
-                      for (int v = rows.begin(); v < rows.end(); ++v)
-                        impl_->render_row(rays, v, view);
-                    });
+  const auto render_rows = [&](const tbb::blocked_range<int>& rows) {
+    for (int v = rows.begin(); v < rows.end(); ++v) impl_->render_row(rays, v, view);
+  };
+  // A thread that waits for rows must not begin another frame: that would pile up pictures.
+  tbb::this_task_arena::isolate(
+      [&] { tbb::parallel_for(tbb::blocked_range<int>(0, camera.height_px, 8), render_rows); });
   return view;
 }
 

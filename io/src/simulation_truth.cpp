@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/simulation_truth.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr int kLeastDepthPixels = 200;
+
+ValueTree box_tree(const Box& box) {
+  std::vector<ValueTree> numbers;
+  for (const Eigen::Vector3d& corner : {box.min_in_map, box.max_in_map}) {
+    for (const double coordinate : corner) numbers.push_back(make_number(coordinate));
+  }
+  return make_list(std::move(numbers));
+}
+
+SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth& truth) {
+  std::vector<ValueTree::Entry> extra{{"thing", make_text(object.name)},
+                                      {"box", box_tree(object.box)}};
+  if (!truth.excluded_because.empty())
+    extra.emplace_back("excluded", make_text(truth.excluded_because));
+  SemanticObject result;
+  result.id = object.id.value;
+  result.name = object.class_name;
+  result.parts = {object.footprint};
+  result.extra = make_map(std::move(extra));
+  return result;
+}
+
+/// Largest side of the box in the extra keys; none when there is no such box.
+std::optional<double> largest_side_m(const SemanticObject& object) {
+  const ValueTree* box = object.extra.find("box");
+  if (box == nullptr || box->items.size() != 6) return std::nullopt;
+  Eigen::Matrix<double, 6, 1> numbers;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string& text = box->items[i].text;
+    double& number = numbers[static_cast<Eigen::Index>(i)];
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  }
+  return (numbers.tail<3>() - numbers.head<3>()).maxCoeff();
+}
+
+/// One polygon for the whole shape.
+Polygon outline(const SemanticObject& object) {
+  if (object.parts.size() == 1) return object.parts.front();
+  std::vector<Eigen::Vector2d> points;
+  for (const Polygon& part : object.parts)
+    points.insert(points.end(), part.outer.begin(), part.outer.end());
+  return convex_hull(points).value_or(object.parts.front());
+}
+
+EvaluatedObject evaluated(const SemanticObject& object) {
+  const Rect rect = bounds_of(object);
+  EvaluatedObject result;
+  result.class_name = object.name;
+  result.centroid = position_of(object);
+  result.footprint = outline(object);
+  result.excluded = object.extra.find("excluded") != nullptr;
+  result.size_m = largest_side_m(object).value_or((rect.max - rect.min).maxCoeff());
+  return result;
+}
+
+}  // namespace
+
+std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& detector) {
+  if (!detector.can_name(truth.class_name)) return "the detector has no word for this class";
+  if (truth.most_depth_pixels < kLeastDepthPixels)
+    return "never covered " + std::to_string(kLeastDepthPixels) + " depth pixels, at most " +
+           std::to_string(truth.most_depth_pixels);
+  return "";
+}
+
+Result<MapArchive> make_truth(const Simulator& simulator,
+                              const Scene& scene,
+                              std::span<const SimulatedTruth> truths) {
+  std::vector<SemanticObject> things;
+  MapArchive archive;
+  for (const PlacedObject& object : simulator.objects()) {
+    things.push_back(semantic_object(object, truths[object.id.value - 1]));
+    HYPERMAP_TRY(archive.classes.add(object.class_name));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer semantic, SemanticLayer::create(std::move(things)));
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid,
+                            true_occupancy(simulator.furnished(), scene.waypoints));
+  HYPERMAP_TRY(archive.hypermap.add_layer(
+      {LayerInfo{.name = "occupancy"}, OccupancyLayer{.grid = std::move(grid)}}));
+  HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(semantic)}));
+  return archive;
+}
+
+std::vector<EvaluatedObject> evaluated_objects(const SemanticLayer& layer) {
+  std::vector<EvaluatedObject> objects;
+  for (const SemanticObject& object : layer.objects()) objects.push_back(evaluated(object));
+  return objects;
+}
+
+}  // namespace hypermap
