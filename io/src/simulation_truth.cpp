@@ -2,9 +2,12 @@
 #include "hypermap/io/simulation_truth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
-#include <string_view>
+#include <cstdint>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace hypermap {
@@ -31,6 +34,20 @@ SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth&
   result.parts = {object.footprint};
   result.extra = make_map(std::move(extra));
   return result;
+}
+
+/// The thing as an object of a map that is sure of everything.
+Object certain_object(const PlacedObject& placed, ClassId class_id) {
+  Object object;
+  object.id = placed.id;
+  object.belief.observe(std::array{ClassEvidence{class_id, Probability(1.0)}}, Probability(0.5));
+  object.existence = object.belief.options().max_log_odds;
+  object.box_confidence = object.belief.options().max_log_odds;
+  object.box = placed.box;
+  object.centroid_in_map = placed.centroid_in_map;
+  object.shapes.add(placed.footprint);
+  object.num_observations = 1;
+  return object;
 }
 
 /// Largest side of the box in the extra keys; none when there is no such box.
@@ -81,11 +98,15 @@ Result<MapArchive> make_truth(const Simulator& simulator,
                               const Scene& scene,
                               std::span<const SimulatedTruth> truths) {
   std::vector<SemanticObject> things;
+  std::vector<Object> objects;
   MapArchive archive;
-  for (const PlacedObject& object : simulator.objects()) {
-    things.push_back(semantic_object(object, truths[object.id.value - 1]));
-    HYPERMAP_TRY(archive.classes.add(object.class_name));
+  for (const PlacedObject& placed : simulator.objects()) {
+    things.push_back(semantic_object(placed, truths[placed.id.value - 1]));
+    HYPERMAP_ASSIGN_OR_RETURN(const ClassId class_id, archive.classes.add(placed.class_name));
+    objects.push_back(certain_object(placed, class_id));
   }
+  const ObjectId next_id{static_cast<std::uint32_t>(objects.size() + 1)};
+  HYPERMAP_ASSIGN_OR_RETURN(archive.objects, ObjectMap::restore(std::move(objects), next_id));
   HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer semantic, SemanticLayer::create(std::move(things)));
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid,
                             true_occupancy(simulator.furnished(), scene.waypoints));
