@@ -47,9 +47,9 @@ class OcclusionScene {
   /// Whether an occupied voxel lies on the way from `from` to `to`, the last `margin_m` before `to`
   /// left out (the thing itself should not hide itself).
   ///
-  /// Boundary: voxels are closed, so a line along a face or through an edge is hidden by either
-  /// neighbour. A start inside an occupied voxel is occluded. Not longer than the margin, or not
-  /// finite: not occluded.
+  /// Boundary: on a face the voxel is hit by one of its neighbours; within a thousandth of a voxel
+  /// from an edge, either answer. A start inside an occupied voxel is occluded. Not longer than the
+  /// margin, or not finite: not occluded.
   [[nodiscard]] bool occluded(const PointInMap& from, const PointInMap& to, double margin_m) const;
   /// One answer per line: 1 when occluded. The result does not depend on the number of threads.
   [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const SightLine> lines,
