@@ -22,7 +22,8 @@ TEST(BestClass, IsTheMostProbableAndTheLowestIdOfEquals) {
   EXPECT_FALSE(best_class({}).has_value());
 }
 
-// [smap] Eq. (3.2), (3.3): no entry below 0, sum 1. (1 - 0.7) / 3 = 0.1 for each other class.
+// [smap] Eq. (3.1), Eq. (3.2), Eq. (3.3): a class vector, no entry below 0, sum 1. (1 - 0.7) / 3 =
+// 0.1 for each other class.
 TEST(SpreadScore, GivesTheRestToTheOtherClassesEvenly) {
   const std::vector<ClassId> known{{5}, {1}, {3}, {2}};
   const auto scores = spread_score(ClassId{3}, Probability(0.7), known);
@@ -40,7 +41,7 @@ TEST(SpreadScore, IsCertainWhenOnlyOneClassIsKnown) {
             (std::vector<ClassEvidence>{{ClassId{3}, Probability(1.0)}}));
 }
 
-// [smap] Eq. (3.3): 0.2 + 0.6 = 0.8; 0.6 / 0.8 = 0.75.
+// [smap] Eq. (3.3), the class vector of each row of Eq. (3.4): 0.2 + 0.6 = 0.8; 0.6 / 0.8 = 0.75.
 TEST(Normalized, ScalesToSumOneAndSortsById) {
   const auto scores =
       normalized({{ClassId{9}, Probability(0.6)}, {ClassId{2}, Probability(0.2)}}).value();

@@ -272,6 +272,7 @@ TEST_P(EveryPolicy, GivesTheSameWithAnyNumberOfThreads) {
   }
 }
 
+// [smap] Eq. (3.5): a row has a 3D box and its confidence.
 TEST_P(EveryPolicy, DescribesItsOwnPoints) {
   const SceneView view = office_view(8);
   const auto found = segment(view.frame, detection_of(view, kScreen), options());
