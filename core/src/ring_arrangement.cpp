@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kUnset = std::numeric_limits<std::size_t>::max();
 constexpr double kRoundingM = 1e-9;
+constexpr std::size_t kMaxCrossings = 100'000;
 
 /// Gives equal points, after rounding, the same number.
 class NodeTable {
@@ -74,9 +75,10 @@ Result<std::vector<Ring>> divided_edges(const Ring& ring) {
       edges[i].insert(edges[i].end(), common.begin(), common.end());
       edges[k].insert(edges[k].end(), common.begin(), common.end());
       const bool neighbours = k + 1 == i || (k == 0 && i == n - 1);
-      if (!neighbours && !common.empty() && ++num_crossings > 4 * n) {
-        return fail(ErrorCode::kLimit,
-                    "the ring crosses itself more than " + std::to_string(4 * n) + " times");
+      if (!neighbours && !common.empty() && ++num_crossings > kMaxCrossings) {
+        return fail(
+            ErrorCode::kLimit,
+            "the ring crosses itself more than " + std::to_string(kMaxCrossings) + " times");
       }
     }
   }

@@ -23,7 +23,7 @@ struct HalfEdge {
 /// Nodes, pieces and faces. Crossings are rounded to 1e-9 m.
 class RingArrangement {
  public:
-  /// Errors: kLimit when there are more than four times as many crossings as points.
+  /// Errors: kLimit when there are more than 100,000 crossings.
   /// Requires: cleaned_ring, at most 4,096 points. Cost: O(n^2).
   [[nodiscard]] static Result<RingArrangement> create(const Ring& ring);
 

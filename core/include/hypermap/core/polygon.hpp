@@ -35,16 +35,16 @@ struct Rect {
 /// Brings a ring sequence into the form above: drops repeated points, corrects closure and
 /// orientation.
 ///
-/// Errors: kInvalidArgument with the reason: fewer than three distinct points, zero area, a spike, a
-/// ring that crosses or touches itself or another one, a hole outside or inside another hole, a
+/// Errors: kInvalidArgument with the reason: fewer than three distinct points, zero area, a spike,
+/// a ring that crosses or touches itself or another one, a hole outside or inside another hole, a
 /// coordinate that is not finite or beyond 1e6 m; kLimit beyond 10^5 points in all.
 /// Boundary: orientation is decided exactly, so a crossing is never missed or invented by rounding.
 /// Cost: O(n log n) for any input (a sweep that stops at the first crossing), and O(n h) for h
 /// holes.
 [[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
 
-/// What a ring that is wound more than once, or that touches or crosses itself, stands for: the area
-/// where its winding number is not zero, in one or several parts.
+/// What a ring that is wound more than once, or that touches or crosses itself, stands for: the
+/// area where its winding number is not zero, in one or several parts.
 ///
 /// Faulty hull code writes such rings; all their winding numbers have one sign. A simple ring gives
 /// itself. Parts are in the order of their lowest, then leftmost point. Crossings are rounded to
@@ -52,7 +52,7 @@ struct Rect {
 /// Errors: kInvalidArgument with the reason: winding numbers of both signs (a bow-tie), a spike,
 /// fewer than three distinct points, zero area, a coordinate that is not finite or beyond 1e6 m;
 /// kLimit beyond 10^5 points, and when a ring that crosses itself has more than 4,096 points or
-/// more crossings than four times its points.
+/// more than 100,000 crossings.
 /// Cost: O(n log n) for simple rings, else O(n^2) within these limits.
 [[nodiscard]] Result<std::vector<Polygon>> resolve_winding(Ring ring);
 
