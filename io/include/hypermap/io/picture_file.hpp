@@ -36,9 +36,9 @@ struct Picture {
   int height_px = 0;
   int channels = 1;
   int bits = 8;  ///< 8 or 16 per channel; says which vector holds the samples.
-  std::vector<std::uint8_t> samples8;
-  std::vector<std::uint16_t> samples16;  ///< In this machine's byte order.
-  int max_value = 255;                   ///< A PGM's own; else 255 or 65,535.
+  std::vector<std::uint8_t> samples8 = {};
+  std::vector<std::uint16_t> samples16 = {};  ///< In this machine's byte order.
+  int max_value = 255;                        ///< A PGM's own; else 255 or 65,535.
 
   [[nodiscard]] bool has_alpha() const noexcept { return channels == 2 || channels == 4; }
   [[nodiscard]] std::size_t num_pixels() const noexcept {
