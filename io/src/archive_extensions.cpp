@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 
-#include "layer_files.hpp"
-#include "octree_options_keys.hpp"
-#include "value_keys.hpp"
-
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/object_json.hpp"
 #include "hypermap/io/octomap_file.hpp"
+#include "layer_files.hpp"
+#include "octree_options_keys.hpp"
+#include "value_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +35,11 @@ ExtensionEntry new_entry(std::string_view format) {
     entry.file = "provenance.yaml";
   }
   return entry;
+}
+
+/// Name and stem of the i-th class grid of a new archive.
+std::string plain_grid_name(std::size_t i) {
+  return "class_grid_" + std::to_string(i);
 }
 
 ExtensionEntry entry_of(const MapArchive& archive, std::string_view format) {
@@ -92,8 +96,8 @@ class ExtensionReader {
       return std::move(tree.findings);
     }
     HYPERMAP_ASSIGN_OR_RETURN(const OctreeOptions options, octree_options(entry_.extra));
-    auto octree = to_semantic_octree(
-        tree.value, options, {.max_voxels = limits_.max_octree_voxels});
+    auto octree =
+        to_semantic_octree(tree.value, options, {.max_voxels = limits_.max_octree_voxels});
     if (!octree) return tl::make_unexpected(with_source(std::move(octree).error(), source()));
     for (Finding& finding : octree->findings) {
       finding.error = with_source(std::move(finding.error), source());
@@ -111,13 +115,13 @@ class ExtensionReader {
     HYPERMAP_ASSIGN_OR_RETURN(const YamlNode class_node,
                               YamlNode(entry_.extra, "", unnamed).at("class"));
     HYPERMAP_ASSIGN_OR_RETURN(const std::string class_name, class_node.as_string());
-    HYPERMAP_ASSIGN_OR_RETURN(auto layer,
-                              read_occupancy(members_, entry_.file, owner_, limits_));
+    HYPERMAP_ASSIGN_OR_RETURN(auto layer, read_occupancy(members_, entry_.file, owner_, limits_));
+    const std::string plain = plain_grid_name(archive_.class_grids.size());
     archive_.class_grids.push_back({.class_name = class_name,
                                     .frame_id = entry_.frame_id,
                                     .grid = std::move(layer.value.grid),
-                                    .name = entry_.name,
-                                    .file = entry_.file,
+                                    .name = entry_.name == plain ? "" : entry_.name,
+                                    .file = entry_.file == plain ? "" : entry_.file,
                                     .extra = other_keys(entry_.extra, kGridKeys)});
     return std::move(layer.findings);
   }
@@ -198,7 +202,7 @@ void put_classes(WrittenExtensions& written, const MapArchive& archive) {
 Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
   for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
     const ClassGrid& grid = archive.class_grids[i];
-    const std::string plain = "class_grid_" + std::to_string(i);
+    const std::string plain = plain_grid_name(i);
     ExtensionEntry entry{.format = std::string(kClassGridFormat),
                          .name = grid.name.empty() ? plain : grid.name,
                          .frame_id = grid.frame_id,

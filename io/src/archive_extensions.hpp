@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What our archives hold beyond the strict form: octree, objects, classes, class grids, provenance.
+/// What our archives hold beyond the strict form: octree, objects, classes, class grids,
+/// provenance.
 #pragma once
 
 #include "archive_members.hpp"
-
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/hypermap_config.hpp"
 #include "hypermap/io/map_archive.hpp"

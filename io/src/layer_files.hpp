@@ -4,7 +4,6 @@
 #pragma once
 
 #include "archive_members.hpp"
-
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/hypermap_config.hpp"
 #include "hypermap/io/map_archive.hpp"

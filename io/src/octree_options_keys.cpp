@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "octree_options_keys.hpp"
 
-#include "value_keys.hpp"
-
 #include "hypermap/io/bounded_yaml.hpp"
+#include "value_keys.hpp"
 
 #include <array>
 #include <string_view>
@@ -18,12 +17,12 @@ struct ProbabilityKey {
   std::string_view name;
   Probability SensorModelOptions::*field;
 };
-constexpr std::array kModelKeys{ProbabilityKey{"hit", &SensorModelOptions::hit},
-                                ProbabilityKey{"miss", &SensorModelOptions::miss},
-                                ProbabilityKey{"clamp_min", &SensorModelOptions::clamp_min},
-                                ProbabilityKey{"clamp_max", &SensorModelOptions::clamp_max},
-                                ProbabilityKey{"occupied_from",
-                                               &SensorModelOptions::occupied_from}};
+constexpr std::array kModelKeys{
+    ProbabilityKey{"hit", &SensorModelOptions::hit},
+    ProbabilityKey{"miss", &SensorModelOptions::miss},
+    ProbabilityKey{"clamp_min", &SensorModelOptions::clamp_min},
+    ProbabilityKey{"clamp_max", &SensorModelOptions::clamp_max},
+    ProbabilityKey{"occupied_from", &SensorModelOptions::occupied_from}};
 
 Result<SensorModelOptions> parse_sensor_model(const YamlNode& node) {
   SensorModelOptions model;
@@ -61,6 +60,8 @@ std::vector<ValueTree::Entry> octree_option_keys(const OctreeOptions& options) {
           {"max_class_log_odds", make_number(options.max_class_log_odds.value())}};
 }
 
-ValueTree without_octree_options(const ValueTree& extra) { return other_keys(extra, kKeys); }
+ValueTree without_octree_options(const ValueTree& extra) {
+  return other_keys(extra, kKeys);
+}
 
 }  // namespace hypermap
