@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/bounded_json.hpp"
 
-#include "utf8.hpp"
+#include "hypermap/core/utf8.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/utf8.hpp"
 #include "hypermap/io/byte_source.hpp"
 #include "hypermap/io/onnx_detector.hpp"
 #include "text_file.hpp"
-#include "utf8.hpp"
 
 #include <array>
 #include <set>
@@ -56,7 +56,7 @@ Result<void> check_name(const std::filesystem::path& path,
                       ErrorCode::kLimit,
                       "at most 256 bytes are read, has " + std::to_string(name.size()));
   }
-  if (!is_utf8(name)) {
+  if (first_bad_utf8(name) != name.size()) {
     return name_error(path, line.number, ErrorCode::kMalformedFile, "must be UTF-8");
   }
   return {};
