@@ -19,7 +19,10 @@ Provenance sample() {
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
   isometry.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   isometry.translation() = Eigen::Vector3d(0.1, -2.0 / 3.0, 1e-9);
-  Provenance provenance{.tool = "hypermap 0.1.0", .input = "kitchen", .input_hash = "xxh3-128:00"};
+  Provenance provenance;
+  provenance.tool = "hypermap 0.1.0";
+  provenance.input = "kitchen";
+  provenance.input_hash = "xxh3-128:00";
   provenance.options =
       make_map({{"resolution_m", make_number(0.05)}, {"mode", make_text("exact")}});
   provenance.map_from_input = MapFromInput(isometry);
