@@ -56,7 +56,7 @@ Result<void> check_name(const std::filesystem::path& path,
                       ErrorCode::kLimit,
                       "at most 256 bytes are read, has " + std::to_string(name.size()));
   }
-  if (first_bad_utf8(name) != name.size()) {
+  if (first_bad_utf8(name) < name.size()) {
     return name_error(path, line.number, ErrorCode::kMalformedFile, "must be UTF-8");
   }
   return {};

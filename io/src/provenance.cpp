@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/provenance.hpp"
 
-#include "hypermap/io/bounded_yaml.hpp"
 #include "value_keys.hpp"
+
+#include "hypermap/io/bounded_yaml.hpp"
 
 #include <Eigen/LU>
 #define XXH_INLINE_ALL

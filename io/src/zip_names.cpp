@@ -32,7 +32,7 @@ std::string_view fault_of(std::string_view name) {
   if (name.empty()) return "is empty";
   if (name.size() > kMaxNameBytes) return "is longer than 255 bytes";
   if (std::any_of(name.begin(), name.end(), is_control)) return "has a control character";
-  if (first_bad_utf8(name) != name.size()) return "is not UTF-8";
+  if (first_bad_utf8(name) < name.size()) return "is not UTF-8";
   if (name.find('\\') != std::string_view::npos) return "has a backslash";
   if (has_drive(name)) return "has a drive";
   if (name.front() == '/') return "is absolute";
