@@ -78,7 +78,7 @@ TriangleMesh build_suitcase(const ShapeInput& in) {
     const double middle = -y + (i + 0.5) * 2.0 * y / kRibs;
     mesh.box({-x, middle - 0.02, 0.06}, {x, middle + 0.02, body - 0.02});
   }
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_umbrella(const ShapeInput& in) {
@@ -99,7 +99,7 @@ TriangleMesh build_umbrella(const ShapeInput& in) {
                       Vector3d(0, 0.03, -length),
                       Vector3d(0, 0.06, -length + 0.03)},
            0.013);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_backpack(const ShapeInput& in) {
@@ -126,7 +126,7 @@ TriangleMesh build_backpack(const ShapeInput& in) {
                       Vector3d(-0.4 * x, 0.12 * y, top - 0.01),
                       Vector3d(-0.4 * x, 0.2 * y, 0.94 * top)},
            0.01);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_plant(const ShapeInput& in) {
@@ -150,7 +150,7 @@ TriangleMesh build_plant(const ShapeInput& in) {
        SurfacePattern::kFabric});
   add_leaves(mesh, {0.01, 0.01, 0.62 * top}, 0.8 * radius, 0.2 * top, 10, 0.25);
   add_leaves(mesh, {0.02, 0.01, 0.74 * top}, 0.45 * radius, 0.24 * top, 7, 0.7);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 }  // namespace hypermap

@@ -24,7 +24,7 @@ TriangleMesh build_monitor(const ShapeInput& in) {
   mesh.box({-0.02, -y, bottom}, {0.02, y, top});
   mesh.material({in.second, SurfacePattern::kScreen});
   mesh.box({0.019, -y + 0.015, bottom + 0.02}, {0.022, y - 0.015, top - 0.015});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_keyboard(const ShapeInput& in) {
@@ -36,7 +36,7 @@ TriangleMesh build_keyboard(const ShapeInput& in) {
   mesh.box({-x, -y, 0.0}, {x, y, 0.6 * top});
   mesh.material({in.second, SurfacePattern::kKeys});
   mesh.box({-x + 0.012, -y + 0.012, 0.6 * top}, {x - 0.012, y - 0.012, top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_mouse(const ShapeInput& in) {
@@ -46,7 +46,7 @@ TriangleMesh build_mouse(const ShapeInput& in) {
   mesh.ellipsoid({0, 0, 0}, radii, true);
   mesh.material({in.second, SurfacePattern::kPlain});
   mesh.ellipsoid({0.45 * radii.x(), 0, 0.85 * radii.z()}, {0.012, 0.005, 0.006});  // the wheel
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_cup(const ShapeInput& in) {
@@ -70,7 +70,7 @@ TriangleMesh build_cup(const ShapeInput& in) {
   mesh.frustum({0, 0, 0.006}, {0, 0, top}, 0.88 * radius - wall, radius - wall, false);
   mesh.material({{70, 44, 28}, SurfacePattern::kPlain});  // coffee
   mesh.ring({0, 0, 0.7 * top}, 0.0, 0.93 * radius - wall);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 }  // namespace hypermap

@@ -71,7 +71,7 @@ TriangleMesh build_table(const ShapeInput& in) {
     mesh.box({beam_x, -y + 0.06, top - 0.08}, {beam_x + 0.02, y - 0.06, top - 0.03});
   mesh.material({in.first, SurfacePattern::kWood});
   mesh.box({-x, -y, top - 0.03}, {x, y, top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_cupboard(const ShapeInput& in) {
@@ -95,7 +95,7 @@ TriangleMesh build_cupboard(const ShapeInput& in) {
   }
   mesh.material({in.second, SurfacePattern::kWood});
   mesh.box({-x, -y, top - 0.03}, {x, y, top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_sink(const ShapeInput& in) {
@@ -121,7 +121,7 @@ TriangleMesh build_sink(const ShapeInput& in) {
                       Vector3d(-x + 0.10, 0, rim + 0.12),
                       Vector3d(-x + 0.17, 0, rim + 0.08)},
            0.013);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_bin(const ShapeInput& in) {
@@ -135,7 +135,7 @@ TriangleMesh build_bin(const ShapeInput& in) {
   mesh.material({in.second, SurfacePattern::kPlain});
   mesh.frustum({0, 0, 0.01}, {0, 0, top}, 0.72 * radius, 0.93 * radius, false);
   mesh.ring({0, 0, 0.01}, 0.0, 0.74 * radius);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_fan(const ShapeInput& in) {
@@ -153,7 +153,7 @@ TriangleMesh build_fan(const ShapeInput& in) {
   mesh.ellipsoid(hub + Vector3d(0.07, 0, 0), {0.03, 0.05, 0.05});
   mesh.material({{90, 150, 190}, SurfacePattern::kPlain});
   add_blades(mesh, hub, 0.95 * radius);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_noteboard(const ShapeInput& in) {
@@ -177,7 +177,7 @@ TriangleMesh build_noteboard(const ShapeInput& in) {
   mesh.box({0.02, -0.4 * y, bottom}, {0.09, 0.4 * y, bottom + 0.015});  // tray for pens
   mesh.material({in.first, SurfacePattern::kNotes});
   mesh.box({-0.022, -y + 0.02, bottom}, {0.022, y - 0.02, top - 0.02});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 }  // namespace hypermap

@@ -36,7 +36,7 @@ TriangleMesh build_chair(const ShapeInput& in) {
   mesh.material({in.second, SurfacePattern::kFabric});
   mesh.box({-x, -y, seat - 0.03}, {x, y, seat + 0.015});
   mesh.box({-x + 0.002, -y + 0.03, 0.68 * top}, {-x + 0.04, y - 0.03, 0.9 * top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_swivel_chair(const ShapeInput& in) {
@@ -68,7 +68,7 @@ TriangleMesh build_swivel_chair(const ShapeInput& in) {
   mesh.ellipsoid({0, 0, seat + 0.025}, {half, half, 0.03}, true);
   mesh.box({-half - 0.02, -0.9 * half, seat + 0.13}, {-half + 0.05, 0.9 * half, 0.94 * top});
   mesh.box({-half - 0.01, -0.7 * half, 0.94 * top}, {-half + 0.04, 0.7 * half, top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_sofa(const ShapeInput& in) {
@@ -99,7 +99,7 @@ TriangleMesh build_sofa(const ShapeInput& in) {
     mesh.box({-x + 0.2, left + 0.01, seat - 0.12}, {x - 0.01, left + width - 0.01, seat});
     mesh.box({-x + 0.2, left + 0.02, seat}, {-x + 0.34, left + width - 0.02, top});
   }
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 TriangleMesh build_bench(const ShapeInput& in) {
@@ -123,7 +123,7 @@ TriangleMesh build_bench(const ShapeInput& in) {
   }
   for (const double height : {0.68, 0.85})
     mesh.box({-x + 0.08, -y, height * top}, {-x + 0.11, y, (height + 0.13) * top});
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 }  // namespace hypermap

@@ -97,7 +97,7 @@ TriangleMesh build_room(const Scene& scene) {
   for (const Ring& hole : scene.floor.holes) add_walls(mesh, hole, scene.wall_height_m);
   for (const SceneFixture& fixture : scene.fixtures)
     mesh.material(fixture.material).box(fixture.box.min_in_map, fixture.box.max_in_map);
-  return std::move(mesh).build();
+  return mesh.build();
 }
 
 std::vector<Eigen::Vector3d> lights_of(const Scene& scene) {

@@ -169,10 +169,6 @@ MeshBuilder& MeshBuilder::leaf(const Eigen::Vector3d& stem,
   return sheet(std::array{tip, left, right});
 }
 
-TriangleMesh MeshBuilder::build() && {
-  return std::move(mesh_);
-}
-
 TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& motion) {
   for (Eigen::Vector3f& vertex : mesh.vertices)
     vertex = (motion * vertex.cast<double>()).cast<float>();

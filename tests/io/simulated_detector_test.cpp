@@ -271,7 +271,9 @@ TEST(SimulatedDetector, AThingIsJudgedAloneWhateverElseIsInTheFrame) {
   rig.objects.push_back(other);
   const auto both = rig.detect(3);
   ASSERT_GE(both.size(), alone.size());
-  if (!alone.empty()) EXPECT_EQ(both[0], alone[0]);
+  if (!alone.empty()) {
+    EXPECT_EQ(both[0], alone[0]);
+  }
 }
 
 TEST(SimulatedDetector, BadOptionsNameTheirField) {

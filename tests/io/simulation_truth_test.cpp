@@ -18,7 +18,7 @@ FurnishedScene pillar_room() {
   room.box({0, 1.0, 0}, {2, 1.05, 2.5});
   room.box({1.0, 0.4, 0}, {1.2, 0.6, 2.5});
   room.box({0.2, 0.2, 2.0}, {0.4, 0.4, 2.1});
-  scene.room = std::move(room).build();
+  scene.room = room.build();
   return scene;
 }
 
@@ -51,7 +51,7 @@ TEST(SimulationTruth, SurfacesAreCutAtTheBand) {
                                                Eigen::Vector3d(1.8, 0.1, 0.4),
                                                Eigen::Vector3d(1.8, 0.3, 0.4),
                                                Eigen::Vector3d(1.4, 0.3, 0.0)};
-  scene.objects.push_back({.id = ObjectId{1}, .mesh = std::move(ramp.sheet(corners)).build()});
+  scene.objects.push_back({.id = ObjectId{1}, .mesh = ramp.sheet(corners).build()});
   const auto grid = true_occupancy(scene, kWay);
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->at_point({1.475, 0.2}), kFreeCell);

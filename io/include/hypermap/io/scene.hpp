@@ -21,17 +21,17 @@ namespace hypermap {
 
 /// One thing in a scene.
 struct SceneObject {
-  std::string name;        ///< Unique in the scene.
-  std::string class_name;  ///< What a person calls it.
-  std::string shape;       ///< One of `furniture_shapes()`.
-  std::string on;          ///< Name of the thing that it stands on; empty: the floor.
+  std::string name = {};        ///< Unique in the scene.
+  std::string class_name = {};  ///< What a person calls it.
+  std::string shape = {};       ///< One of `furniture_shapes()`.
+  std::string on = {};          ///< Name of the thing that it stands on; empty: the floor.
   /// Centre of its ground plan in the map, or, when it stands on something, in that thing's frame
   /// (origin at its middle). Unit: metre.
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double height_m = 0.0;  ///< Above the floor, or above the top of what it stands on.
   double yaw_rad = 0.0;   ///< Where its front looks, in the same frame as its position.
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< Zero: the shape's usual size.
-  std::vector<Rgb8> colors;                          ///< Empty: the shape's usual colours.
+  std::vector<Rgb8> colors = {};                     ///< Empty: the shape's usual colours.
   /// Stands free, so that each seed puts it a little elsewhere.
   bool movable = true;
 };
@@ -44,7 +44,7 @@ struct SceneFixture {
 
 /// A room, what is in it and how the camera goes through it. Read by `load_scene`.
 struct Scene {
-  std::string name;
+  std::string name = {};
   Polygon floor;  ///< Inner walls stand on its edges; holes are blocks around which one can walk.
   double wall_height_m = 2.7;
   SurfaceMaterial floor_material{{170, 150, 125}, SurfacePattern::kTiles};
@@ -55,20 +55,21 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<CameraWaypoint> waypoints;
   CameraPath::Options path;
-  /// How much a seed moves free-standing things on the floor; two fifths of it what stands on others.
+  /// How much a seed moves free-standing things on the floor; two fifths of it what stands on
+  /// others.
   double position_jitter_m = 0.05;
   double yaw_jitter_rad = 0.1745329251994329577;  ///< 10 degrees
 };
 
 /// A thing in its place.
 struct PlacedObject {
-  ObjectId id;  ///< 1, 2, ... in the scene's order.
-  std::string name;
-  std::string class_name;
-  TriangleMesh mesh;  ///< In the map.
+  ObjectId id = kNoObject;  ///< 1, 2, ... in the scene's order.
+  std::string name = {};
+  std::string class_name = {};
+  TriangleMesh mesh = {};  ///< In the map.
   Eigen::Isometry3d map_from_object = Eigen::Isometry3d::Identity();
-  Box box;
-  Polygon footprint;  ///< True outline seen from above, in the map.
+  Box box = {};
+  Polygon footprint = {};  ///< True outline seen from above, in the map.
   /// Centroid of the footprint's area, half way up the box.
   Eigen::Vector3d centroid_in_map = Eigen::Vector3d::Zero();
 };

@@ -31,8 +31,8 @@ struct SimulationOptions {
   /// growing with the root of the way; 0: exact. Range: 0 .. 100
   double pose_noise = 0.0;
   PinholeCamera camera{640, 480, 525.0, 525.0, 319.5, 239.5};
-  SensorNoiseOptions sensor;
-  SimulatedDetectorOptions detector;
+  SensorNoiseOptions sensor = {};
+  SimulatedDetectorOptions detector = {};
   int num_threads = 0;  ///< 0: as many as there are cores. The result does not depend on it.
 };
 

@@ -43,11 +43,11 @@ struct TriangleMesh {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  std::vector<Eigen::Vector3f> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint16_t> material_of_triangle;  ///< Index into `materials`.
-  std::vector<SurfaceMaterial> materials;
-  std::vector<Part> parts;
+  std::vector<Eigen::Vector3f> vertices = {};
+  std::vector<std::array<std::uint32_t, 3>> triangles = {};
+  std::vector<std::uint16_t> material_of_triangle = {};  ///< Index into `materials`.
+  std::vector<SurfaceMaterial> materials = {};
+  std::vector<Part> parts = {};
 };
 
 /// Builds a mesh from simple solids. Each solid is one convex part of the footprint.
@@ -83,7 +83,8 @@ class MeshBuilder {
   /// A pointed leaf from stem to tip, bent down at its end.
   MeshBuilder& leaf(const Eigen::Vector3d& stem, const Eigen::Vector3d& tip, double width_m);
 
-  [[nodiscard]] TriangleMesh build() &&;
+  /// What was added so far.
+  [[nodiscard]] TriangleMesh build() const { return mesh_; }
 
  private:
   std::uint32_t vertex(const Eigen::Vector3d& in_solid);
