@@ -113,7 +113,8 @@ class FramePipeline {
   }
 
   Result<SimulationReport> run(int num_threads) {
-    tbb::task_arena arena(num_threads > 0 ? num_threads : tbb::task_arena::automatic);
+    const int most = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(num_threads > 0 ? std::min(num_threads, most) : most);
     arena.execute([&] { run_stages(2 * static_cast<std::size_t>(arena.max_concurrency())); });
     if (error_) return tl::make_unexpected(*error_);
     for (SimulatedTruth& truth : report_.objects)

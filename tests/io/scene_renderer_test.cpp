@@ -153,15 +153,15 @@ TEST(SceneRenderer, AnyNumberOfThreadsGivesTheSamePicture) {
   constexpr PinholeCamera kSmall{161, 120, 131.0, 131.0, 80.0, 59.5};  // no multiple of a packet
   const MapFromCamera pose = look_at({-1.9, -1.6, 1.4}, {-0.3, 0.2, 0.5});
   const auto on = [&](int threads) {
-    tbb::task_arena arena(threads);
+    tbb::task_arena arena(std::min(threads, tbb::this_task_arena::max_concurrency()));
     return arena.execute([&] { return renderer->render(kSmall, pose); });
   };
   const RenderedView one = on(1);
-  const RenderedView four = on(4);
-  EXPECT_EQ(one.depth_m, four.depth_m);
-  EXPECT_EQ(one.incidence_cos, four.incidence_cos);
-  EXPECT_EQ(one.instances, four.instances);
-  EXPECT_EQ(one.color, four.color);
+  const RenderedView more = on(4);
+  EXPECT_EQ(one.depth_m, more.depth_m);
+  EXPECT_EQ(one.incidence_cos, more.incidence_cos);
+  EXPECT_EQ(one.instances, more.instances);
+  EXPECT_EQ(one.color, more.color);
   // A furnished room is closed: every ray meets something.
   EXPECT_EQ(std::ranges::count(one.depth_m.pixels(), 0.0F), 0);
 }
