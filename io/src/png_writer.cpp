@@ -10,7 +10,6 @@
 namespace hypermap {
 namespace {
 
-constexpr int kCompressionLevel = 9;
 constexpr int kMaxSide = 65'535;
 
 void append_big_endian(std::string& bytes, std::uint32_t value) {
@@ -58,8 +57,9 @@ void append_pixel(std::string& row, std::uint16_t pixel) {
 /// Deflate of rows that are handed in one by one.
 class Compressor {
  public:
-  Compressor() {
-    if (deflateInit(&stream_, kCompressionLevel) != Z_OK) throw std::bad_alloc();
+  explicit Compressor(PngEffort effort) {
+    const int level = effort == PngEffort::kSmall ? Z_BEST_COMPRESSION : Z_BEST_SPEED;
+    if (deflateInit(&stream_, level) != Z_OK) throw std::bad_alloc();
   }
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
@@ -93,8 +93,8 @@ class Compressor {
 
 /// Each row is the difference to the one above (filter 2): maps and depth repeat from row to row.
 template <class Pixel>
-std::string compressed_rows(const Image<Pixel>& image) {
-  Compressor compressor;
+std::string compressed_rows(const Image<Pixel>& image, PngEffort effort) {
+  Compressor compressor(effort);
   std::string above;
   for (int v = 0; v < image.height_px(); ++v) {
     std::string row;
@@ -110,13 +110,13 @@ std::string compressed_rows(const Image<Pixel>& image) {
 }
 
 template <class Pixel>
-Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color) {
+Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color, PngEffort effort) {
   if (image.empty()) return fail(ErrorCode::kInvalidArgument, "an empty image has no PNG", "image");
   if (image.width_px() > kMaxSide || image.height_px() > kMaxSide) {
     return fail(ErrorCode::kLimit, "a side is over 65535 pixels", "image");
   }
   try {
-    const std::string pixels = compressed_rows(image);
+    const std::string pixels = compressed_rows(image, effort);
     if (pixels.size() > 0x7FFFFFFF) return fail(ErrorCode::kLimit, "has over 2 GiB", "image");
     std::string bytes(kPngSignature);
     append_chunk(bytes, "IHDR", header_chunk(image.width_px(), image.height_px(), bits, color));
@@ -130,17 +130,17 @@ Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color) 
 
 }  // namespace
 
-Result<std::string> encode_png(const Image<GrayAlpha8>& image) {
-  return encode(image, 8, PngColor::kGrayAlpha);
+Result<std::string> encode_png(const Image<GrayAlpha8>& image, PngEffort effort) {
+  return encode(image, 8, PngColor::kGrayAlpha, effort);
 }
-Result<std::string> encode_png(const ColorImage& image) {
-  return encode(image, 8, PngColor::kRgb);
+Result<std::string> encode_png(const ColorImage& image, PngEffort effort) {
+  return encode(image, 8, PngColor::kRgb, effort);
 }
-Result<std::string> encode_png(const Image<std::uint8_t>& image) {
-  return encode(image, 8, PngColor::kGray);
+Result<std::string> encode_png(const Image<std::uint8_t>& image, PngEffort effort) {
+  return encode(image, 8, PngColor::kGray, effort);
 }
-Result<std::string> encode_png(const Image<std::uint16_t>& image) {
-  return encode(image, 16, PngColor::kGray);
+Result<std::string> encode_png(const Image<std::uint16_t>& image, PngEffort effort) {
+  return encode(image, 16, PngColor::kGray, effort);
 }
 
 }  // namespace hypermap

@@ -65,8 +65,9 @@ Result<FrameRecord> make_frame(const Simulator& simulator,
                                const StagedFolder& folder) {
   SimulatedFrame simulated = simulator.render(index);
   RgbdFrame& frame = simulated.frame;
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string color, encode_png(frame.color));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string depth, encode_png(depth_units(frame.depth_m)));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string color, encode_png(frame.color, PngEffort::kFast));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string depth,
+                            encode_png(depth_units(frame.depth_m), PngEffort::kFast));
   HYPERMAP_TRY(folder.write(color_name(frame), color));
   HYPERMAP_TRY(folder.write(depth_name(frame), depth));
   frame.color = {};

@@ -29,11 +29,22 @@ struct GrayAlpha8 {
   friend bool operator==(GrayAlpha8, GrayAlpha8) = default;
 };
 
-/// A PNG file's bytes: no time stamp, no text, fixed filter and compression level.
+/// What to save when writing a PNG.
+enum class PngEffort {
+  kSmall,  ///< Space: for what is kept, as the layers of an archive.
+  kFast,   ///< Time, about a tenth: for the many pictures of a sequence.
+};
+
+/// A PNG file's bytes: no time stamp, no text, fixed filter and, for an effort, a fixed
+/// compression level.
 /// Errors: kInvalidArgument when the image is empty; kLimit when a side is over 65,535.
-[[nodiscard]] Result<std::string> encode_png(const Image<GrayAlpha8>& image);
-[[nodiscard]] Result<std::string> encode_png(const ColorImage& image);
-[[nodiscard]] Result<std::string> encode_png(const Image<std::uint8_t>& image);
-[[nodiscard]] Result<std::string> encode_png(const Image<std::uint16_t>& image);
+[[nodiscard]] Result<std::string> encode_png(const Image<GrayAlpha8>& image,
+                                             PngEffort effort = PngEffort::kSmall);
+[[nodiscard]] Result<std::string> encode_png(const ColorImage& image,
+                                             PngEffort effort = PngEffort::kSmall);
+[[nodiscard]] Result<std::string> encode_png(const Image<std::uint8_t>& image,
+                                             PngEffort effort = PngEffort::kSmall);
+[[nodiscard]] Result<std::string> encode_png(const Image<std::uint16_t>& image,
+                                             PngEffort effort = PngEffort::kSmall);
 
 }  // namespace hypermap
