@@ -55,8 +55,9 @@ struct AbsenceOptions {
   LogOdds absent_decay{1.0};
   /// Taken from all classes when absent. [smap] figure 3.23, step 8, without a number.
   LogOdds absent_class_decay{0.5};
-  /// Share of the absent decay of classes and histogram that applies when partly occluded.
-  double partly_occluded_factor = 0.5;
+  /// Share of the absent decay of classes and histogram that applies when partly occluded; off by
+  /// default, since what is seen there is seen. [smap] figure 3.23, step 8: > 0
+  double partly_occluded_factor = 0.0;
   /// The same when occluded: "a small decay"; off by default. [smap] 3.5.2: > 0
   double occluded_factor = 0.0;
   /// Objects that this frame did detect lose nothing. [hypermap] 3.4.5: false

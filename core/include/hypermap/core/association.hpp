@@ -60,20 +60,29 @@ enum class AssociationPolicy {
 };
 
 /// Policy `kAssignment`. All of it is ours; docs/RESULTS.md has the comparison with the sources.
+///
+/// A contact of two bodies is described by: the share of the points of each that lie within
+/// `near_m` of the other, the share of the smaller box that lies in the other, the distance of the
+/// centres in mean box diagonals, and the agreement of the class vectors.
 struct AssignmentOptions {
-  double near_m = 0.03;  ///< Points and boxes this near touch. Unit: metre. > 0
-  /// Same class: share of the smaller one's points (or box) that must lie in the other.
+  /// Points and boxes this near touch. Unit: metre. > 0
+  double near_m = 0.025;
+  /// Class vectors that agree at least so much count as the same class, in [0, 1].
+  double same_class_agreement = 0.15;
+  /// Same class: share of the points of one that must lie in the other, ...
   double same_class_share = 0.25;
-  /// Same class: or this distance of the centroids in mean box diagonals.
-  double same_class_distance = 0.35;
-  /// Other class: share of the points of both that must lie in the other.
+  /// ... or share of the smaller box, ...
+  double same_class_box_share = 0.4;
+  /// ... or the most distance of the centres in mean diagonals.
+  double same_class_distance = 0.3;
+  /// Other class: share of the points of each that must lie in the other, ...
   double other_class_share = 0.45;
-  /// Other class: or nearly all of the smaller lies in the other ...
+  /// ... or nearly all of one lies in the other ...
   double part_share = 0.8;
   /// ... and its diagonal is at least this share of the other's: a cup is no part of a table.
   double part_diagonal = 0.5;
-  /// Class vectors that agree at least so much count as the same class.
-  double same_class_agreement = 0.25;
+  /// Objects are merged when the shares above are exceeded by this factor. >= 1
+  double merge_factor = 1.15;
   friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
 };
 
@@ -125,12 +134,16 @@ struct ObjectMerge {
 };
 
 struct AssociationReport {
-  /// Per observation; kNoObject for those of transient classes. Final: merges are applied.
+  /// Per observation; kNoObject for those of transient classes and without a shape. Merges are
+  /// applied.
   std::vector<ObjectId> object_of_observation;
   std::vector<ObjectId> created;    ///< Ascending.
   std::vector<ObjectId> matched;    ///< Ascending, each once.
   std::vector<ObjectMerge> merged;  ///< In the order in which they happened.
-  std::size_t num_transient = 0;
+  std::size_t num_transient = 0;    ///< Of a class that touches nothing.
+  /// Showed an object that this frame had shown already; they teach nothing.
+  std::size_t num_repeated = 0;
+  std::size_t num_without_shape = 0;  ///< Policies overlap and radius: the points span no area.
 };
 
 /// Positive association: matches observations of one frame with objects, updates those, creates

@@ -38,10 +38,10 @@ struct PointVote {
 };
 
 struct PointEvidenceOptions {
-  double edge_m = 0.02;            ///< Edge of a cell to begin with, 0.001 to 1 m.
+  double edge_m = 0.01;            ///< Edge of a cell to begin with, 0.001 to 1 m.
   std::uint32_t max_cells = 4096;  ///< More make cells twice as wide; 64 to 65,536.
-  /// A cell counts when it and its neighbours in a block have at least this share of the votes that
-  /// the well-seen blocks have, in [0, 1]. 0 counts all: the hull of all errors.
+  /// A cell counts when it has at least this share of the votes that a typical vote's cell has, in
+  /// [0, 1]. 0 counts all: the hull of all errors.
   double min_vote_share = 0.15;
   friend bool operator==(const PointEvidenceOptions&, const PointEvidenceOptions&) = default;
 };
@@ -51,7 +51,7 @@ struct PointEvidenceOptions {
 
 /// Everything that a PointEvidence remembers, for storing it.
 struct PointEvidenceState {
-  double edge_m = 0.02;                ///< Now: the first edge, doubled some times.
+  double edge_m = 0.01;                ///< Now: the first edge, doubled some times.
   std::uint32_t num_observations = 0;  ///< That voted.
   std::vector<PointVote> votes;        ///< Ascending by cell.
   friend bool operator==(const PointEvidenceState&, const PointEvidenceState&) = default;
@@ -78,14 +78,11 @@ class PointEvidence {
 
   /// Centres of the cells that enough observations agree on, in the order of cells.
   [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
-  /// Box of the agreed points. None when empty.
+  /// Box of the agreed points, a quarter of a cell wider. None when empty.
   [[nodiscard]] std::optional<Box> agreed_box() const;
-  /// Convex hull, from above, of the agreed points.
+  /// Convex hull, from above, of the agreed points, each a square of half a cell.
   /// Errors: kNotFound when there are no points.
   [[nodiscard]] Result<Polygon> footprint() const;
-
-  /// Share of `points_in_map` that lie in an agreed cell or next to one; 0 when either is empty.
-  [[nodiscard]] double share_within(std::span<const Eigen::Vector3d> points_in_map) const;
 
   [[nodiscard]] bool empty() const noexcept { return state_.votes.empty(); }
   [[nodiscard]] const PointEvidenceState& state() const noexcept { return state_; }
@@ -93,9 +90,9 @@ class PointEvidence {
   friend bool operator==(const PointEvidence&, const PointEvidence&) = default;
 
  private:
-  void add_votes(std::vector<PointVote> votes);
+  void add_votes(std::span<const PointVote> votes);
   void make_room();
-  [[nodiscard]] std::vector<PointCell> agreed_cells() const;
+  [[nodiscard]] std::uint32_t votes_needed() const;
 
   PointEvidenceOptions options_;
   PointEvidenceState state_;

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/footprint.hpp"
+
+#include "number_text.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr double kMaxCoordinateM = 1e6;
+
+/// The cell of twice the edge that a cell lies in; rounds towards minus infinity.
+PointCell widened(const PointCell& cell) {
+  const auto half = [](std::int32_t i) { return (i - (i & 1)) / 2; };
+  return {half(cell.x), half(cell.y), half(cell.z)};
+}
+
+std::vector<PointVote> widened(std::span<const PointVote> votes, std::uint32_t most) {
+  std::vector<PointVote> out;
+  out.reserve(votes.size());
+  for (const PointVote& vote : votes) out.push_back({widened(vote.cell), vote.votes});
+  std::sort(out.begin(), out.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (kept > 0 && out[kept - 1].cell == out[i].cell) {
+      out[kept - 1].votes = std::min(most, out[kept - 1].votes + out[i].votes);
+    } else {
+      out[kept++] = out[i];
+    }
+  }
+  out.resize(kept);
+  return out;
+}
+
+std::vector<PointVote> votes_of(std::span<const Eigen::Vector3f> points, double edge_m) {
+  std::vector<PointVote> votes;
+  votes.reserve(points.size());
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector3d point = p.cast<double>();
+    if (!(point.array().abs() <= kMaxCoordinateM).all()) continue;
+    const Eigen::Vector3d cell = (point / edge_m).array().floor();
+    votes.push_back({{static_cast<std::int32_t>(cell.x()),
+                      static_cast<std::int32_t>(cell.y()),
+                      static_cast<std::int32_t>(cell.z())},
+                     1});
+  }
+  std::sort(votes.begin(), votes.end());
+  votes.erase(std::unique(votes.begin(), votes.end()), votes.end());
+  return votes;
+}
+
+Eigen::Vector3d centre_of(const PointCell& cell, double edge_m) {
+  return edge_m * (Eigen::Vector3d(cell.x, cell.y, cell.z).array() + 0.5);
+}
+
+Result<void> check_edge(double edge_m, double first_edge_m) {
+  double edge = first_edge_m;
+  while (edge < edge_m) edge *= 2.0;
+  if (edge == edge_m) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be " + number_text(first_edge_m) + " doubled, is " + number_text(edge_m),
+              "points.edge_m");
+}
+
+}  // namespace
+
+Result<void> validate(const PointEvidenceOptions& options) {
+  if (!(options.edge_m >= 0.001 && options.edge_m <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be in 0.001..1, is " + number_text(options.edge_m),
+                "edge_m");
+  }
+  if (options.max_cells < 64 || options.max_cells > 65'536) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be in 64..65536, is " + std::to_string(options.max_cells),
+                "max_cells");
+  }
+  if (!(options.min_vote_share >= 0.0 && options.min_vote_share <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be in [0, 1], is " + number_text(options.min_vote_share),
+                "min_vote_share");
+  }
+  return {};
+}
+
+PointEvidence::PointEvidence(const PointEvidenceOptions& options) : options_(options) {
+  state_.edge_m = options.edge_m;
+}
+
+Result<PointEvidence> PointEvidence::from_state(const PointEvidenceOptions& options,
+                                                PointEvidenceState state) {
+  HYPERMAP_TRY(validate(options));
+  if (!(state.edge_m <= kMaxCoordinateM)) {
+    return fail(ErrorCode::kInvalidArgument, "is too large or no number", "points.edge_m");
+  }
+  HYPERMAP_TRY(check_edge(state.edge_m, options.edge_m));
+  if (state.votes.size() > options.max_cells) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be at most " + std::to_string(options.max_cells) + ", are " +
+                    std::to_string(state.votes.size()),
+                "points.votes");
+  }
+  for (std::size_t i = 0; i < state.votes.size(); ++i) {
+    const PointVote& vote = state.votes[i];
+    const bool ascends = i == 0 || state.votes[i - 1].cell < vote.cell;
+    if (ascends && vote.votes > 0 && vote.votes <= state.num_observations) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "cells must ascend, votes be in 1..num_observations",
+                "points.votes[" + std::to_string(i) + "]");
+  }
+  PointEvidence evidence(options);
+  evidence.state_ = std::move(state);
+  return evidence;
+}
+
+void PointEvidence::observe(std::span<const Eigen::Vector3f> points_in_map) {
+  ++state_.num_observations;
+  add_votes(votes_of(points_in_map, state_.edge_m));
+}
+
+void PointEvidence::merge(const PointEvidence& other) {
+  assert(options_ == other.options_);
+  PointEvidenceState added = other.state_;
+  while (added.edge_m < state_.edge_m) {
+    added.votes = widened(added.votes, added.num_observations);
+    added.edge_m *= 2.0;
+  }
+  while (state_.edge_m < added.edge_m) {
+    state_.votes = widened(state_.votes, state_.num_observations);
+    state_.edge_m *= 2.0;
+  }
+  state_.num_observations += added.num_observations;
+  add_votes(added.votes);
+}
+
+void PointEvidence::add_votes(std::span<const PointVote> votes) {
+  std::vector<PointVote> sum;
+  sum.reserve(state_.votes.size() + votes.size());
+  auto mine = state_.votes.begin();
+  for (const PointVote& vote : votes) {
+    while (mine != state_.votes.end() && mine->cell < vote.cell) sum.push_back(*mine++);
+    sum.push_back(vote);
+    if (mine != state_.votes.end() && mine->cell == vote.cell) {
+      sum.back().votes += (mine++)->votes;
+    }
+  }
+  sum.insert(sum.end(), mine, state_.votes.end());
+  state_.votes = std::move(sum);
+  make_room();
+}
+
+/// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
+void PointEvidence::make_room() {
+  while (state_.votes.size() > options_.max_cells) {
+    const std::uint32_t needed = votes_needed();
+    const auto num_agreed = static_cast<std::size_t>(
+        std::count_if(state_.votes.begin(), state_.votes.end(), [&](const PointVote& v) {
+          return v.votes >= needed;
+        }));
+    if (num_agreed > options_.max_cells / 4 * 3) {
+      state_.votes = widened(state_.votes, state_.num_observations);
+      state_.edge_m *= 2.0;
+      continue;
+    }
+    std::stable_sort(state_.votes.begin(), state_.votes.end(), [](const auto& a, const auto& b) {
+      return a.votes > b.votes;
+    });
+    state_.votes.resize(options_.max_cells);
+    std::sort(state_.votes.begin(), state_.votes.end());
+  }
+}
+
+/// The share asked for of what the cell of a typical vote has: half of all votes lie in cells with
+/// more. Strays are many cells but few votes.
+std::uint32_t PointEvidence::votes_needed() const {
+  std::vector<std::uint32_t> counts;
+  std::uint64_t total = 0;
+  for (const PointVote& vote : state_.votes) {
+    counts.push_back(vote.votes);
+    total += vote.votes;
+  }
+  std::sort(counts.begin(), counts.end());
+  std::uint64_t below = 0;
+  std::uint32_t typical = 1;
+  for (const std::uint32_t count : counts) {
+    typical = count;
+    below += count;
+    if (2 * below >= total) break;
+  }
+  const double needed = std::ceil(options_.min_vote_share * typical);
+  return std::max(1U, static_cast<std::uint32_t>(needed));
+}
+
+std::vector<Eigen::Vector3d> PointEvidence::agreed_points() const {
+  const std::uint32_t needed = votes_needed();
+  std::vector<Eigen::Vector3d> points;
+  for (const PointVote& vote : state_.votes) {
+    if (vote.votes >= needed) points.push_back(centre_of(vote.cell, state_.edge_m));
+  }
+  return points;
+}
+
+std::optional<Box> PointEvidence::agreed_box() const {
+  const std::vector<Eigen::Vector3d> points = agreed_points();
+  if (points.empty()) return std::nullopt;
+  Box box{points.front(), points.front()};
+  for (const Eigen::Vector3d& p : points) {
+    box.min_in_map = box.min_in_map.cwiseMin(p);
+    box.max_in_map = box.max_in_map.cwiseMax(p);
+  }
+  box.min_in_map.array() -= 0.25 * state_.edge_m;
+  box.max_in_map.array() += 0.25 * state_.edge_m;
+  return box;
+}
+
+Result<Polygon> PointEvidence::footprint() const {
+  if (empty()) return fail(ErrorCode::kNotFound, "the object has no points of its own");
+  const double reach = 0.25 * state_.edge_m;
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector3d& p : agreed_points()) {
+    for (const double dx : {-reach, reach}) {
+      for (const double dy : {-reach, reach}) corners.emplace_back(p.x() + dx, p.y() + dy);
+    }
+  }
+  return convex_hull(corners);
+}
+
+}  // namespace hypermap
