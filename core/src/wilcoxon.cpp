@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/wilcoxon.hpp"
 
-<<<<<<< HEAD
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-=======
-#include "number_text.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
->>>>>>> 21cb89b (Objects: beliefs, evidence, association, absence, publication and evaluation)
 #include <vector>
 
 namespace hypermap {
 namespace {
 
-<<<<<<< HEAD
 constexpr std::size_t kMaxExactPairs = 30;
 
 /// A difference that is not 0, and its rank among the absolute ones, doubled so that the mean of
@@ -83,77 +73,6 @@ double normal_p(const std::vector<RankedDifference>& pairs, double rank_sum) {
     mean += 0.5 * rank;
     variance += 0.25 * rank * rank;
   }
-=======
-constexpr std::size_t kMaxExact = 30;
-
-struct Difference {
-  double size = 0.0;
-  bool a_is_larger = false;
-  double rank = 0.0;
-};
-
-Result<std::vector<Difference>> differences(std::span<const double> a, std::span<const double> b) {
-  if (a.size() != b.size()) {
-    return fail(
-        ErrorCode::kInvalidArgument,
-        "must be pairs, are " + std::to_string(a.size()) + " and " + std::to_string(b.size()));
-  }
-  std::vector<Difference> out;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = a[i] - b[i];
-    if (!std::isfinite(d)) {
-      return fail(ErrorCode::kInvalidArgument,
-                  "must be finite, pair " + std::to_string(i) + " is " + number_text(a[i]) + ", " +
-                      number_text(b[i]));
-    }
-    if (d != 0.0) out.push_back({std::abs(d), d > 0.0, 0.0});
-  }
-  return out;
-}
-
-/// Ranks from 1; equal sizes share their mean rank. Returns sum(t^3 - t) over groups of t equals.
-double rank(std::vector<Difference>& all) {
-  std::sort(all.begin(), all.end(), [](const Difference& x, const Difference& y) {
-    return x.size < y.size;
-  });
-  double ties = 0.0;
-  for (std::size_t first = 0; first < all.size();) {
-    std::size_t end = first;
-    while (end < all.size() && all[end].size == all[first].size) ++end;
-    const auto t = static_cast<double>(end - first);
-    for (std::size_t i = first; i < end; ++i)
-      all[i].rank = 0.5 * static_cast<double>(first + 1 + end);
-    ties += t * t * t - t;
-    first = end;
-  }
-  return ties;
-}
-
-/// Share of all patterns of signs whose rank sum is at least `rank_sum`. Ranks are counted twice,
-/// so that mean ranks are whole.
-double exact_p(const std::vector<Difference>& all, double rank_sum) {
-  std::vector<double> patterns{1.0};
-  for (const Difference& d : all) {
-    const auto rank2 = static_cast<std::size_t>(std::lround(2.0 * d.rank));
-    std::vector<double> next(patterns.size() + rank2, 0.0);
-    for (std::size_t s = 0; s < patterns.size(); ++s) {
-      next[s] += 0.5 * patterns[s];
-      next[s + rank2] += 0.5 * patterns[s];
-    }
-    patterns = std::move(next);
-  }
-  double p = 0.0;
-  for (auto s = static_cast<std::size_t>(std::lround(2.0 * rank_sum)); s < patterns.size(); ++s) {
-    p += patterns[s];
-  }
-  return p;
-}
-
-double normal_p(std::size_t count, double rank_sum, double ties) {
-  const auto n = static_cast<double>(count);
-  const double mean = n * (n + 1.0) / 4.0;
-  const double variance = n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - ties / 48.0;
->>>>>>> 21cb89b (Objects: beliefs, evidence, association, absence, publication and evaluation)
   const double z = (rank_sum - mean - 0.5) / std::sqrt(variance);
   return 0.5 * std::erfc(z / std::numbers::sqrt2);
 }
@@ -161,7 +80,6 @@ double normal_p(std::size_t count, double rank_sum, double ties) {
 }  // namespace
 
 Result<WilcoxonResult> wilcoxon_one_sided(std::span<const double> a, std::span<const double> b) {
-<<<<<<< HEAD
   if (a.size() != b.size()) {
     return fail(ErrorCode::kInvalidArgument,
                 "samples must be paired, are " + std::to_string(a.size()) + " and " +
@@ -178,17 +96,6 @@ Result<WilcoxonResult> wilcoxon_one_sided(std::span<const double> a, std::span<c
   result.rank_sum = 0.5 * observed;
   result.exact = pairs.size() <= kMaxExactPairs;
   result.p = result.exact ? exact_p(pairs, observed) : normal_p(pairs, result.rank_sum);
-=======
-  HYPERMAP_ASSIGN_OR_RETURN(std::vector<Difference> all, differences(a, b));
-  const double ties = rank(all);
-  WilcoxonResult result;
-  result.n = all.size();
-  for (const Difference& d : all) result.rank_sum += d.a_is_larger ? d.rank : 0.0;
-  if (all.empty()) return result;
-  result.exact = all.size() <= kMaxExact;
-  result.p =
-      result.exact ? exact_p(all, result.rank_sum) : normal_p(all.size(), result.rank_sum, ties);
->>>>>>> 21cb89b (Objects: beliefs, evidence, association, absence, publication and evaluation)
   return result;
 }
 
