@@ -33,10 +33,10 @@ struct DatasetOptions {
   DetectionReadOptions detection_reading = {};
   /// Partners may be this far apart; none: the description's, else 0.02 s. Range: 0 .. 3600
   std::optional<double> stamp_tolerance_s = std::nullopt;
-  std::size_t first = 0;   ///< Frames before it are left out.
-  std::size_t stride = 1;  ///< Every n-th frame. Range: >= 1
-  std::optional<std::size_t> max_frames = std::nullopt;
-  bool read_color = true;  ///< False: frames have no colour picture.
+  std::size_t first = 0;                                 ///< Frames before it are left out.
+  std::size_t stride = 1;                                ///< Every n-th frame. Range: >= 1
+  std::optional<std::size_t> max_frames = std::nullopt;  ///< None: all. Range: >= 1
+  bool read_color = true;                                ///< False: frames have no colour picture.
 };
 
 /// What a folder holds, for messages and `info`.

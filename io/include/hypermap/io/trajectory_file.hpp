@@ -21,10 +21,11 @@ struct TrajectoryOptions {
   bool skip_bad_lines = false;
   /// A faster move between two poses is a finding; 0: never. Unit: m/s. Range: >= 0
   double max_speed_m_per_s = 20.0;
-  /// Rotations are normalised; one that is off by more refuses its line. Range: 0 .. 1
+  /// Rotations are normalised; one whose norm (or a product of its rows) is off by more refuses its
+  /// line. As a share of 1. Range: 0 .. 1
   double max_rotation_error = 1e-2;
-  std::size_t max_file_bytes = std::size_t{256} << 20U;
-  std::size_t max_line_bytes = 4096;
+  std::size_t max_file_bytes = std::size_t{256} << 20U;  ///< A larger file is refused.
+  std::size_t max_line_bytes = 4096;                     ///< A longer line is refused.
 };
 
 struct StampedPose {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The table of hostile files by others: which must load and which be refused.
+#pragma once
+
+#include "support/test_data.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace hypermap::test {
+
+struct HostileFile {
+  std::filesystem::path path;
+  bool must_load = false;
+  bool may_be_repaired = false;  ///< The index leaves a choice; ours is to mend and say so.
+  std::string outcome;
+};
+
+/// Rows of the section `## folder`, whose files lie in that folder.
+inline std::vector<HostileFile> hostile_files(const std::string& folder) {
+  std::vector<HostileFile> files;
+  std::ifstream index(shared_data("hostile/INDEX.md"));
+  bool is_here = false;
+  for (std::string line; std::getline(index, line);) {
+    if (line.starts_with("## ")) is_here = line == "## " + folder;
+    if (!is_here || !line.starts_with("| `")) continue;
+    const std::string name = line.substr(3, line.find('`', 3) - 3);
+    files.push_back({shared_data("hostile/" + folder + "/" + name),
+                     name.starts_with("ok_"),
+                     name == "err_bbox_outside.json" || name == "err_inner_children_disagree.ot",
+                     line});
+  }
+  return files;
+}
+
+}  // namespace hypermap::test
