@@ -20,28 +20,6 @@ std::string_view name_of(JsonKind kind) {
   return kKindNames[static_cast<std::size_t>(kind)];
 }
 
-/// Requires: `code` is a scalar value.
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto tail = [&](unsigned shift) {
-    text.push_back(static_cast<char>(0x80U | ((code >> shift) & 0x3FU)));
-  };
-  if (code < 0x80) {
-    text.push_back(static_cast<char>(code));
-  } else if (code < 0x800) {
-    text.push_back(static_cast<char>(0xC0U | (code >> 6U)));
-    tail(0);
-  } else if (code < 0x10000) {
-    text.push_back(static_cast<char>(0xE0U | (code >> 12U)));
-    tail(6);
-    tail(0);
-  } else {
-    text.push_back(static_cast<char>(0xF0U | (code >> 18U)));
-    tail(12);
-    tail(6);
-    tail(0);
-  }
-}
-
 /// Piece of the text arena.
 struct Slice {
   std::uint32_t offset = 0;

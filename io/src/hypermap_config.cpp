@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/hypermap_config.hpp"
 
-#include "value_keys.hpp"
-
 #include "hypermap/io/bounded_yaml.hpp"
+#include "value_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,10 +58,10 @@ Result<std::int64_t> version_at(const YamlNode& map, std::string_view key, std::
   HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t version,
                             node.as_int(1, std::numeric_limits<std::int32_t>::max()));
   if (version > newest)
-    return tl::make_unexpected(
-        node.error("written by a newer version " + std::to_string(version) +
-                       ", the newest that is read here is " + std::to_string(newest),
-                   ErrorCode::kUnsupported));
+    return tl::make_unexpected(node.error("written by a newer version " + std::to_string(version) +
+                                              ", the newest that is read here is " +
+                                              std::to_string(newest),
+                                          ErrorCode::kUnsupported));
   return version;
 }
 
@@ -73,8 +72,8 @@ class ConfigParser {
     HYPERMAP_TRY(root.as_map());
     HYPERMAP_TRY(take_format_version(root));
     HYPERMAP_TRY(take_list(root, "layers", true, Hypermap::kMaxLayers, &ConfigParser::take_layer));
-    HYPERMAP_TRY(take_list(
-        root, "transforms", false, Hypermap::kMaxLayers, &ConfigParser::take_transform));
+    HYPERMAP_TRY(
+        take_list(root, "transforms", false, Hypermap::kMaxLayers, &ConfigParser::take_transform));
     HYPERMAP_TRY(
         take_list(root, "extensions", false, kMaxExtensions, &ConfigParser::take_extension));
     config_.extra = others(root, kRootKeys);
@@ -98,9 +97,9 @@ class ConfigParser {
     HYPERMAP_ASSIGN_OR_RETURN(const YamlNode list, root.at(key));
     HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> items, list.as_list());
     if (items.size() > limit)
-      return tl::make_unexpected(list.error(std::to_string(items.size()) +
-                                                " entries, the limit is " + std::to_string(limit),
-                                            ErrorCode::kLimit));
+      return tl::make_unexpected(list.error(
+          std::to_string(items.size()) + " entries, the limit is " + std::to_string(limit),
+          ErrorCode::kLimit));
     for (const YamlNode& item : items) {
       HYPERMAP_TRY(item.as_map());
       HYPERMAP_TRY((this->*take)(item));
@@ -199,13 +198,12 @@ ValueTree tree_of(const LayerEntry& layer) {
 }
 
 ValueTree tree_of(const FrameTransform& transform) {
-  std::vector<ValueTree::Entry> entries{
-      {"frame_id", make_text(transform.frame_id)},
-      {"child_frame_id", make_text(transform.child_frame_id)},
-      {"transform_pose",
-       make_list({make_number(transform.x_m),
-                  make_number(transform.y_m),
-                  make_number(transform.yaw_rad)})}};
+  std::vector<ValueTree::Entry> entries{{"frame_id", make_text(transform.frame_id)},
+                                        {"child_frame_id", make_text(transform.child_frame_id)},
+                                        {"transform_pose",
+                                         make_list({make_number(transform.x_m),
+                                                    make_number(transform.y_m),
+                                                    make_number(transform.yaw_rad)})}};
   append_keys(entries, transform.extra);
   return make_map(std::move(entries));
 }
@@ -243,8 +241,7 @@ std::string write_hypermap_config(const HypermapConfig& config) {
   ValueTree extensions = list_of(config.extensions);
   for (const ValueTree& foreign : config.foreign_extensions) extensions.items.push_back(foreign);
   if (!extensions.items.empty()) {
-    entries.emplace_back("format_version",
-                         make_number(static_cast<double>(kArchiveFormatVersion)));
+    entries.emplace_back("format_version", make_number(static_cast<double>(kArchiveFormatVersion)));
     entries.emplace_back("extensions", std::move(extensions));
   }
   append_keys(entries, config.extra);

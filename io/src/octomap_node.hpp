@@ -7,10 +7,12 @@
 #include "hypermap/octree_semantic/voxel_key.hpp"
 #include "hypermap/octree_semantic/voxel_label.hpp"
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,6 +39,33 @@ void store(std::string& bytes, std::size_t at, const T& value) {
 template <class T>
 void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+/// A label as `.ot` files of SemanticOcTree have it; see octree_semantic/octomap_interchange.hpp.
+struct StoredLabel {
+  std::uint32_t object = 0;
+  std::uint16_t object_votes = 0;
+  MilliLogOdds rest = 0;
+  std::array<ClassWeight, VoxelLabel::kNumClasses> classes = {};
+};
+static_assert(sizeof(StoredLabel) == 20 && sizeof(ClassWeight) == 4);
+
+/// A blank label stands for none.
+[[nodiscard]] inline StoredLabel stored_label(const VoxelLabel* label) {
+  if (label == nullptr) return {};
+  return {.object = label->object.value,
+          .object_votes = label->object_votes,
+          .rest = label->rest,
+          .classes = label->classes};
+}
+[[nodiscard]] inline std::optional<VoxelLabel> label_of(const StoredLabel& stored) {
+  VoxelLabel label;
+  label.classes = stored.classes;
+  label.rest = stored.rest;
+  label.object_votes = stored.object_votes;
+  label.object = ObjectId{stored.object};
+  if (label == VoxelLabel{}) return std::nullopt;
+  return label;
 }
 
 /// A cube of the tree: its depth and the Morton code of the voxel at its lower corner.

@@ -125,12 +125,9 @@ class FullReader {
   }
 
   Result<void> take_label() {
-    label_.reset();
-    HYPERMAP_ASSIGN_OR_RETURN(const auto labelled, cursor_.take<std::uint8_t>());
-    if (labelled == 0) return {};
-    if (labelled != 1)
-      return cursor_.error("label mark is " + std::to_string(labelled) + ", expected 0 or 1");
-    HYPERMAP_ASSIGN_OR_RETURN(label_, cursor_.take<VoxelLabel>());
+    HYPERMAP_ASSIGN_OR_RETURN(const auto stored, cursor_.take<StoredLabel>());
+    label_ = label_of(stored);
+    if (!label_) return {};
     if (const auto valid = validate(*label_, std::numeric_limits<MilliLogOdds>::max()); !valid)
       return cursor_.error("label: " + valid.error().field + " " + valid.error().what);
     return {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/octomap_tree.hpp"
 
+#include "hypermap/core/class_palette.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,7 +12,8 @@ namespace hypermap {
 namespace {
 
 constexpr float kMaxLogOdds = 32.767F;
-constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};
+constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};  // OctoMap's "no colour"
+constexpr Rgb8 kUnlabelled{.r = 160, .g = 160, .b = 160};
 
 /// Log-odds, colour and label of a leaf: what siblings must share to become one.
 bool same_content(const OctomapTree& tree, std::size_t a, std::size_t b) {
@@ -139,7 +142,7 @@ OctomapTree to_octomap_tree(const SemanticOctree& octree) {
   octree.for_each_stored_leaf([&tree](const StoredLeaf& stored) {
     OctomapLeaf leaf{.key = stored.key,
                      .log_odds = static_cast<float>(from_milli(stored.log_odds).value())};
-    if (stored.label) {
+    if (stored.label && *stored.label != VoxelLabel{}) {
       leaf.label = static_cast<std::uint32_t>(tree.labels.size());
       tree.labels.push_back(*stored.label);
     }
@@ -165,17 +168,16 @@ OctomapTree without_labels(const OctomapTree& tree) {
   return pruned(plain);
 }
 
-OctomapTree with_class_colors(const OctomapTree& tree,
-                              const std::function<Rgb8(ClassId)>& color_of) {
+OctomapTree with_class_colors(const OctomapTree& tree) {
   OctomapTree colored{
       .kind = OctomapKind::kColor, .resolution_m = tree.resolution_m, .leaves = tree.leaves};
   colored.colors.reserve(tree.leaves.size());
   for (OctomapLeaf& leaf : colored.leaves) {
     const auto label = std::exchange(leaf.label, OctomapLeaf::kNoLabel);
-    const auto best = label != OctomapLeaf::kNoLabel && leaf.log_odds >= 0.0F
-                          ? tree.labels[label].best_class()
-                          : std::nullopt;
-    colored.colors.push_back(best ? color_of(*best) : kNoColor);
+    const auto best =
+        label != OctomapLeaf::kNoLabel ? tree.labels[label].best_class() : std::nullopt;
+    const Rgb8 solid = best ? class_color(*best) : kUnlabelled;
+    colored.colors.push_back(leaf.log_odds >= 0.0F ? solid : kNoColor);
   }
   return pruned(colored);
 }

@@ -115,12 +115,7 @@ class FullWriter {
 
   void append_payload(Rgb8 color, const VoxelLabel* label) {
     if (tree_.kind == OctomapKind::kColor) append(out_.bytes, color);
-    if (tree_.kind == OctomapKind::kSemantic) append_label(label);
-  }
-
-  void append_label(const VoxelLabel* label) {
-    append(out_.bytes, std::uint8_t{label != nullptr});
-    if (label != nullptr) append(out_.bytes, *label);
+    if (tree_.kind == OctomapKind::kSemantic) append(out_.bytes, stored_label(label));
   }
 
   void tell_parent(float log_odds, Rgb8 color) {

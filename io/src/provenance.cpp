@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/provenance.hpp"
 
-#include "value_keys.hpp"
-
 #include "hypermap/io/bounded_yaml.hpp"
+#include "value_keys.hpp"
 
 #include <Eigen/LU>
 #define XXH_INLINE_ALL

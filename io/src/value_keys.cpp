@@ -9,8 +9,7 @@ namespace hypermap {
 ValueTree other_keys(const ValueTree& map, std::span<const std::string_view> known) {
   std::vector<ValueTree::Entry> entries;
   for (const ValueTree::Entry& entry : map.entries)
-    if (std::find(known.begin(), known.end(), entry.first) == known.end())
-      entries.push_back(entry);
+    if (std::find(known.begin(), known.end(), entry.first) == known.end()) entries.push_back(entry);
   return entries.empty() ? ValueTree{} : make_map(std::move(entries));
 }
 

@@ -2,10 +2,14 @@
 #include "hypermap/io/octomap_tree.hpp"
 
 #include "hypermap/io/octomap_file.hpp"
+#include "hypermap/octree_semantic/octomap_interchange.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace hypermap {
@@ -100,19 +104,47 @@ TEST(OctomapTree, ALeafIsSeenByVisitorsAsOneCube) {
   EXPECT_TRUE(seen[0].occupied);
 }
 
-TEST(OctomapTree, TwinsForOtherProgramsKeepSpaceAndColour) {
-  const OctomapTree tree = to_octomap_tree(room());
-  const OctomapTree plain = without_labels(tree);
-  EXPECT_THAT(plain.labels, IsEmpty());
-  const auto colored = with_class_colors(tree, [](ClassId id) {
-    return Rgb8{.r = static_cast<std::uint8_t>(id.value), .g = 1, .b = 2};
-  });
-  EXPECT_EQ(colored.kind, OctomapKind::kColor);
-  EXPECT_EQ(colored.colors.size(), colored.leaves.size());
-  EXPECT_EQ(
-      std::count(colored.colors.begin(), colored.colors.end(), (Rgb8{.r = 7, .g = 1, .b = 2})), 8);
-  EXPECT_TRUE(write_octomap(plain));
-  EXPECT_TRUE(write_octomap(colored));
+/// A tree of OctoMap as bytes of its nodes.
+template <class Tree>
+std::string nodes_of(const Tree& tree) {
+  std::ostringstream nodes;
+  tree.writeData(nodes);
+  return nodes.str();
+}
+
+/// What follows the header of one of our files.
+std::string nodes_of(const std::string& file) {
+  return file.substr(file.find("data\n") + 5);
+}
+
+TEST(OctomapTree, OurFilesHaveTheNodesThatOctomapWouldWrite) {
+  const SemanticOctree octree = room();
+  const OctomapTree tree = to_octomap_tree(octree);
+  EXPECT_EQ(nodes_of(write_octomap(tree).value()), nodes_of(*to_semantic_octomap(octree)));
+  EXPECT_EQ(nodes_of(write_octomap(without_labels(tree)).value()), nodes_of(*to_octomap(octree)));
+}
+
+TEST(OctomapTree, TheColourTwinHasTheColoursOfOctomapsTwin) {
+  const SemanticOctree octree = room();
+  const OctomapTree colored = with_class_colors(to_octomap_tree(octree));
+  const auto theirs = to_color_octomap(octree);
+  std::size_t i = 0;
+  for (auto leaf = theirs->begin_leafs(), end = theirs->end_leafs(); leaf != end; ++leaf, ++i) {
+    ASSERT_LT(i, colored.colors.size());
+    const auto color = leaf->getColor();
+    EXPECT_EQ(colored.colors[i], (Rgb8{.r = color.r, .g = color.g, .b = color.b}));
+    EXPECT_EQ(colored.leaves[i].depth, leaf.getDepth());
+  }
+  EXPECT_EQ(i, colored.leaves.size());
+}
+
+TEST(OctomapTree, OctomapOpensOurTypeByItsRegistry) {
+  const SemanticOctree octree = room();
+  std::istringstream file(write_octomap(to_octomap_tree(octree)).value());
+  const std::unique_ptr<octomap::AbstractOcTree> read(octomap::AbstractOcTree::read(file));
+  const auto* tree = dynamic_cast<SemanticOcTree*>(read.get());
+  ASSERT_NE(tree, nullptr);
+  EXPECT_EQ(to_octomap_tree(from_octomap(*tree).value()), to_octomap_tree(octree));
 }
 
 TEST(OctomapTree, EightAlikeSiblingsBecomeTheirParentAgainAndAgain) {

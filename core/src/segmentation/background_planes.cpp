@@ -38,7 +38,7 @@ Points surroundings(const DepthWindow& window) {
   std::vector<std::pair<int, int>> cells;
   for (int y = 0; y < window.height(); ++y) {
     for (int x = 0; x < window.width(); ++x) {
-      if (window.outside(x, y) && window.depth_m[window.cell(x, y)] > 0.0F)
+      if (!window.tolerant_box.contains(x, y) && window.depth_m[window.cell(x, y)] > 0.0F)
         cells.emplace_back(x, y);
     }
   }

@@ -9,8 +9,8 @@
 namespace hypermap {
 namespace {
 
-/// A hole in the depth of this many cells does not part a surface.
-constexpr int kBridge = 2;
+/// A hole in the depth of this many pixels does not part a surface.
+constexpr int kBridgePx = 2;
 
 constexpr std::array<std::pair<int, int>, 4> kDirections{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
@@ -19,7 +19,10 @@ class Labeller {
   Labeller(const DepthWindow& window,
            const std::vector<std::uint8_t>& kind_of_cell,
            const ForegroundOptions& options)
-      : window_(window), kind_of_cell_(kind_of_cell), options_(options) {
+      : window_(window),
+        kind_of_cell_(kind_of_cell),
+        options_(options),
+        reach_(1 + kBridgePx / window.block_px) {
     result_.of_cell.assign(window.size(), kNoComponent);
   }
 
@@ -48,10 +51,10 @@ class Labeller {
     result_.components.push_back(component_);
   }
 
-  /// The nearest measured cell in a direction, over a hole of at most kBridge cells.
+  /// The nearest measured cell in a direction, over a hole of at most kBridgePx.
   void visit_towards(int x, int y, int dx, int dy) {
     const std::size_t from = window_.cell(x, y);
-    for (int distance = 1; distance <= kBridge + 1; ++distance) {
+    for (int distance = 1; distance <= reach_; ++distance) {
       const int nx = x + distance * dx;
       const int ny = y + distance * dy;
       if (nx < 0 || ny < 0 || nx >= window_.width() || ny >= window_.height()) return;
@@ -72,22 +75,21 @@ class Labeller {
   void take(int x, int y) {
     result_.of_cell[window_.cell(x, y)] = static_cast<std::uint32_t>(result_.components.size());
     stack_.emplace_back(x, y);
-    if (window_.outside(x, y)) ++component_.num_outside;
-    if (!window_.in_box(x, y)) return;
-    const int u = x + window_.rect.u_begin;
-    const int v = y + window_.rect.v_begin;
+    if (!window_.tolerant_box.contains(x, y)) ++component_.num_outside;
+    if (!window_.box.contains(x, y)) return;
     PixelRect& bounds = component_.bounds_in_box;
-    bounds = component_.num_in_box == 0 ? PixelRect{u, v, u + 1, v + 1}
-                                        : PixelRect{std::min(bounds.u_begin, u),
-                                                    std::min(bounds.v_begin, v),
-                                                    std::max(bounds.u_end, u + 1),
-                                                    std::max(bounds.v_end, v + 1)};
+    bounds = component_.num_in_box == 0 ? PixelRect{x, y, x + 1, y + 1}
+                                        : PixelRect{std::min(bounds.u_begin, x),
+                                                    std::min(bounds.v_begin, y),
+                                                    std::max(bounds.u_end, x + 1),
+                                                    std::max(bounds.v_end, y + 1)};
     ++component_.num_in_box;
   }
 
   const DepthWindow& window_;
   const std::vector<std::uint8_t>& kind_of_cell_;
   const ForegroundOptions& options_;
+  int reach_;
   DepthComponents result_;
   DepthComponent component_;
   std::vector<std::pair<int, int>> stack_;

@@ -15,7 +15,7 @@ struct DepthComponent {
   std::uint8_t kind = 0;          ///< As given: 0, or the plane it is part of, from 1.
   std::uint32_t num_in_box = 0;   ///< Its cells within the box.
   std::uint32_t num_outside = 0;  ///< Its cells outside the tolerant box.
-  PixelRect bounds_in_box = {};   ///< Of its cells within the box, in pixels of the picture.
+  PixelRect bounds_in_box = {};   ///< Of its cells within the box. Unit: cell.
 
   /// Share of the surface that lies outside the box.
   [[nodiscard]] double outside_share() const {

@@ -11,54 +11,79 @@ namespace {
 constexpr double kBoxToleranceShare = 0.06;
 constexpr double kBoxTolerancePx = 1.5;
 
-/// Depth of the window's cells, 0 where there is no measurement within range.
-std::vector<float> cut_out(const DepthImage& depth_m,
-                           const PixelRect& rect,
-                           const GeometricSegmentationOptions& options) {
-  const auto nearest = static_cast<float>(options.min_range_m);
-  const auto farthest = static_cast<float>(options.max_range_m);
-  std::vector<float> out;
-  out.reserve(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()));
-  for (int v = rect.v_begin; v < rect.v_end; ++v) {
-    for (int u = rect.u_begin; u < rect.u_end; ++u) {
-      const float depth = depth_m.at(u, v);
-      out.push_back(depth > 0.0F && depth >= nearest && depth <= farthest ? depth : 0.0F);
-    }
+/// Larger windows are looked at in blocks, so that a couch costs no more than a chair.
+constexpr int kMaxCells = 32768;
+constexpr int kMaxBlockPx = 4;
+
+int block_for(const PixelRect& rect) {
+  int block_px = 1;
+  const double area = static_cast<double>(rect.width()) * rect.height();
+  while (block_px < kMaxBlockPx && area > static_cast<double>(kMaxCells) * block_px * block_px) {
+    ++block_px;
   }
-  return out;
+  return block_px;
 }
 
-/// Mean over the 3 x 3 neighbours whose depth is within the step of one surface. Independent noise
-/// falls to a third, which is what lifts a keyboard out of its table.
-std::vector<float> smoothed(const DepthWindow& window, const ForegroundOptions& options) {
-  std::vector<float> out(window.size(), 0.0F);
-  for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      const float centre = window.depth_m[window.cell(x, y)];
-      if (centre == 0.0F) continue;
-      const float step = allowed_step_m(centre, options);
-      float sum = 0.0F;
-      float count = 0.0F;
-      for (int ny = std::max(0, y - 1); ny <= std::min(window.height() - 1, y + 1); ++ny) {
-        for (int nx = std::max(0, x - 1); nx <= std::min(window.width() - 1, x + 1); ++nx) {
-          const float depth = window.depth_m[window.cell(nx, ny)];
-          const bool same_surface = depth > 0.0F && std::abs(depth - centre) <= step;
-          sum += same_surface ? depth : 0.0F;
-          count += same_surface ? 1.0F : 0.0F;
-        }
+/// Reads depth; 0 where there is no measurement within range, or where a mask says no.
+class DepthReader {
+ public:
+  DepthReader(const RgbdFrame& frame,
+              const Detection& detection,
+              const GeometricSegmentationOptions& options)
+      : depth_m_(frame.depth_m),
+        mask_(detection.mask ? &*detection.mask : nullptr),
+        nearest_(static_cast<float>(options.min_range_m)),
+        farthest_(static_cast<float>(options.max_range_m)) {}
+
+  [[nodiscard]] float at(int u, int v) const {
+    const float depth = depth_m_.at(u, v);
+    if (!(depth > 0.0F && depth >= nearest_ && depth <= farthest_)) return 0.0F;
+    return mask_ == nullptr || mask_->at(u, v) != 0 ? depth : 0.0F;
+  }
+
+  /// Mean over the 3 x 3 pixels within `rect` that are on the surface of (u, v).
+  [[nodiscard]] float smoothed_at(int u,
+                                  int v,
+                                  const PixelRect& rect,
+                                  const ForegroundOptions& options) const {
+    const float centre = at(u, v);
+    if (centre == 0.0F) return 0.0F;
+    const float step = allowed_step_m(centre, options);
+    float sum = 0.0F;
+    float count = 0.0F;
+    for (int nv = std::max(rect.v_begin, v - 1); nv <= std::min(rect.v_end - 1, v + 1); ++nv) {
+      for (int nu = std::max(rect.u_begin, u - 1); nu <= std::min(rect.u_end - 1, u + 1); ++nu) {
+        const float depth = at(nu, nv);
+        const bool same_surface = depth > 0.0F && std::abs(depth - centre) <= step;
+        sum += same_surface ? depth : 0.0F;
+        count += same_surface ? 1.0F : 0.0F;
       }
-      out[window.cell(x, y)] = sum / count;
     }
+    return sum / count;
   }
-  return out;
-}
 
-std::vector<float> slopes(int begin, int end, double centre_px, double focal_px) {
-  std::vector<float> out;
-  for (int pixel = begin; pixel < end; ++pixel) {
-    out.push_back(static_cast<float>((pixel - centre_px) / focal_px));
-  }
-  return out;
+ private:
+  const DepthImage& depth_m_;
+  const MaskImage* mask_;
+  float nearest_;
+  float farthest_;
+};
+
+/// The cells whose middle pixel lies in `pixels`.
+PixelRect cells_in(const PixelRect& pixels, const DepthWindow& window) {
+  PixelRect cells{0, 0, 0, 0};
+  const auto count_before = [](int end, int limit, auto pixel_of) {
+    int n = 0;
+    while (n < end && pixel_of(n) < limit) ++n;
+    return n;
+  };
+  const auto u_of = [&](int x) { return window.pixel_u(x); };
+  const auto v_of = [&](int y) { return window.pixel_v(y); };
+  cells.u_begin = count_before(window.width(), pixels.u_begin, u_of);
+  cells.u_end = count_before(window.width(), pixels.u_end, u_of);
+  cells.v_begin = count_before(window.height(), pixels.v_begin, v_of);
+  cells.v_end = count_before(window.height(), pixels.v_end, v_of);
+  return cells;
 }
 
 PixelBox bounds_of(const MaskImage& mask) {
@@ -89,18 +114,32 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
                      std::max(share * box_px.width_px(), least_px),
                      std::max(share * box_px.height_px(), least_px));
   };
+  const PixelRect box = grown_by(0.0, 0.0);
   DepthWindow window;
-  window.box = grown_by(0.0, 0.0);
-  if (window.box.empty()) return window;
-  window.tolerant_box = grown_by(kBoxToleranceShare, kBoxTolerancePx);
+  if (box.empty()) return window;
   window.rect = foreground.context_share > 0.0
                     ? grown_by(foreground.context_share, foreground.context_min_px)
-                    : window.box;
+                    : box;
+  window.block_px = block_for(window.rect);
+  const int width = (window.rect.width() + window.block_px - 1) / window.block_px;
+  const int height = (window.rect.height() + window.block_px - 1) / window.block_px;
   const PinholeCamera& camera = frame.camera;
-  window.slope_x = slopes(window.rect.u_begin, window.rect.u_end, camera.cx_px, camera.fx_px);
-  window.slope_y = slopes(window.rect.v_begin, window.rect.v_end, camera.cy_px, camera.fy_px);
-  window.depth_m = cut_out(frame.depth_m, window.rect, options);
-  window.depth_m = smoothed(window, foreground);
+  for (int x = 0; x < width; ++x) {
+    window.slope_x.push_back(static_cast<float>((window.pixel_u(x) - camera.cx_px) / camera.fx_px));
+  }
+  for (int y = 0; y < height; ++y) {
+    window.slope_y.push_back(static_cast<float>((window.pixel_v(y) - camera.cy_px) / camera.fy_px));
+  }
+  window.box = cells_in(box, window);
+  window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
+  const DepthReader reader(frame, detection, options);
+  window.depth_m.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      window.depth_m.push_back(
+          reader.smoothed_at(window.pixel_u(x), window.pixel_v(y), window.rect, foreground));
+    }
+  }
   return window;
 }
 

@@ -13,6 +13,8 @@
 namespace hypermap {
 namespace {
 
+/// Share of the box that a patch of a plane covers at least to be taken for a part of the thing.
+constexpr double kPatchShare = 0.03;
 /// A cell with fewer neighbours of the thing hangs in the air between two surfaces.
 constexpr int kLeastNeighbours = 3;
 
@@ -34,14 +36,25 @@ std::vector<std::uint8_t> plane_of_cells(const DepthWindow& window,
   return kind;
 }
 
-/// Cells outside the detection's mask are no part of it, whatever their depth.
-void apply_mask(DepthWindow& window, const MaskImage& mask) {
-  for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      if (mask.at(x + window.rect.u_begin, y + window.rect.v_begin) != 0) continue;
-      window.depth_m[window.cell(x, y)] = 0.0F;
-    }
+/// A plane found outside may go on through the thing: the seats of two chairs are of one height.
+/// What lies on it inside the box, and is not joined with the outside, is no background.
+DepthComponents surfaces_of(const DepthWindow& window,
+                            std::vector<std::uint8_t> plane_of_cell,
+                            const ForegroundOptions& options) {
+  DepthComponents labelled = connected_components(window, plane_of_cell, options);
+  const double least = kPatchShare * window.box.width() * window.box.height();
+  std::vector<std::uint8_t> is_freed(labelled.components.size(), 0);
+  for (std::size_t id = 0; id < is_freed.size(); ++id) {
+    const DepthComponent& component = labelled.components[id];
+    const bool is_inside = component.outside_share() <= options.part_max_outside;
+    is_freed[id] = component.kind != 0 && component.num_in_box >= least && is_inside ? 1 : 0;
   }
+  if (std::find(is_freed.begin(), is_freed.end(), 1) == is_freed.end()) return labelled;
+  for (std::size_t cell = 0; cell < window.size(); ++cell) {
+    const std::uint32_t id = labelled.of_cell[cell];
+    if (id != kNoComponent && is_freed[id] != 0) plane_of_cell[cell] = 0;
+  }
+  return connected_components(window, plane_of_cell, options);
 }
 
 /// 1 on cells of the box that belong to chosen surfaces and do not hang in the air.
@@ -68,30 +81,54 @@ std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
   return firm;
 }
 
-PixelCloud cloud_of(const RgbdFrame& frame,
-                    const DepthWindow& window,
-                    const std::vector<std::uint8_t>& is_thing) {
-  PixelCloud cloud;
-  for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      if (is_thing[window.cell(x, y)] == 0) continue;
-      cloud.pixels.push_back(static_cast<std::uint32_t>(
-          frame.depth_m.index(x + window.rect.u_begin, y + window.rect.v_begin)));
-      cloud.points_in_camera.push_back(window.point_in_camera(x, y));
+/// The measured pixels of the box in the thing's cells, on the same surface as their cell.
+std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
+                                     const Detection& detection,
+                                     const DepthWindow& window,
+                                     const std::vector<std::uint8_t>& is_thing,
+                                     const ForegroundOptions& options) {
+  std::vector<std::uint32_t> pixels;
+  const PixelRect box =
+      detection.mask ? window.rect
+                     : pixels_in(detection.box_px, frame.camera.width_px, frame.camera.height_px);
+  for (int v = box.v_begin; v < box.v_end; ++v) {
+    for (int u = box.u_begin; u < box.u_end; ++u) {
+      const std::size_t cell = window.cell_of_pixel(u, v);
+      if (is_thing[cell] == 0) continue;
+      if (detection.mask && detection.mask->at(u, v) == 0) continue;
+      const float surface_m = window.depth_m[cell];
+      const float depth_m = frame.depth_m.at(u, v);
+      if (!is_measured(depth_m)) continue;
+      if (std::abs(depth_m - surface_m) > allowed_step_m(surface_m, options)) continue;
+      pixels.push_back(static_cast<std::uint32_t>(frame.depth_m.index(u, v)));
     }
   }
-  return cloud;
+  return pixels;
 }
 
 /// One point per voxel, the voxels as small as wanted or as large as the number of points asks.
-std::vector<Eigen::Vector3f> thinned(const PixelCloud& cloud, const ForegroundOptions& options) {
-  double spacing_m = options.point_spacing_m;
-  std::vector<Eigen::Vector3f> points = voxel_grid(cloud.points_in_camera, spacing_m).centroids;
+std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
+                                       const std::vector<std::uint8_t>& is_thing,
+                                       const ForegroundOptions& options) {
+  std::vector<Eigen::Vector3f> all;
+  double area_m2 = 0.0;
+  const double cell_slope =
+      window.width() > 1 ? static_cast<double>(window.slope_x[1] - window.slope_x[0]) : 0.0;
+  for (int y = window.box.v_begin; y < window.box.v_end; ++y) {
+    for (int x = window.box.u_begin; x < window.box.u_end; ++x) {
+      if (is_thing[window.cell(x, y)] == 0) continue;
+      all.push_back(window.point_in_camera(x, y));
+      const double edge_m = cell_slope * static_cast<double>(all.back().z());
+      area_m2 += edge_m * edge_m;
+    }
+  }
   const auto most = static_cast<std::size_t>(options.max_points);
+  double spacing_m = std::max(options.point_spacing_m, std::sqrt(area_m2 / options.max_points));
+  std::vector<Eigen::Vector3f> points = voxel_grid(all, spacing_m).centroids;
   while (points.size() > most) {
     const double excess = static_cast<double>(points.size()) / static_cast<double>(most);
     spacing_m *= 1.05 * std::sqrt(excess);
-    points = voxel_grid(cloud.points_in_camera, spacing_m).centroids;
+    points = voxel_grid(all, spacing_m).centroids;
   }
   return points;
 }
@@ -105,22 +142,26 @@ class Notes {
     for (int v = window.rect.v_begin; v < window.rect.v_end; ++v) {
       for (int u = window.rect.u_begin; u < window.rect.u_end; ++u) {
         pixels_.push_back(static_cast<std::uint32_t>(frame.depth_m.index(u, v)));
+        cells_.push_back(window.cell_of_pixel(u, v));
       }
     }
   }
 
-  /// `label_of(cell)` for each cell of the window; cells of a label >= 0 are counted.
+  /// `label_of(cell)` is the label of a cell; pixels of a label >= 0 are counted.
   template <class LabelOf>
   void step(const char* name, std::size_t num_segments, LabelOf label_of) {
     if (recorder_ == nullptr) return;
     std::size_t num_points = 0;
-    for (std::size_t cell = 0; cell < pixels_.size(); ++cell) num_points += label_of(cell) >= 0;
-    recorder_->record(name, num_points, num_segments, pixels_, label_of);
+    for (const std::size_t cell : cells_) num_points += label_of(cell) >= 0 ? 1U : 0U;
+    recorder_->record(name, num_points, num_segments, pixels_, [&](std::size_t i) {
+      return label_of(cells_[i]);
+    });
   }
 
  private:
   StepRecorder* recorder_;
   std::vector<std::uint32_t> pixels_;
+  std::vector<std::size_t> cells_;
 };
 
 }  // namespace
@@ -130,9 +171,8 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
                                       const GeometricSegmentationOptions& options,
                                       StepRecorder* recorder) {
   const ForegroundOptions& foreground = options.foreground;
-  DepthWindow window = make_depth_window(frame, detection, options);
+  const DepthWindow window = make_depth_window(frame, detection, options);
   if (window.box.empty()) return nothing_left("crop");
-  if (detection.mask) apply_mask(window, *detection.mask);
   Notes notes(recorder, frame, window);
   const auto if_measured = [&](std::size_t cell, std::int32_t label) {
     return window.depth_m[cell] > 0.0F ? label : kLabelAbsent;
@@ -147,7 +187,7 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
-  const DepthComponents labelled = connected_components(window, kind, foreground);
+  const DepthComponents labelled = surfaces_of(window, kind, foreground);
   notes.step("surfaces", labelled.components.size(), [&](std::size_t cell) {
     return if_measured(cell, static_cast<std::int32_t>(labelled.of_cell[cell]) + 1);
   });
@@ -156,12 +196,9 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   const std::vector<std::uint8_t> is_thing = cells_of_thing(window, labelled, chosen);
   notes.step("thing", 1, [&](std::size_t cell) { return is_thing[cell] != 0 ? 1 : kLabelAbsent; });
 
-  PixelCloud cloud = cloud_of(frame, window, is_thing);
-  if (cloud.pixels.size() < static_cast<std::size_t>(foreground.min_pixels)) {
-    return nothing_left("thing");
-  }
-  const std::vector<Eigen::Vector3f> points = thinned(cloud, foreground);
-  return describe(frame, std::move(cloud.pixels), points, options);
+  std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_thing, foreground);
+  if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels)) return nothing_left("thing");
+  return describe(frame, std::move(pixels), points_of(window, is_thing, foreground), options);
 }
 
 }  // namespace hypermap

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPlaneMaxOutside = 0.15;
 constexpr double kBackgroundPlaneScore = 0.05;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
-constexpr double kPartMinGain = 0.02;
+constexpr double kPartMinGain = 0.03;
 /// What stands out of its support covers at least this share of the box; else the thing is flat.
 constexpr double kStandsOutShare = 0.12;
 PixelRect united(const PixelRect& a, const PixelRect& b) {

@@ -29,10 +29,8 @@ void for_each_cell_of(const DepthWindow& window,
                       std::uint32_t id,
                       Visit visit) {
   const PixelRect& bounds = labelled.components[id].bounds_in_box;
-  for (int v = bounds.v_begin; v < bounds.v_end; ++v) {
-    for (int u = bounds.u_begin; u < bounds.u_end; ++u) {
-      const int x = u - window.rect.u_begin;
-      const int y = v - window.rect.v_begin;
+  for (int y = bounds.v_begin; y < bounds.v_end; ++y) {
+    for (int x = bounds.u_begin; x < bounds.u_end; ++x) {
       if (labelled.of_cell[window.cell(x, y)] == id) visit(x, y);
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxel_grid.hpp"
 
-#include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -23,26 +23,41 @@ std::uint64_t key_of(const Eigen::Vector3f& point, double inverse_leaf) {
   return key;
 }
 
-/// Numbers keys 0, 1, 2, ... in the order of their first appearance; open addressing.
+/// Numbers keys 0, 1, 2, ... in the order of their first appearance; open addressing, half full at
+/// most. Neighbouring points mostly share a voxel, so the last key is tried first.
 class KeyNumbering {
  public:
-  explicit KeyNumbering(std::size_t num_points)
-      : slots_(std::bit_ceil(2 * num_points + 2), Slot{0, kFree}) {}
-
   std::uint32_t number_of(std::uint64_t key) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 20U) & mask;
-    while (slots_[at].number != kFree && slots_[at].key != key) at = (at + 1) & mask;
-    if (slots_[at].number == kFree) slots_[at] = {key, count_++};
-    return slots_[at].number;
+    if (count_ > 0 && key == last_.key) return last_.number;
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    Slot& slot = slot_of(key);
+    if (slot.number == kFree) slot = {key, count_++};
+    last_ = slot;
+    return slot.number;
   }
 
  private:
   struct Slot {
-    std::uint64_t key;
-    std::uint32_t number;
+    std::uint64_t key = 0;
+    std::uint32_t number = kFree;
   };
-  std::vector<Slot> slots_;
+
+  Slot& slot_of(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 32U) & mask;
+    while (slots_[at].number != kFree && slots_[at].key != key) at = (at + 1) & mask;
+    return slots_[at];
+  }
+
+  void grow() {
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+    for (const Slot& slot : old) {
+      if (slot.number != kFree) slot_of(slot.key) = slot;
+    }
+  }
+
+  std::vector<Slot> slots_ = std::vector<Slot>(1024);
+  Slot last_;
   std::uint32_t count_ = 0;
 };
 
@@ -56,11 +71,12 @@ VoxelGrid voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_size_m
     std::iota(grid.voxel_of_point.begin(), grid.voxel_of_point.end(), 0U);
     return grid;
   }
-  KeyNumbering numbering(points.size());
+  KeyNumbering numbering;
   std::vector<Eigen::Vector3d> sums;
   std::vector<std::uint32_t> counts;
+  const double inverse_leaf = 1.0 / leaf_size_m;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t voxel = numbering.number_of(key_of(points[i], 1.0 / leaf_size_m));
+    const std::uint32_t voxel = numbering.number_of(key_of(points[i], inverse_leaf));
     if (voxel == sums.size()) {
       sums.emplace_back(Eigen::Vector3d::Zero());
       counts.push_back(0);

@@ -55,7 +55,7 @@ struct ForegroundOptions {
   /// And this near in height: the seat of a chair and its feet. Unit: metre.
   double part_height_gap_m = 0.4;
   /// A surface with more than this share of its pixels outside the box is not a part.
-  double part_max_outside = 0.35;
+  double part_max_outside = 0.12;
   /// Spacing of the points of small things; larger things get coarser ones. Unit: metre.
   double point_spacing_m = 0.006;
   /// Points of one segment at most; the spacing grows until they fit.

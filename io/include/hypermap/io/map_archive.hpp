@@ -42,7 +42,10 @@ struct OctomapExtension {
 struct ClassGrid {
   std::string class_name;
   std::string frame_id = "map";
-  OccupancyGrid grid;
+  OccupancyGrid grid = {};
+  std::string name = {};  ///< Of its extension; empty: chosen when saved.
+  std::string file = {};  ///< Stem of its two members; empty: chosen when saved.
+  ValueTree extra = {};   ///< Unknown keys of its extension, as a map; null when there are none.
   friend bool operator==(const ClassGrid&, const ClassGrid&) = default;
 };
 
@@ -54,7 +57,7 @@ struct MapArchive {
   std::optional<SemanticOctree> octree = {};
   std::vector<ClassGrid> class_grids = {};
   std::optional<Provenance> provenance = {};
-
+  /// Unknown files and keys below come from archives of others; a new map leaves them empty.
   std::vector<OctomapExtension> octomaps = {};
   /// Extensions of unknown format, whole entries. Their files are among `opaque_files`.
   std::vector<ValueTree> foreign_extensions = {};

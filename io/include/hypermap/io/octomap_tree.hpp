@@ -11,7 +11,6 @@
 #include "hypermap/octree_semantic/semantic_octree.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace hypermap {
@@ -60,13 +59,14 @@ struct OctomapTree {
 [[nodiscard]] LeafSource leaf_source(const OctomapTree& tree);
 
 /// The map as a tree of our type, leaves of equal content merged eight by eight as OctoMap prunes.
+/// A blank label counts as none.
 [[nodiscard]] OctomapTree to_octomap_tree(const SemanticOctree& octree);
 
 /// The same space without labels.
 [[nodiscard]] OctomapTree without_labels(const OctomapTree& tree);
-/// The same space with the colour of each leaf's best class; leaves without one are white.
-[[nodiscard]] OctomapTree with_class_colors(const OctomapTree& tree,
-                                            const std::function<Rgb8(ClassId)>& color_of);
+/// The same space in colour: that of each occupied leaf's best class (`class_color`), grey where
+/// something unlabelled stands, white, OctoMap's "no colour", in empty space.
+[[nodiscard]] OctomapTree with_class_colors(const OctomapTree& tree);
 
 /// Merges leaves: eight siblings of equal depth and content become their parent.
 [[nodiscard]] OctomapTree pruned(const OctomapTree& tree);
