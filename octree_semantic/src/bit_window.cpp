@@ -18,7 +18,7 @@ std::uint32_t spread_in_brick(std::size_t offset) {
 
 }  // namespace
 
-bool WindowGeometry::cover(const KeyBox& box) {
+bool WindowGeometry::cover(const KeyBox& box, double max_cells) {
   std::array<int, 3> corner{};
   std::array<std::size_t, 3> num_bricks{};
   double num_cells = 512.0;
@@ -27,7 +27,7 @@ bool WindowGeometry::cover(const KeyBox& box) {
     num_bricks[i] = static_cast<std::size_t>((box.max[i] + 1 - corner[i]) / 8 + 1);
     num_cells *= static_cast<double>(num_bricks[i]);
   }
-  if (num_cells > kMaxCells) return false;
+  if (num_cells > max_cells) return false;
   const std::array<std::size_t, 3> stride{num_bricks[1] * num_bricks[2], num_bricks[2], 1};
   for (std::size_t i = 0; i < 3; ++i) {
     summands_[i].resize(num_bricks[i] * 8);

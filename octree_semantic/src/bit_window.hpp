@@ -29,8 +29,9 @@ class WindowGeometry {
   static constexpr double kMaxCells = 2147483648.0;
 
   /// The smallest window of whole bricks that contains the box and one voxel around it; false, and
-  /// unchanged, when that would be larger than kMaxCells. Reuses its memory.
-  [[nodiscard]] bool cover(const KeyBox& box);
+  /// unchanged, when that would have more than `max_cells`. Reuses its memory.
+  /// Requires: max_cells <= kMaxCells.
+  [[nodiscard]] bool cover(const KeyBox& box, double max_cells);
 
   [[nodiscard]] std::size_t num_bricks() const noexcept {
     return num_bricks_[0] * num_bricks_[1] * num_bricks_[2];
@@ -68,6 +69,21 @@ void for_each_bit(const std::uint64_t* words, Visitor&& visit) {
   }
 }
 
+/// Sets bits of a layer. Holds plain pointers, so that inner loops keep them in registers.
+class BitMarker {
+ public:
+  BitMarker(std::uint64_t* words, std::uint8_t* touched) noexcept
+      : words_(words), touched_(touched) {}
+  void mark(std::uint32_t cell) const noexcept {
+    words_[cell >> 6U] |= std::uint64_t{1} << (cell & 63U);
+    touched_[cell >> 9U] = 1;
+  }
+
+ private:
+  std::uint64_t* words_;
+  std::uint8_t* touched_;
+};
+
 /// One bit per cell of a window, and a byte per brick that says whether any may be set.
 ///
 /// All bits are 0 wherever `touched` is 0, from frame to frame: whoever reads a brick clears it.
@@ -76,10 +92,8 @@ class BitLayer {
   /// Makes room for a window. Throws std::bad_alloc. Bits stay 0 when they were.
   void fit(std::size_t num_bricks);
 
-  void mark(std::uint32_t cell) noexcept {
-    words_[cell >> 6U] |= std::uint64_t{1} << (cell & 63U);
-    touched_[cell >> 9U] = 1;
-  }
+  /// Valid until the next `fit`.
+  [[nodiscard]] BitMarker marker() noexcept { return {words_.data(), touched_.data()}; }
   [[nodiscard]] bool test(std::uint32_t cell) const noexcept {
     return ((words_[cell >> 6U] >> (cell & 63U)) & 1U) != 0;
   }
@@ -89,6 +103,11 @@ class BitLayer {
   }
   [[nodiscard]] std::uint64_t* words(std::size_t brick) noexcept {
     return words_.data() + brick * 8;
+  }
+  /// Sets all bits that are set in `words`, 8 of them.
+  void unite_brick(std::size_t brick, const std::uint64_t* others) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) words(brick)[i] |= others[i];
+    touched_[brick] = 1;
   }
   void clear_brick(std::size_t brick) noexcept {
     std::fill_n(words(brick), 8, std::uint64_t{0});

@@ -1,43 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "end_points.hpp"
 
-#include "hypermap/octree_semantic/voxel_key.hpp"
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace hypermap {
 namespace {
 
-/// Where float coordinates become integers safely: far outside the volume, so that they are
-/// refused.
-constexpr double kFarOutside = 1e9;
+/// Beyond, coordinates are no whole numbers of voxels any more.
+constexpr double kMaxVoxels = 1e9;
 
-/// Offsets of coordinates from the window's corner. Without branches, so that it is vectorised.
-void to_offsets(const std::vector<float>& coordinates_m,
-                double voxels_per_m,
-                int corner,
-                std::vector<int>& offsets) {
-  const std::size_t size = coordinates_m.size();
-  offsets.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const double voxels = voxels_per_m * static_cast<double>(coordinates_m[i]);
-    const double safe = voxels > -kFarOutside ? std::min(voxels, kFarOutside) : -kFarOutside;
-    const int truncated = static_cast<int>(safe);
-    offsets[i] = truncated - (safe < truncated ? 1 : 0) + kOriginKey - corner;
-  }
-}
-
-/// Largest square whose root is not above the range.
-double largest_square_within(double range_m) {
-  double square = range_m * range_m;
-  while (std::sqrt(square) > range_m) square = std::nextafter(square, 0.0);
-  for (double next = square; std::sqrt(next) <= range_m;) {
+/// Largest single-precision square whose root is not above the range.
+float largest_square_within(double range_m) {
+  auto square = static_cast<float>(range_m * range_m);
+  while (std::sqrt(static_cast<double>(square)) > range_m) square = std::nextafter(square, 0.0F);
+  for (float next = square; std::sqrt(static_cast<double>(next)) <= range_m;) {
     square = next;
-    next = std::nextafter(next, std::numeric_limits<double>::infinity());
+    next = std::nextafter(next, std::numeric_limits<float>::infinity());
   }
   return square;
+}
+
+bool is_countable(const PointF& point, double resolution_m) {
+  for (const float coordinate : point) {
+    if (!(std::abs(static_cast<double>(coordinate)) < kMaxVoxels * resolution_m)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -45,57 +33,95 @@ double largest_square_within(double range_m) {
 RangeLimit::RangeLimit(double max_range_m) noexcept
     : range_m_(static_cast<float>(max_range_m)), max_squared_(largest_square_within(max_range_m)) {}
 
-EndPoints::EndPoints(const WindowGeometry& window,
-                     double resolution_m,
+EndPoints::EndPoints(double resolution_m,
                      const PointF& sensor,
                      const IntegrationOptions& options,
-                     BitLayer& hit,
-                     BitLayer& left,
+                     MarkedWindow& hit,
+                     MarkedWindow* far,
                      std::vector<PointF>& ray_ends)
-    : window_(&window),
-      resolution_m_(resolution_m),
-      voxels_per_m_(1.0 / resolution_m),
+    : resolution_m_(resolution_m),
       sensor_(sensor),
-      mode_(options.mode),
+      exact_(options.mode == IntegrationMode::kExact),
       range_(options.max_range_m),
-      outer_range_(options.max_range_m +
-                   (options.mode == IntegrationMode::kDiscretize ? resolution_m : 0.0)),
+      outer_range_(options.max_range_m + (exact_ ? 0.0 : resolution_m)),
       hit_(&hit),
-      left_(&left),
-      ray_ends_(&ray_ends) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    first_inside_[i] = std::max(0, -window.corner(i));
-    const int end = std::min(window.edge(i), kKeysPerAxis - window.corner(i));
-    num_inside_[i] = static_cast<std::uint32_t>(std::max(0, end - first_inside_[i]));
+      far_(far),
+      ray_ends_(&ray_ends) {}
+
+void EndPoints::add(const PointChunk& chunk,
+                    std::span<std::uint32_t> cells,
+                    IntegrationReport& report) {
+  // Copies, so that nothing is read again after each mark.
+  const CellFinder finder(hit_->geometry, resolution_m_);
+  const BitMarker hit = hit_->bits.marker();
+  const RangeLimit range = range_;
+  const RangeLimit outer_range = outer_range_;
+  const PointF sensor = sensor_;
+  std::size_t num_within = 0;
+  std::size_t num_near = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const PointF point{chunk.x[i], chunk.y[i], chunk.z[i]};
+    const float squared = squared_norm(difference(point, sensor));
+    cells[i] = kNoCell;
+    if (!outer_range.contains(squared)) {
+      add_beyond(point, report);
+      continue;
+    }
+    const std::uint32_t cell = finder.find(point);
+    if (cell == kNoCell) {
+      ++report.num_outside_volume;
+      continue;
+    }
+    cells[i] = cell;
+    hit.mark(cell);
+    ++num_near;
+    num_within += range.contains(squared) ? 1U : 0U;
+    if (exact_) ray_ends_->push_back(point);
   }
+  report.num_hits += num_within;
+  report.num_beyond_range += num_near - num_within;
 }
 
-std::uint32_t EndPoints::cell_at(int x, int y, int z) const noexcept {
-  const auto inside = [this](std::size_t axis, int offset) {
-    return static_cast<std::uint32_t>(offset - first_inside_[axis]) < num_inside_[axis];
-  };
-  return inside(0, x) && inside(1, y) && inside(2, z) ? window_->cell(x, y, z) : kNoCell;
+void EndPoints::add_beyond(const PointF& point, IntegrationReport& report) {
+  if (std::isnan(point[0])) return;  // not measured
+  const PointF end = shortened(point);
+  // A square that overflows leaves no direction.
+  if (!std::isfinite(squared_norm(difference(point, sensor_))) ||
+      !is_countable(end, resolution_m_) ||
+      CellFinder(hit_->geometry, resolution_m_).find(end) == kNoCell) {
+    ++report.num_outside_volume;
+    return;
+  }
+  ++report.num_beyond_range;
+  if (!exact_ && far_ != nullptr && is_countable(point, resolution_m_)) {
+    const std::uint32_t cell = CellFinder(far_->geometry, resolution_m_).find(point);
+    if (cell != kNoCell) {
+      far_->bits.marker().mark(cell);
+      return;
+    }
+  }
+  ray_ends_->push_back(end);
 }
 
-std::uint32_t EndPoints::cell_of(const PointF& point) const noexcept {
-  std::array<int, 3> offset{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double voxels = voxels_per_m_ * static_cast<double>(point[i]);
-    if (!(std::abs(voxels) < kFarOutside)) return kNoCell;
-    offset[i] = static_cast<int>(std::floor(voxels)) + kOriginKey - window_->corner(i);
-  }
-  return cell_at(offset[0], offset[1], offset[2]);
-}
-
-PointF EndPoints::centre_of(std::size_t brick, std::size_t cell) const noexcept {
-  const std::array<int, 3> corner = window_->brick_corner(brick);
-  PointF centre{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto along = static_cast<int>(gather_bits(cell >> i));
-    centre[i] = static_cast<float>((static_cast<double>(corner[i] + along - kOriginKey) + 0.5) *
-                                   resolution_m_);
-  }
-  return centre;
+void EndPoints::finish() {
+  if (exact_) return;
+  // A voxel counts by its centre, as in OctoMap: beyond the range it is not hit after all.
+  hit_->bits.for_each_touched([this](std::size_t brick) {
+    std::uint64_t* words = hit_->bits.words(brick);
+    for_each_bit(words, [&](std::size_t cell) {
+      const PointF centre = centre_of(hit_->geometry, brick, cell);
+      const bool within = range_.contains(squared_norm(difference(centre, sensor_)));
+      ray_ends_->push_back(within ? centre : shortened(centre));
+      if (!within) words[cell / 64] &= ~(std::uint64_t{1} << (cell % 64));
+    });
+  });
+  if (far_ == nullptr) return;
+  far_->bits.for_each_touched([this](std::size_t brick) {
+    for_each_bit(far_->bits.words(brick), [&](std::size_t cell) {
+      ray_ends_->push_back(shortened(centre_of(far_->geometry, brick, cell)));
+    });
+    far_->bits.clear_brick(brick);
+  });
 }
 
 PointF EndPoints::shortened(const PointF& point) const noexcept {
@@ -107,64 +133,17 @@ PointF EndPoints::shortened(const PointF& point) const noexcept {
   return direction;
 }
 
-void EndPoints::add_beyond(const PointF& point, IntegrationReport& report) {
-  const PointF end = shortened(point);
-  const std::uint32_t cell = cell_of(end);
-  if (cell == kNoCell) {
-    ++report.num_outside_volume;
-    return;
+PointF EndPoints::centre_of(const WindowGeometry& window,
+                            std::size_t brick,
+                            std::size_t cell) const noexcept {
+  const std::array<int, 3> corner = window.brick_corner(brick);
+  PointF centre{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto along = static_cast<int>(gather_bits(cell >> i));
+    centre[i] = static_cast<float>((static_cast<double>(corner[i] + along - kOriginKey) + 0.5) *
+                                   resolution_m_);
   }
-  ++report.num_beyond_range;
-  if (mode_ == IntegrationMode::kExact) {
-    ray_ends_->push_back(end);
-  } else {
-    left_->mark(cell);
-  }
-}
-
-void EndPoints::add(const PointChunk& chunk,
-                    std::span<std::uint32_t> cells,
-                    IntegrationReport& report) {
-  to_offsets(chunk.x, voxels_per_m_, window_->corner(0), offsets_[0]);
-  to_offsets(chunk.y, voxels_per_m_, window_->corner(1), offsets_[1]);
-  to_offsets(chunk.z, voxels_per_m_, window_->corner(2), offsets_[2]);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = kNoCell;
-    const PointF point{chunk.x[i], chunk.y[i], chunk.z[i]};
-    const float squared = squared_norm(difference(point, sensor_));
-    if (std::isnan(point[0])) continue;  // not measured
-    if (!outer_range_.contains(squared)) {
-      add_beyond(point, report);
-      continue;
-    }
-    const std::uint32_t cell = cell_at(offsets_[0][i], offsets_[1][i], offsets_[2][i]);
-    if (cell == kNoCell) {
-      ++report.num_outside_volume;
-      continue;
-    }
-    cells[i] = cell;
-    hit_->mark(cell);
-    ++(range_.contains(squared) ? report.num_hits : report.num_beyond_range);
-    if (mode_ == IntegrationMode::kExact) ray_ends_->push_back(point);
-  }
-}
-
-void EndPoints::finish() {
-  if (mode_ == IntegrationMode::kExact) return;
-  // A voxel counts by its centre, as in OctoMap: beyond the range it is not hit after all.
-  hit_->for_each_touched([this](std::size_t brick) {
-    for_each_bit(hit_->words(brick), [&](std::size_t cell) {
-      const PointF centre = centre_of(brick, cell);
-      const bool within = range_.contains(squared_norm(difference(centre, sensor_)));
-      ray_ends_->push_back(within ? centre : shortened(centre));
-      if (!within) hit_->words(brick)[cell / 64] &= ~(std::uint64_t{1} << (cell % 64));
-    });
-  });
-  left_->for_each_touched([this](std::size_t brick) {
-    for_each_bit(left_->words(brick),
-                 [&](std::size_t cell) { ray_ends_->push_back(centre_of(brick, cell)); });
-    left_->clear_brick(brick);
-  });
+  return centre;
 }
 
 }  // namespace hypermap

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bit_window.hpp"
+#include "cell_finder.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
 #include "point_f.hpp"
 
@@ -15,22 +16,20 @@
 
 namespace hypermap {
 
-/// "No voxel".
-inline constexpr std::uint32_t kNoCell = 0xFFFF'FFFF;
-
-/// How far measurements count, with OctoMap's comparison: sqrt of the single-precision square
+/// How far measurements count, with OctoMap's comparison: the root of the single-precision square
 /// against the double-precision range.
 class RangeLimit {
  public:
   explicit RangeLimit(double max_range_m) noexcept;
   [[nodiscard]] float range_m() const noexcept { return range_m_; }
+  /// False for NaN.
   [[nodiscard]] bool contains(float squared_distance) const noexcept {
-    return static_cast<double>(squared_distance) <= max_squared_;
+    return squared_distance <= max_squared_;
   }
 
  private:
   float range_m_;
-  double max_squared_;
+  float max_squared_;
 };
 
 /// Points of a frame, a few hundred at a time. A point that was not measured has x = NaN.
@@ -46,16 +45,22 @@ struct PointChunk {
   }
 };
 
+/// A window and the bits that a frame sets in it.
+struct MarkedWindow {
+  WindowGeometry geometry;
+  BitLayer bits;
+};
+
 /// Sorts the measurements of one frame into voxels and rays.
 class EndPoints {
  public:
-  /// `hit` and `left` are layers of `window`, all clear. Everything outlives this.
-  EndPoints(const WindowGeometry& window,
-            double resolution_m,
+  /// `hit`: around the sensor, covers the range. `far`: covers all measurements, for those beyond
+  /// the range; null when that would be too large. All bits are clear, all outlives this.
+  EndPoints(double resolution_m,
             const PointF& sensor,
             const IntegrationOptions& options,
-            BitLayer& hit,
-            BitLayer& left,
+            MarkedWindow& hit,
+            MarkedWindow* far,
             std::vector<PointF>& ray_ends);
 
   /// Takes the points of a chunk; writes the voxel of each (kNoCell when none) to `cells`, which
@@ -65,26 +70,21 @@ class EndPoints {
   void finish();
 
  private:
-  [[nodiscard]] std::uint32_t cell_at(int x, int y, int z) const noexcept;
-  [[nodiscard]] std::uint32_t cell_of(const PointF& point) const noexcept;
-  [[nodiscard]] PointF centre_of(std::size_t brick, std::size_t cell) const noexcept;
+  void add_beyond(const PointF& point, IntegrationReport& report);
   /// The point at the range toward `point`.
   [[nodiscard]] PointF shortened(const PointF& point) const noexcept;
-  void add_beyond(const PointF& point, IntegrationReport& report);
+  [[nodiscard]] PointF centre_of(const WindowGeometry& window,
+                                 std::size_t brick,
+                                 std::size_t cell) const noexcept;
 
-  const WindowGeometry* window_;
   double resolution_m_;
-  double voxels_per_m_;
   PointF sensor_;
-  IntegrationMode mode_;
+  bool exact_;
   RangeLimit range_;
   RangeLimit outer_range_;  // discretize: nearer points end in voxels that may lie within the range
-  std::array<int, 3> first_inside_{};  // offsets of the window that lie in the volume
-  std::array<std::uint32_t, 3> num_inside_{};
-  BitLayer* hit_;
-  BitLayer* left_;
+  MarkedWindow* hit_;
+  MarkedWindow* far_;
   std::vector<PointF>* ray_ends_;
-  std::array<std::vector<int>, 3> offsets_;
 };
 
 }  // namespace hypermap

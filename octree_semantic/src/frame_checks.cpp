@@ -8,9 +8,9 @@
 namespace hypermap {
 
 Result<void> validate(const IntegrationOptions& options) {
-  if (!(options.max_range_m > 0.0) || !std::isfinite(options.max_range_m)) {
+  if (!(options.max_range_m > 0.0 && options.max_range_m <= 100'000.0)) {
     return fail(ErrorCode::kInvalidArgument,
-                "must be finite and > 0, is " + std::to_string(options.max_range_m),
+                "must be > 0 and at most 100000, is " + std::to_string(options.max_range_m),
                 "max_range_m");
   }
   if (options.num_threads < 1 || options.num_threads > 256) {

@@ -10,6 +10,7 @@
 #include "measured_points.hpp"
 #include "ray_marking.hpp"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -17,8 +18,17 @@
 #include <new>
 
 namespace hypermap {
+namespace {
 
-/// One call's view of its measurements: how many, where they may lie, and chunk after chunk.
+/// Farther than any volume of a map: no limit.
+constexpr double kEverywhereM = 1e9;
+/// Measurements beyond the range are united by voxel within a window of at most so many cells, that
+/// is 32 MiB of bits; else each gets a ray of its own.
+constexpr double kMaxFarCells = 268435456.0;
+
+}  // namespace
+
+/// Working memory of an integrator and the steps of one integration.
 struct FrameIntegrator::Workspace {
   /// A brick of the map that the frame changes.
   struct Staged {
@@ -26,9 +36,8 @@ struct FrameIntegrator::Workspace {
     std::uint32_t position = 0;
   };
 
-  WindowGeometry window;
-  BitLayer hit;                  // voxels in which measurements ended
-  BitLayer left;                 // voxels in which rays left the range
+  MarkedWindow hit;              // voxels in which measurements ended, around the sensor
+  MarkedWindow far;              // the same for measurements beyond the range
   std::vector<BitLayer> passed;  // voxels that rays went through, one layer per thread
   std::vector<PointF> ray_ends;
   std::vector<std::uint32_t> cell_of_measurement;
@@ -42,6 +51,7 @@ struct FrameIntegrator::Workspace {
                                       std::span<const PixelLabels> labels,
                                       const IntegrationOptions& options);
   void prepare(const IntegrationOptions& options);
+  MarkedWindow* prepare_far(const KeyBox& everything);
   void find_ends(const SemanticOctree& tree,
                  const MeasuredPoints& points,
                  const IntegrationOptions& options,
@@ -61,7 +71,8 @@ Result<IntegrationReport> FrameIntegrator::Workspace::integrate(SemanticOctree& 
                                                                 std::span<const PixelLabels> labels,
                                                                 const IntegrationOptions& options) {
   const KeyBox reach = points.reach(tree.resolution_m(), options.max_range_m);
-  if (!window.cover(reach)) return window_too_large(reach, options);
+  if (!hit.geometry.cover(reach, WindowGeometry::kMaxCells))
+    return window_too_large(reach, options);
   IntegrationReport report;
   try {
     prepare(options);
@@ -80,12 +91,17 @@ Result<IntegrationReport> FrameIntegrator::Workspace::integrate(SemanticOctree& 
 }
 
 void FrameIntegrator::Workspace::prepare(const IntegrationOptions& options) {
-  const std::size_t num_bricks = window.num_bricks();
+  const std::size_t num_bricks = hit.geometry.num_bricks();
   passed.resize(static_cast<std::size_t>(options.num_threads));
-  hit.fit(num_bricks);
-  left.fit(num_bricks);
+  hit.bits.fit(num_bricks);
   for (BitLayer& layer : passed) layer.fit(num_bricks);
   ray_ends.clear();
+}
+
+MarkedWindow* FrameIntegrator::Workspace::prepare_far(const KeyBox& everything) {
+  if (!far.geometry.cover(everything, kMaxFarCells)) return nullptr;
+  far.bits.fit(far.geometry.num_bricks());
+  return &far;
 }
 
 void FrameIntegrator::Workspace::find_ends(const SemanticOctree& tree,
@@ -93,7 +109,13 @@ void FrameIntegrator::Workspace::find_ends(const SemanticOctree& tree,
                                            const IntegrationOptions& options,
                                            IntegrationReport& report) {
   cell_of_measurement.resize(points.size());
-  EndPoints ends(window, tree.resolution_m(), points.sensor(), options, hit, left, ray_ends);
+  const KeyBox everything = points.reach(tree.resolution_m(), kEverywhereM);
+  EndPoints ends(tree.resolution_m(),
+                 points.sensor(),
+                 options,
+                 hit,
+                 options.mode == IntegrationMode::kExact ? nullptr : prepare_far(everything),
+                 ray_ends);
   for (std::size_t first = 0; first < points.size();) {
     const std::size_t size = points.read(first, chunk, report);
     ends.add(chunk, std::span(cell_of_measurement).subspan(first, size), report);
@@ -103,29 +125,32 @@ void FrameIntegrator::Workspace::find_ends(const SemanticOctree& tree,
 }
 
 void FrameIntegrator::Workspace::mark_rays(double resolution_m, const PointF& sensor) {
-  const RayMarker marker(window, resolution_m, sensor);
+  const RayMarker marker(hit.geometry, resolution_m, sensor);
   const std::size_t num_parts = passed.size();
   const auto mark_part = [&](std::size_t part) {
     const std::size_t first = ray_ends.size() * part / num_parts;
     const std::size_t last = ray_ends.size() * (part + 1) / num_parts;
-    for (std::size_t i = first; i < last; ++i) marker.mark(ray_ends[i], passed[part]);
+    const BitMarker into = passed[part].marker();
+    for (std::size_t i = first; i < last; ++i) marker.mark(ray_ends[i], into);
   };
   if (num_parts == 1) {
     mark_part(0);
     return;
   }
-  tbb::task_arena arena(static_cast<int>(num_parts));
+  // More threads than the machine has would only make TBB complain; the parts stay the same.
+  const int num_threads = std::min(static_cast<int>(num_parts), tbb::info::default_concurrency());
+  tbb::task_arena arena(num_threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, num_parts, mark_part); });
 }
 
 void FrameIntegrator::Workspace::count_votes(std::span<const PixelLabels> labels,
                                              IntegrationReport& report) {
-  votes.start(window.num_bricks(), labels.size());
+  votes.start(hit.geometry.num_bricks(), labels.size());
   evidence.start(labels);
   for (std::uint32_t label = 0; label < labels.size(); ++label) {
     for (const std::uint32_t index : labels[label].pixel_indices) {
       const std::uint32_t cell = cell_of_measurement[index];
-      if (cell == kNoCell || !hit.test(cell)) continue;
+      if (cell == kNoCell || !hit.bits.test(cell)) continue;
       votes.add(cell, label);
       ++report.num_labelled_hits;
     }
@@ -135,10 +160,10 @@ void FrameIntegrator::Workspace::count_votes(std::span<const PixelLabels> labels
 
 void FrameIntegrator::Workspace::stage(SemanticOctree& tree) {
   staged.clear();
-  for (std::size_t brick = 0; brick < window.num_bricks(); ++brick) {
+  for (std::size_t brick = 0; brick < hit.geometry.num_bricks(); ++brick) {
     const auto touched = [brick](const BitLayer& layer) { return layer.touched(brick); };
-    if (!touched(hit) && std::none_of(passed.begin(), passed.end(), touched)) continue;
-    const auto [x, y, z] = window.brick_corner(brick);
+    if (!touched(hit.bits) && std::none_of(passed.begin(), passed.end(), touched)) continue;
+    const auto [x, y, z] = hit.geometry.brick_corner(brick);
     // Rounding may carry a ray along the edge of the volume one voxel too far.
     if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kKeysPerAxis) continue;
     const VoxelKey corner{static_cast<std::uint16_t>(x),
@@ -163,11 +188,9 @@ void FrameIntegrator::Workspace::stage_labels(Brick& brick, std::size_t window_b
 }
 
 void FrameIntegrator::Workspace::gather_passed(std::size_t window_brick) noexcept {
-  std::uint64_t* all = passed.front().words(window_brick);
   for (std::size_t part = 1; part < passed.size(); ++part) {
     if (!passed[part].touched(window_brick)) continue;
-    const std::uint64_t* words = passed[part].words(window_brick);
-    for (std::size_t i = 0; i < 8; ++i) all[i] |= words[i];
+    passed.front().unite_brick(window_brick, passed[part].words(window_brick));
   }
 }
 
@@ -175,7 +198,7 @@ void FrameIntegrator::Workspace::commit(SemanticOctree& tree, IntegrationReport&
   for (const auto& [window_brick, position] : staged) {
     gather_passed(window_brick);
     Brick& brick = tree.bricks().writable(position);
-    const std::uint64_t* hits = hit.words(window_brick);
+    const std::uint64_t* hits = hit.bits.words(window_brick);
     const std::uint64_t* passes = passed.front().words(window_brick);
     bool changed =
         add_evidence({brick.known.words.data(), brick.occupied.words.data(), brick.log_odds.data()},
@@ -217,8 +240,8 @@ bool FrameIntegrator::Workspace::commit_labels(Brick& brick,
 }
 
 void FrameIntegrator::Workspace::clear() noexcept {
-  hit.clear();
-  left.clear();
+  hit.bits.clear();
+  far.bits.clear();
   for (BitLayer& layer : passed) layer.clear();
 }
 

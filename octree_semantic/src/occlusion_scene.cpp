@@ -6,10 +6,13 @@
 
 #include <embree3/rtcore.h>
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 
@@ -199,7 +202,7 @@ std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> li
     answer(0, lines.size());
     return answers;
   }
-  tbb::task_arena arena(num_threads);
+  tbb::task_arena arena(std::min(num_threads, tbb::info::default_concurrency()));
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, lines.size(), kChunk),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ray_marking.hpp"
 
-#include "hypermap/octree_semantic/voxel_key.hpp"
+#include "cell_finder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,34 @@ struct AxisWalk {
   }
 };
 
+/// Marks cells from the present one on, until `last_cell` or until the walk is longer than
+/// `limit_m`: rounding may lead it past the last cell.
+void walk(AxisWalk x,
+          AxisWalk y,
+          AxisWalk z,
+          std::uint32_t last_cell,
+          double limit_m,
+          const BitMarker passed) {
+  std::uint32_t cell = *x.summand + *y.summand + *z.summand;
+  double nearest_m = 0.0;
+  do {
+    passed.mark(cell);
+    if (x.next_m < y.next_m) {
+      if (x.next_m < z.next_m) {
+        x.advance();
+      } else {
+        z.advance();
+      }
+    } else if (y.next_m < z.next_m) {
+      y.advance();
+    } else {
+      z.advance();
+    }
+    cell = *x.summand + *y.summand + *z.summand;
+    nearest_m = std::min(std::min(x.next_m, y.next_m), z.next_m);
+  } while (cell != last_cell && !(nearest_m > limit_m));
+}
+
 }  // namespace
 
 RayMarker::RayMarker(const WindowGeometry& window, double resolution_m, const PointF& sensor)
@@ -30,54 +58,36 @@ RayMarker::RayMarker(const WindowGeometry& window, double resolution_m, const Po
       resolution_m_(resolution_m),
       voxels_per_m_(1.0 / resolution_m),
       sensor_(sensor) {
-  for (std::size_t i = 0; i < 3; ++i) sensor_offset_[i] = offset(i, sensor[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sensor_voxel_[i] = floor_to_int(voxels_per_m_ * static_cast<double>(sensor[i]));
+    sensor_offset_[i] = sensor_voxel_[i] + kOriginKey - window.corner(i);
+  }
 }
 
-int RayMarker::offset(std::size_t axis, float coordinate_m) const noexcept {
-  const double voxels = voxels_per_m_ * static_cast<double>(coordinate_m);
-  const int truncated = static_cast<int>(voxels);
-  return truncated - (voxels < truncated ? 1 : 0) + kOriginKey - window_->corner(axis);
-}
-
-void RayMarker::mark(const PointF& end, BitLayer& passed) const {
+void RayMarker::mark(const PointF& end, const BitMarker& passed) const {
+  const PointF way = difference(end, sensor_);
+  const auto length_m = static_cast<float>(std::sqrt(static_cast<double>(squared_norm(way))));
   std::array<AxisWalk, 3> axes;
-  PointF direction{};
-  for (std::size_t i = 0; i < 3; ++i) direction[i] = end[i] - sensor_[i];
-  const float squared =
-      direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
-  const auto length_m = static_cast<float>(std::sqrt(static_cast<double>(squared)));
+  std::uint32_t first_cell = 0;
   std::uint32_t last_cell = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     AxisWalk& axis = axes[i];
     axis.summand = window_->summands(i) + sensor_offset_[i];
-    last_cell += window_->summands(i)[offset(i, end[i])];
-    direction[i] /= length_m;
-    if (!(direction[i] != 0.0F)) continue;
-    axis.step = direction[i] > 0.0F ? 1 : -1;
-    const int key = sensor_offset_[i] + window_->corner(i) - kOriginKey;
-    const double half_m = static_cast<double>(
-        static_cast<float>(static_cast<double>(axis.step) * resolution_m_ * 0.5));
-    const double face_m = (static_cast<double>(key) + 0.5) * resolution_m_ + half_m;
-    const auto along = static_cast<double>(direction[i]);
+    first_cell += *axis.summand;
+    const int end_voxel = floor_to_int(voxels_per_m_ * static_cast<double>(end[i]));
+    last_cell += window_->summands(i)[end_voxel + kOriginKey - window_->corner(i)];
+    const float direction = way[i] / length_m;
+    if (!(direction != 0.0F)) continue;
+    axis.step = direction > 0.0F ? 1 : -1;
+    const auto half_m = static_cast<float>(static_cast<double>(axis.step) * resolution_m_ * 0.5);
+    const double face_m =
+        (static_cast<double>(sensor_voxel_[i]) + 0.5) * resolution_m_ + static_cast<double>(half_m);
+    const auto along = static_cast<double>(direction);
     axis.next_m = (face_m - static_cast<double>(sensor_[i])) / along;
     axis.per_voxel_m = resolution_m_ / std::abs(along);
   }
-  auto& [x, y, z] = axes;
-  std::uint32_t cell = *x.summand + *y.summand + *z.summand;
-  if (cell == last_cell) return;
-  const auto limit_m = static_cast<double>(length_m);
-  double nearest_m = 0.0;
-  do {
-    passed.mark(cell);
-    if (x.next_m < y.next_m) {
-      (x.next_m < z.next_m ? x : z).advance();
-    } else {
-      (y.next_m < z.next_m ? y : z).advance();
-    }
-    cell = *x.summand + *y.summand + *z.summand;
-    nearest_m = std::min(std::min(x.next_m, y.next_m), z.next_m);
-    // Rounding may lead the walk past the last voxel; then the length ends it.
-  } while (cell != last_cell && !(nearest_m > limit_m));
+  if (first_cell == last_cell) return;
+  walk(axes[0], axes[1], axes[2], last_cell, static_cast<double>(length_m), passed);
 }
 
 }  // namespace hypermap

@@ -23,16 +23,15 @@ class RayMarker {
   /// Source: A. Hornung et al., "OctoMap": the traversal after J. Amanatides and A. Woo with the
   /// precision of computeRayKeys (single-precision direction, double-precision distances), so that
   /// the voxels are the same to the last one.
-  void mark(const PointF& end, BitLayer& passed) const;
+  void mark(const PointF& end, const BitMarker& passed) const;
 
  private:
-  [[nodiscard]] int offset(std::size_t axis, float coordinate_m) const noexcept;
-
   const WindowGeometry* window_;
   double resolution_m_;
   double voxels_per_m_;
   PointF sensor_;
-  std::array<int, 3> sensor_offset_{};
+  std::array<int, 3> sensor_voxel_{};   // from the map's origin
+  std::array<int, 3> sensor_offset_{};  // from the window's corner
 };
 
 }  // namespace hypermap

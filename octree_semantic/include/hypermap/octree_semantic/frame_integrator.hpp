@@ -26,18 +26,17 @@ namespace hypermap {
 
 /// Which rays free space.
 ///
-/// | mode | rays | occupied set | free space |
-/// |---|---|---|---|
-/// | exact | every measurement | that of OctoMap's insertPointCloud | the same voxels |
-/// | discretize | one per voxel in which measurements end, to its centre | OctoMap's with
-/// `discretize` | the same, except that measurements beyond the range are united where they leave
-/// it |
+/// | mode | rays | occupied and free voxels |
+/// |---|---|---|
+/// | exact | every measurement | those of OctoMap's insertPointCloud |
+/// | discretize | one per voxel in which measurements end, to its centre | those of OctoMap's
+/// insertPointCloud with `discretize` |
 enum class IntegrationMode : std::uint8_t { kExact, kDiscretize };
 
 struct IntegrationOptions {
   IntegrationMode mode = IntegrationMode::kDiscretize;
-  /// Farther measurements free the way up to here and occupy nothing; finite, > 0. Distance from
-  /// the sensor, not depth.
+  /// Farther measurements free the way up to here and occupy nothing; > 0, at most 100,000.
+  /// Distance from the sensor, not depth.
   double max_range_m = 5.0;
   /// Threads that mark rays, 1 .. 256. The result does not depend on it.
   int num_threads = 1;

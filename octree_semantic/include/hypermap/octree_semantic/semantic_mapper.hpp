@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From frames with detections to a labelled octree and the objects that stand in it.
+///
+/// Source: [smap] figure 3.1; [hypermap] 3.4, figure 8.
+#pragma once
+
+#include "hypermap/core/absence.hpp"
+#include "hypermap/core/association.hpp"
+#include "hypermap/core/object_map.hpp"
+#include "hypermap/core/object_pipeline_options.hpp"
+#include "hypermap/core/result.hpp"
+#include "hypermap/core/rgbd_frame.hpp"
+#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "hypermap/octree_semantic/object_visibility.hpp"
+#include "hypermap/octree_semantic/occlusion_scene.hpp"
+#include "hypermap/octree_semantic/semantic_octree.hpp"
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+struct SemanticMapperOptions {
+  OctreeOptions octree;
+  IntegrationOptions integration;
+  ObjectPipelineOptions objects;
+  VisibilityOptions visibility;
+  /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
+  /// The ids of `objects.transient_class_names`.
+  std::set<ClassId> transient_classes;
+  /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on it.
+  int num_threads = 1;
+  friend bool operator==(const SemanticMapperOptions&, const SemanticMapperOptions&) = default;
+};
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const SemanticMapperOptions& options);
+
+/// Wall clock of one frame's stages. For reports only: no result depends on it.
+struct StageSeconds {
+  double segment = 0.0;
+  double associate = 0.0;
+  double integrate = 0.0;
+  double visibility = 0.0;
+};
+
+/// What became of one frame.
+struct FrameReport {
+  std::size_t num_detections = 0;  ///< After stacking.
+  std::size_t num_transient = 0;   ///< Of a class that does not stay.
+  std::size_t num_segments = 0;    ///< Detections that were found in the depth.
+  std::size_t num_created = 0;
+  std::size_t num_matched = 0;
+  std::size_t num_merged = 0;   ///< Objects that proved to be another one.
+  std::size_t num_removed = 0;  ///< Objects that proved absent.
+  IntegrationReport integration;
+  StageSeconds seconds;
+};
+
+/// The whole map in the making. Movable, not copyable; `octree()` and `objects()` are values.
+///
+/// Threads: one `integrate` at a time; const functions may run concurrently between two of them.
+class SemanticMapper {
+ public:
+  /// Errors: those of validate; kUnavailable when Embree cannot start.
+  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options);
+  /// Goes on from a map that was made before. Errors: those of create; kInvalidArgument when the
+  /// tree's options are not those of `options.octree`.
+  [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
+                                                     SemanticOctree octree,
+                                                     ObjectMap objects);
+
+  /// Puts one frame into the map: whole, or on an error not at all.
+  ///
+  /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
+  /// that cannot be found in the depth is counted, no error. All but kOutOfMemory are found before
+  /// anything is changed; after kOutOfMemory objects may have learned what the octree has not.
+  [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
+
+  [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
+  [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
+  [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
+
+ private:
+  SemanticMapper(SemanticMapperOptions options,
+                 SemanticOctree octree,
+                 ObjectMap objects,
+                 OcclusionScene occlusion);
+  [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
+  void hand_over_voxels(std::span<const ObjectMerge> merges);
+  [[nodiscard]] Result<std::vector<VisibilityVerdict>> judge(const RgbdFrame& frame,
+                                                             const AssociationReport& association);
+  std::size_t weaken_absent(const RgbdFrame& frame,
+                            std::span<const VisibilityVerdict> verdicts,
+                            std::span<const ObjectId> seen_now);
+
+  SemanticMapperOptions options_;
+  SemanticOctree octree_;
+  ObjectMap objects_;
+  OcclusionScene occlusion_;
+  FrameIntegrator integrator_;
+};
+
+}  // namespace hypermap
