@@ -94,7 +94,6 @@ TEST(HostileFiles, ErrorsSayWhatTheIndexAsksFor) {
   };
   const std::vector<std::pair<std::string, std::string>> expected{
       {"err_truncated_half.ot", "octree: unexpected end of data at node"},
-      {"err_fuzz_217_bytes.ot", "unexpected end of data"},
       {"err_depth_40000.ot", "tree deeper than 16"},
       {"err_res_nan.ot", "res: "},
       {"err_size_4e9.ot", "size: "},
@@ -111,7 +110,7 @@ TEST(HostileFiles, ErrorsSayWhatTheIndexAsksFor) {
       {"err_layer_file_traversal.hmap", "layers[1].file"},
       {"err_image_traversal.hmap", "image"},
       {"err_encrypted_flag.hmap", "encrypted entries are not supported"},
-      {"err_octree_depth_1M.hmap", "tree deeper than 16"},
+      {"err_octree_depth_1M.hmap", "the limit is"},
       {"err_bomb_64M.hmap", "the limit is"},
       {"err_bomb_yaml_32M.hmap", "the limit"},
       {"err_zipslip_backslash.hmap", "evil.yaml"},
