@@ -45,7 +45,7 @@ class NodeCursor {
     return value;
   }
 
-  Result<void> finish() const {
+  [[nodiscard]] Result<void> finish() const {
     if (num_counted_ != num_nodes_)
       return fail(ErrorCode::kMalformedFile,
                   "says " + std::to_string(num_nodes_) + " nodes, the tree has " +
