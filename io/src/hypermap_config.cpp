@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/hypermap_config.hpp"
 
-#include "value_keys.hpp"
-
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/byte_source.hpp"
+#include "value_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -224,6 +223,7 @@ ValueTree tree_of(const ExtensionEntry& extension) {
 template <class Items>
 ValueTree list_of(const Items& items) {
   std::vector<ValueTree> trees;
+  trees.reserve(items.size());
   for (const auto& item : items) trees.push_back(tree_of(item));
   return make_list(std::move(trees));
 }

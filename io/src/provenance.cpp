@@ -52,8 +52,10 @@ Result<MapFromInput> parse_transform(const YamlNode& node) {
 ValueTree tree_of(const MapFromInput& transform) {
   const Eigen::Matrix4d matrix = transform.isometry().matrix();
   std::vector<ValueTree> rows;
+  rows.reserve(4);
   for (int r = 0; r < 4; ++r) {
     std::vector<ValueTree> row;
+    row.reserve(4);
     for (int c = 0; c < 4; ++c) row.push_back(make_number(matrix(r, c)));
     rows.push_back(make_list(std::move(row)));
   }
