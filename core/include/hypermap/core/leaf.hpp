@@ -18,10 +18,11 @@ namespace hypermap {
 struct LeafSample {
   Eigen::Vector3d centre_in_map = Eigen::Vector3d::Zero();
   double edge_m = 0.0;
-  LogOdds occupancy;                  ///< Accumulated and clamped.
-  bool occupied = false;              ///< By the map's own threshold.
-  std::optional<ClassId> best_class;  ///< Most probable class; none where nothing was ever named.
-  ObjectId object = kNoObject;        ///< kNoObject where the cell belongs to none.
+  LogOdds occupancy = {};  ///< Accumulated and clamped.
+  bool occupied = false;   ///< By the map's own threshold.
+  std::optional<ClassId> best_class =
+      {};                       ///< Most probable class; none where nothing was ever named.
+  ObjectId object = kNoObject;  ///< kNoObject where the cell belongs to none.
 };
 
 using LeafVisitor = std::function<void(const LeafSample&)>;

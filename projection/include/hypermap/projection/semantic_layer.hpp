@@ -21,9 +21,9 @@ namespace hypermap {
 
 /// A thing with a name and a shape.
 struct SemanticObject {
-  std::uint64_t id = 0;        ///< Unique in its layer.
-  std::string name;            ///< The class as text; not unique.
-  std::vector<Polygon> parts;  ///< The shape: one polygon, or several disjoint ones.
+  std::uint64_t id = 0;             ///< Unique in its layer.
+  std::string name = {};            ///< The class as text; not unique.
+  std::vector<Polygon> parts = {};  ///< The shape: one polygon, or several disjoint ones.
   std::vector<std::string> tags = {};
   std::vector<double> confidence = {};  ///< In [0, 1]: one for the object, or one per tag.
   /// The shape as its file wrote it (a ring wound more than once, an unclosed one); saved again as
