@@ -41,7 +41,7 @@ std::unique_ptr<Tree> convert(const SemanticOctree& tree, Decorate&& decorate) {
 }
 
 double rounded(double probability) {
-  return std::round(probability * 1e6) * 1e-6;
+  return std::round(probability * 1e6) / 1e6;
 }
 
 template <class Tree>

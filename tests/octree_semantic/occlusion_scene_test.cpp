@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/octree_semantic/occlusion_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace hypermap {
+namespace {
+
+constexpr double kEdge = 0.1;
+constexpr MilliLogOdds kOccupied = 847;
+constexpr MilliLogOdds kFree = -405;
+
+SemanticOctree tree_of(const std::vector<VoxelKey>& occupied) {
+  auto tree = SemanticOctree::create({.resolution_m = kEdge}).value();
+  for (const VoxelKey& key : occupied) {
+    EXPECT_TRUE(tree.set_leaf({.key = key, .log_odds = kOccupied}));
+  }
+  return tree;
+}
+
+OcclusionScene scene_of(const SemanticOctree& tree) {
+  auto scene = OcclusionScene::create().value();
+  EXPECT_TRUE(scene.update(tree));
+  return scene;
+}
+
+/// Voxels in clumps, so that bricks are full, sparse and single.
+std::vector<VoxelKey> random_voxels(std::mt19937& random) {
+  std::vector<VoxelKey> voxels;
+  for (int clump = 0; clump < 12; ++clump) {
+    const auto centre = [&random] { return 32738 + static_cast<int>(random() % 60); };
+    const int x = centre();
+    const int y = centre();
+    const int z = centre();
+    const int size = 1 + static_cast<int>(random() % 12);
+    for (int i = 0; i < size * 8; ++i) {
+      const auto near = [&](int at) {
+        return static_cast<std::uint16_t>(at +
+                                          static_cast<int>(random() % static_cast<unsigned>(size)));
+      };
+      voxels.push_back({near(x), near(y), near(z)});
+    }
+  }
+  return voxels;
+}
+
+/// Whether a segment meets any voxel, each grown by `grown` on all sides; by the slabs of its axes.
+bool meets_any(const std::vector<Eigen::Vector3d>& centres,
+               const Eigen::Vector3d& from,
+               const Eigen::Vector3d& to,
+               double margin_m,
+               double grown) {
+  const Eigen::Vector3d way = to - from;
+  const double end = 1.0 - margin_m / way.norm();
+  return std::any_of(centres.begin(), centres.end(), [&](const Eigen::Vector3d& centre) {
+    double first = 0.0;
+    double last = end;
+    for (int i = 0; i < 3; ++i) {
+      const double half = kEdge / 2 + grown;
+      if (way[i] == 0.0) {
+        if (std::abs(from[i] - centre[i]) > half) return false;
+        continue;
+      }
+      double a = (centre[i] - half - from[i]) / way[i];
+      double b = (centre[i] + half - from[i]) / way[i];
+      if (a > b) std::swap(a, b);
+      first = std::max(first, a);
+      last = std::min(last, b);
+    }
+    return first <= last;
+  });
+}
+
+TEST(OcclusionScene, NothingHidesAnythingInAnEmptyScene) {
+  const auto scene = OcclusionScene::create().value();
+  EXPECT_FALSE(scene.occluded({{0, 0, 0}}, {{5, 5, 5}}, 0.0));
+  EXPECT_EQ(scene.num_bricks(), 0U);
+}
+
+TEST(OcclusionScene, AgreesWithALookAtEveryVoxel) {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> within(-3.2, 3.6);
+  int num_occluded = 0;
+  for (int round = 0; round < 6; ++round) {
+    const SemanticOctree tree = tree_of(random_voxels(random));
+    const OcclusionScene scene = scene_of(tree);
+    std::vector<Eigen::Vector3d> centres;
+    tree.for_each_leaf([&](const LeafSample& leaf) { centres.push_back(leaf.centre_in_map); });
+    for (int i = 0; i < 3000; ++i) {
+      const Eigen::Vector3d from(within(random), within(random), within(random));
+      const Eigen::Vector3d to(within(random), within(random), within(random));
+      const double margin_m = i % 3 == 0 ? 0.3 : 0.0;
+      if ((to - from).norm() <= margin_m) continue;
+      const bool occluded = scene.occluded({from}, {to}, margin_m);
+      num_occluded += occluded ? 1 : 0;
+      // Within a thousandth of a voxel of an edge, either answer is right.
+      if (meets_any(centres, from, to, margin_m, -1e-3 * kEdge)) {
+        ASSERT_TRUE(occluded) << from.transpose() << " to " << to.transpose();
+      } else if (!meets_any(centres, from, to, margin_m, 1e-3 * kEdge)) {
+        ASSERT_FALSE(occluded) << from.transpose() << " to " << to.transpose();
+      }
+    }
+  }
+  EXPECT_GT(num_occluded, 1000);
+}
+
+TEST(OcclusionScene, LinesAlongAxesThroughVoxelsNearTheEdgesOfBricksAreNotMissed) {
+  for (const auto at : std::initializer_list<std::uint16_t>{32767, 32768, 32775, 32776}) {
+    const VoxelKey key{at, at, at};
+    const SemanticOctree tree = tree_of({key});
+    const OcclusionScene scene = scene_of(tree);
+    const Eigen::Vector3d centre = tree.grid().centre(key).xyz;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        // Everywhere over the face of the voxel, close to its edges too.
+        for (const double u : {-0.499, -0.25, 0.0, 0.499}) {
+          for (const double v : {-0.499, 0.0, 0.3, 0.499}) {
+            Eigen::Vector3d target = centre;
+            target[(axis + 1) % 3] += u * kEdge;
+            target[(axis + 2) % 3] += v * kEdge;
+            const Eigen::Vector3d way = sign * Eigen::Vector3d::Unit(axis);
+            EXPECT_TRUE(scene.occluded({target - 2.0 * way}, {target + 2.0 * way}, 0.0));
+            EXPECT_FALSE(scene.occluded({target - 2.0 * way}, {target - 0.06 * way}, 0.0));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(OcclusionScene, ALineOnTheFaceOfAWallIsHidden) {
+  // A wall of two voxels' thickness around the plane x = 0: whichever side the line counts to.
+  std::vector<VoxelKey> wall;
+  for (std::uint16_t y = 32750; y < 32790; ++y) {
+    for (std::uint16_t z = 32750; z < 32790; ++z) {
+      wall.push_back({32767, y, z});
+      wall.push_back({32768, y, z});
+    }
+  }
+  const SemanticOctree tree = tree_of(wall);
+  const OcclusionScene scene = scene_of(tree);
+  EXPECT_TRUE(scene.occluded({{0.0, -1.0, 0.0}}, {{0.0, 1.0, 0.0}}, 0.0));
+  EXPECT_TRUE(scene.occluded({{0.0, -3.0, 0.05}}, {{0.0, 3.0, 0.05}}, 0.0));
+}
+
+TEST(OcclusionScene, TheMarginSparesTheThingItself) {
+  const SemanticOctree tree = tree_of({{32778, 32768, 32768}});  // x from 1.0 to 1.1
+  const OcclusionScene scene = scene_of(tree);
+  const PointInMap from{{0.05, 0.05, 0.05}};
+  const PointInMap within{{1.05, 0.05, 0.05}};
+  EXPECT_TRUE(scene.occluded(from, within, 0.0));
+  EXPECT_TRUE(scene.occluded(from, within, 0.04));
+  EXPECT_FALSE(scene.occluded(from, within, 0.06));
+  EXPECT_FALSE(scene.occluded(from, within, 2.0));
+}
+
+TEST(OcclusionScene, AStartInsideAVoxelIsOccludedAndNonsenseIsNot) {
+  const SemanticOctree tree = tree_of({{32768, 32768, 32768}});
+  const OcclusionScene scene = scene_of(tree);
+  const PointInMap inside{{0.05, 0.05, 0.05}};
+  EXPECT_TRUE(scene.occluded(inside, {{2.0, 0.05, 0.05}}, 0.0));
+  EXPECT_FALSE(scene.occluded(inside, inside, 0.0));
+  EXPECT_FALSE(scene.occluded(inside, {{std::nan(""), 0, 0}}, 0.0));
+  EXPECT_FALSE(scene.occluded({{std::numeric_limits<double>::infinity(), 0, 0}}, {{0, 0, 0}}, 0.0));
+}
+
+TEST(OcclusionScene, FollowsTheTreeByItsChangedBricks) {
+  auto tree = tree_of({{32768, 32768, 32768}, {32900, 32768, 32768}});
+  auto scene = scene_of(tree);
+  EXPECT_EQ(scene.num_bricks(), 2U);
+  EXPECT_EQ(scene.update(tree).value(), 0U) << "nothing changed";
+  const PointInMap from{{-1.0, 0.05, 0.05}};
+  const PointInMap to{{1.0, 0.05, 0.05}};
+  EXPECT_TRUE(scene.occluded(from, to, 0.0));
+  ASSERT_TRUE(tree.set_leaf({.key = {32768, 32768, 32768}, .log_odds = kFree}));
+  EXPECT_EQ(scene.update(tree).value(), 1U) << "one brick changed";
+  EXPECT_FALSE(scene.occluded(from, to, 0.0));
+  ASSERT_TRUE(tree.set_leaf({.key = {32774, 32768, 32768}, .log_odds = kOccupied}));
+  EXPECT_EQ(scene.update(tree).value(), 1U);
+  EXPECT_TRUE(scene.occluded(from, to, 0.0));
+}
+
+TEST(OcclusionScene, ManyLinesGetTheSameAnswersAsOneByOneOnAnyNumberOfThreads) {
+  std::mt19937 random(43);
+  std::uniform_real_distribution<double> within(-3.0, 3.0);
+  const SemanticOctree tree = tree_of(random_voxels(random));
+  const OcclusionScene scene = scene_of(tree);
+  std::vector<SightLine> lines(5000);
+  std::vector<std::uint8_t> expected;
+  for (SightLine& line : lines) {
+    line.from.xyz = {within(random), within(random), within(random)};
+    line.to.xyz = {within(random), within(random), within(random)};
+    expected.push_back(scene.occluded(line.from, line.to, 0.1) ? 1 : 0);
+  }
+  EXPECT_EQ(scene.occluded(lines, 0.1, 1), expected);
+  EXPECT_EQ(scene.occluded(lines, 0.1, 2), expected);
+  EXPECT_TRUE(scene.occluded(std::span<const SightLine>{}, 0.1).empty());
+}
+
+}  // namespace
+}  // namespace hypermap
