@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/options_file.hpp"
+
+#include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
+#include "support/text_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace hypermap {
+namespace {
+
+using test::TempDir;
+using test::write_text;
+using ::testing::HasSubstr;
+
+SemanticMapperOptions with_preset(PresetName name) {
+  SemanticMapperOptions options;
+  options.objects = preset(name);
+  return options;
+}
+
+std::string value_of(const SemanticMapperOptions& options, const std::string& name) {
+  for (const OptionDescription& option : describe_options(options)) {
+    if (option.name == name) return option.value;
+  }
+  return "no such option";
+}
+
+std::string refusal(const std::string& text) {
+  const TempDir dir;
+  write_text(dir / "o.yaml", text);
+  const auto options = read_options(dir / "o.yaml", {});
+  return options ? "was accepted" : to_string(options.error());
+}
+
+TEST(OptionsFile, EachOptionHasANameARangeASourceAndAnEffect) {
+  std::set<std::string> names;
+  for (const OptionDescription& option : describe_options({})) {
+    EXPECT_TRUE(names.insert(option.name).second) << option.name << " is there twice";
+    EXPECT_FALSE(option.range.empty()) << option.name;
+    EXPECT_FALSE(option.source.empty()) << option.name;
+    EXPECT_FALSE(option.effect.empty()) << option.name;
+    EXPECT_FALSE(option.value.empty()) << option.name;
+  }
+  EXPECT_GT(names.size(), 100U);
+}
+
+TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
+  const TempDir dir;
+  write_text(dir / "o.yaml",
+             "octree: {resolution_m: 0.1}\n"
+             "integration:\n  mode: exact\n"
+             "segmentation:\n  foreground:\n    max_planes: 5\n"
+             "publication: {min_existence: none}\n"
+             "transient_classes: [person, cat]\n");
+  const auto options = read_options(dir / "o.yaml", {});
+  ASSERT_TRUE(options) << to_string(options.error());
+  SemanticMapperOptions expected;
+  expected.octree.resolution_m = 0.1;
+  expected.integration.mode = IntegrationMode::kExact;
+  expected.objects.segmentation.foreground.max_planes = 5;
+  expected.objects.publication.min_existence = std::nullopt;
+  expected.objects.transient_class_names = {"person", "cat"};
+  EXPECT_EQ(*options, expected);
+}
+
+TEST(OptionsFile, APresetIsTheBaseOfTheOtherKeys) {
+  const TempDir dir;
+  write_text(dir / "o.yaml", "segmentation: {max_range_m: 3}\npreset: smap\n");
+  const auto options = read_options(dir / "o.yaml", {});
+  ASSERT_TRUE(options) << to_string(options.error());
+  SemanticMapperOptions expected = with_preset(PresetName::kSmap);
+  expected.objects.segmentation.max_range_m = 3.0;
+  EXPECT_EQ(*options, expected);
+}
+
+TEST(OptionsFile, UnknownNamesAreRefusedWithTheNearestOne) {
+  EXPECT_THAT(
+      refusal("octree: {resolution: 0.1}\n"),
+      HasSubstr("o.yaml:1: octree.resolution: unknown option \"octree.resolution\", did you "
+                "mean \"octree.resolution_m\"?"));
+  EXPECT_THAT(refusal("segmentaton:\n  max_range_m: 3\n"),
+              HasSubstr("did you mean \"segmentation\""));
+  EXPECT_THAT(to_string(with_option({}, "absence.removel", "existence").error()),
+              HasSubstr("did you mean \"absence.removal\"?"));
+}
+
+TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
+  EXPECT_THAT(refusal("\noctree: {resolution_m: 0}\n"), HasSubstr("o.yaml:2: octree.resolution_m"));
+  EXPECT_THAT(refusal("octree: {resolution_m: wide}\n"), HasSubstr("octree.resolution_m"));
+  EXPECT_THAT(refusal("integration: {mode: fast}\n"),
+              HasSubstr("must be one of exact, discretize"));
+  EXPECT_THAT(refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
+  EXPECT_THAT(refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
+  EXPECT_THAT(refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
+  EXPECT_THAT(refusal("octree: 3\n"), HasSubstr("octree"));
+}
+
+TEST(OptionsFile, AnOptionIsSetByItsName) {
+  const auto options = with_option({}, "octree.resolution_m", "0.02");
+  ASSERT_TRUE(options) << to_string(options.error());
+  EXPECT_EQ(options->octree.resolution_m, 0.02);
+  EXPECT_THAT(to_string(with_option({}, "octree.resolution_m", "nan").error()),
+              HasSubstr("octree.resolution_m"));
+}
+
+class ShippedOptions : public ::testing::TestWithParam<PresetName> {};
+
+TEST_P(ShippedOptions, AreTheNamedSetAndWhatIsWrittenNow) {
+  const std::string name(to_string(GetParam()));
+  const auto path = test::source_path("data/options/" + name + ".yaml");
+  const auto options = read_options(path, {});
+  ASSERT_TRUE(options) << to_string(options.error());
+  EXPECT_EQ(*options, with_preset(GetParam()));
+  std::ifstream file(path);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(text, write_options(with_preset(GetParam())))
+      << "regenerate: HYPERMAP_WRITE_GOLDEN=1 io_dataset_tests --gtest_filter='*ShippedOptions*'";
+  if (std::getenv("HYPERMAP_WRITE_GOLDEN") != nullptr) {
+    write_text(path, write_options(with_preset(GetParam())));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Default, ShippedOptions, ::testing::Values(PresetName::kDefault));
+INSTANTIATE_TEST_SUITE_P(Smap, ShippedOptions, ::testing::Values(PresetName::kSmap));
+INSTANTIATE_TEST_SUITE_P(Hypermap, ShippedOptions, ::testing::Values(PresetName::kHypermap));
+
+TEST(OptionsFile, TheSmapSetIsThatOfTablesD1AndD2) {
+  const auto options = read_options(test::source_path("data/options/smap.yaml"), {});
+  ASSERT_TRUE(options) << to_string(options.error());
+  const std::pair<const char*, const char*> printed[] = {
+      // Table D.1
+      {"segmentation.policy", "cluster"},
+      {"segmentation.min_range_m", "0.2"},
+      {"segmentation.max_range_m", "1.7"},
+      {"segmentation.leaf_size_m", "0.03"},
+      {"segmentation.outlier_neighbours", "8"},
+      {"segmentation.outlier_stddev", "0.3"},
+      {"segmentation.cluster_min_points", "50"},
+      {"segmentation.cluster_max_points", "10000"},
+      {"segmentation.cluster_gap_m", "0.065"},
+      {"segmentation.depth_slack_m", "0.2"},
+      // Table D.2
+      {"binned_depth.columns", "24"},
+      {"binned_depth.rows", "16"},
+      {"association.policy", "smap"},
+      {"association.histogram.base_increment", "2"},
+      {"association.histogram.weights", "[0.5, 1.5, 6, 1.5, 0.5]"},
+      {"association.histogram.min_log_odds", "-10"},
+      {"association.histogram.max_log_odds", "10"},
+      {"association.belief.min_log_odds", "-10"},
+      {"association.belief.max_log_odds", "10"},
+      {"association.position_error_m", "0.2"},
+      {"association.tracking_factor", "0.5"},
+      {"absence.min_confidence", "0.5"},
+      {"association.histogram.visible_above", "0.7"},
+      {"association.histogram.hidden_below", "0.4"},
+      {"absence.confidence.rule", "weighted"},
+      {"publication.confidence.rule", "weighted"},
+  };
+  for (const auto& [name, value] : printed) EXPECT_EQ(value_of(*options, name), value) << name;
+}
+
+}  // namespace
+}  // namespace hypermap
