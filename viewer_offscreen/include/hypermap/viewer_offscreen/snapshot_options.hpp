@@ -25,7 +25,7 @@ struct IsoView {
 
 /// From where a camera stands, as a camera sees.
 struct PoseView {
-  MapFromCamera map_from_camera;
+  MapFromCamera map_from_camera = {};
   /// The camera to imitate, scaled to the picture's size; none: `horizontal_fov_deg`.
   std::optional<PinholeCamera> camera = std::nullopt;
   double horizontal_fov_deg = 70.0;  ///< 10 .. 150.

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gl_canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+constexpr GLint kSamples = 4;
+
+void attach_buffer(
+    const GlApi& gl, GLenum format, GLenum place, int samples, int width_px, int height_px) {
+  GLuint buffer = 0;
+  gl.GenRenderbuffers(1, &buffer);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_px, height_px);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+}
+
+GLuint bind_new_framebuffer(const GlApi& gl) {
+  GLuint framebuffer = 0;
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  return framebuffer;
+}
+
+GLint integer(const GlApi& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+}  // namespace
+
+Result<GlCanvas> GlCanvas::create(const GlApi& gl, int width_px, int height_px) {
+  const GLint largest = integer(gl, GL_MAX_RENDERBUFFER_SIZE);
+  if (std::max(width_px, height_px) > largest) {
+    return fail(ErrorCode::kUnavailable,
+                "OpenGL draws at most " + std::to_string(largest) + " pixels a side here, not " +
+                    std::to_string(std::max(width_px, height_px)));
+  }
+  GlCanvas canvas;
+  canvas.width_px_ = width_px;
+  canvas.height_px_ = height_px;
+  canvas.resolved_ = bind_new_framebuffer(gl);
+  attach_buffer(gl, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0, width_px, height_px);
+  canvas.drawn_ = bind_new_framebuffer(gl);
+  const GLint samples = std::min(kSamples, integer(gl, GL_MAX_SAMPLES));
+  attach_buffer(gl, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples, width_px, height_px);
+  attach_buffer(gl, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, samples, width_px, height_px);
+  HYPERMAP_TRY(check_gl(gl, "making room for the picture"));
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    return fail(ErrorCode::kUnavailable, "OpenGL cannot draw into memory here");
+  }
+  gl.Viewport(0, 0, width_px, height_px);
+  return canvas;
+}
+
+Result<ColorImage> GlCanvas::read(const GlApi& gl) const {
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+  gl.BlitFramebuffer(
+      0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  ColorImage upside_down(width_px_, height_px_);
+  gl.ReadPixels(0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels().data());
+  HYPERMAP_TRY(check_gl(gl, "reading the picture"));
+  ColorImage picture(width_px_, height_px_);
+  for (int v = 0; v < height_px_; ++v) {
+    const auto row = upside_down.pixels().subspan(upside_down.index(0, height_px_ - 1 - v),
+                                                  static_cast<std::size_t>(width_px_));
+    std::copy(row.begin(), row.end(), picture.pixels().subspan(picture.index(0, v)).begin());
+  }
+  return picture;
+}
+
+ColorImage averaged(const ColorImage& picture, int factor) {
+  ColorImage out(picture.width_px() / factor, picture.height_px() / factor);
+  const auto mean = [area = static_cast<unsigned>(factor * factor)](unsigned sum) {
+    return static_cast<std::uint8_t>((sum + area / 2U) / area);
+  };
+  for (int v = 0; v < out.height_px(); ++v) {
+    for (int u = 0; u < out.width_px(); ++u) {
+      std::array<unsigned, 3> sum{};
+      for (int k = 0; k < factor * factor; ++k) {
+        const Rgb8 pixel = picture.at(u * factor + k % factor, v * factor + k / factor);
+        sum[0] += pixel.r;
+        sum[1] += pixel.g;
+        sum[2] += pixel.b;
+      }
+      out.at(u, v) = {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+    }
+  }
+  return out;
+}
+
+}  // namespace hypermap
