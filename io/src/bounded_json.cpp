@@ -303,7 +303,7 @@ class JsonParser {
     return {offset, static_cast<std::uint32_t>(tree_.values.size()) - offset};
   }
 
-  Result<void> check_keys(const Value& object) const {
+  [[nodiscard]] Result<void> check_keys(const Value& object) const {
     std::vector<std::string_view> keys;
     for (std::uint32_t i = 0; i < object.children.size; ++i) {
       keys.push_back(tree_.view(tree_.values[object.children.offset + i].key));

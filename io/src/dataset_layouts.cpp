@@ -69,8 +69,7 @@ void take_intrinsics(const fs::path& folder,
 /// Pattern `*suffix` of the first file in `folder` that ends in a picture's extension; empty: none.
 std::string pictures_in(const fs::path& root, const std::string& folder, std::string_view stem) {
   for (const char* extension : {".png", ".jpg", ".jpeg", ".pgm", ".bmp"}) {
-    const std::string pattern =
-        (folder.empty() ? "" : folder + "/") + std::string(stem) + extension;
+    std::string pattern = (folder.empty() ? "" : folder + "/") + std::string(stem) + extension;
     if (const auto list = list_pictures(root, pattern); list && !list->empty()) return pattern;
   }
   return {};

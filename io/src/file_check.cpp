@@ -27,6 +27,8 @@ Result<Verdict> judge(const std::filesystem::path& path,
       return judge_intrinsics(path, options.size);
     case FileKind::kDetections:
       return judge_detections(path);
+    case FileKind::kConfig:
+      return judge_config(path);
     case FileKind::kDataset:
       return judge_dataset(path);
     default:

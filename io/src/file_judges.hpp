@@ -27,6 +27,9 @@ struct Verdict {
 [[nodiscard]] Result<Verdict> judge_intrinsics(const std::filesystem::path& path,
                                                PictureSize expected);
 [[nodiscard]] Result<Verdict> judge_detections(const std::filesystem::path& path);
+/// A file of options, or a bare map configuration as text; files that it names and that are absent
+/// are findings.
+[[nodiscard]] Result<Verdict> judge_config(const std::filesystem::path& path);
 /// A folder, every frame of it, or a description (`dataset.yaml`) as text.
 [[nodiscard]] Result<Verdict> judge_dataset(const std::filesystem::path& path);
 

@@ -82,6 +82,41 @@ TEST(FileCheck, ADatasetIsReadFrameByFrame) {
   EXPECT_EQ(check_file(data.folder).exit_code(), 2);
 }
 
+TEST(FileCheck, FilesThatAConfigurationNamesAndThatAreAbsentAreFindings) {
+  const TempDir dir;
+  write_text(dir / "c.yaml",
+             "layers:\n"
+             "  - {class: OccupancyGridLayer, name: occ, frame_id: map, load_file: true}\n"
+             "  - {class: SemanticLayer, name: sem, frame_id: map, load_file: true, file: s}\n");
+  write_text(dir / "occ.yaml", "");
+  const FileJudgement judgement = check_file(dir / "c.yaml");
+  EXPECT_EQ(judgement.exit_code(), 1) << first_finding(judgement);
+  ASSERT_THAT(judgement.findings, SizeIs(1));
+  EXPECT_THAT(first_finding(judgement), HasSubstr("layers[1].file"));
+}
+
+TEST(FileCheck, AFileOfOptionsIsJudgedByItsNamesAndRanges) {
+  const TempDir dir;
+  EXPECT_EQ(check_file(test::source_path("data/options/smap.yaml")).summary, "options");
+  write_text(dir / "o.yaml", "octree: {resolution_m: 0}\n");
+  EXPECT_EQ(check_file(dir / "o.yaml").exit_code(), 2);
+}
+
+TEST(FileCheck, HostileConfigurationsAreRefused) {
+  HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
+  for (const char* name : {"err_alias_bomb",
+                           "err_deep_flow_450_closed",
+                           "err_deep_block_600",
+                           "err_layers_missing",
+                           "err_layer_name_empty_or_slash",
+                           "err_3000_layers"}) {
+    const auto path = test::shared_data(std::string("hostile/yaml/") + name + ".yaml");
+    EXPECT_EQ(check_file(path, {.as = FileKind::kConfig}).exit_code(), 2) << name;
+  }
+  // Its layers' files are absent there.
+  EXPECT_EQ(check_file(test::shared_data("hostile/yaml/ok_config.yaml")).exit_code(), 1);
+}
+
 // --- hostile files by others: each gives what the index says ---
 
 class HostileFiles : public ::testing::TestWithParam<FileKind> {};
