@@ -14,6 +14,7 @@ namespace {
 
 Result<Segment> dispatch(const RgbdFrame& frame,
                          const Detection& detection,
+                         std::span<const Detection> others,
                          const GeometricSegmentationOptions& options,
                          StepRecorder* recorder) {
   switch (options.policy) {
@@ -24,16 +25,17 @@ Result<Segment> dispatch(const RgbdFrame& frame,
     case SegmentationPolicy::kForeground:
       break;
   }
-  return segment_by_foreground(frame, detection, options, recorder);
+  return segment_by_foreground(frame, detection, others, options, recorder);
 }
 
 /// PCL throws; no exception leaves a public function.
 Result<Segment> dispatch_without_throwing(const RgbdFrame& frame,
                                           const Detection& detection,
+                                          std::span<const Detection> others,
                                           const GeometricSegmentationOptions& options,
                                           StepRecorder* recorder) {
   try {
-    return dispatch(frame, detection, options, recorder);
+    return dispatch(frame, detection, others, options, recorder);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "not enough memory", "segmentation");
   } catch (const std::exception& thrown) {
@@ -46,7 +48,7 @@ Result<Segment> dispatch_without_throwing(const RgbdFrame& frame,
 Result<Segment> segment(const RgbdFrame& frame,
                         const Detection& detection,
                         const GeometricSegmentationOptions& options) {
-  return dispatch_without_throwing(frame, detection, options, nullptr);
+  return dispatch_without_throwing(frame, detection, frame.detections, options, nullptr);
 }
 
 std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
@@ -57,7 +59,7 @@ std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, detections.size(), [&](std::size_t i) {
-      segments[i] = segment(frame, detections[i], options);
+      segments[i] = dispatch_without_throwing(frame, detections[i], detections, options, nullptr);
     });
   });
   return segments;
@@ -67,7 +69,8 @@ SegmentationTrace trace_segmentation(const RgbdFrame& frame,
                                      const Detection& detection,
                                      const GeometricSegmentationOptions& options) {
   StepRecorder recorder(frame.camera.width_px, frame.camera.height_px);
-  Result<Segment> found = dispatch_without_throwing(frame, detection, options, &recorder);
+  Result<Segment> found =
+      dispatch_without_throwing(frame, detection, frame.detections, options, &recorder);
   return {.steps = std::move(recorder).take(), .segment = std::move(found)};
 }
 

@@ -13,7 +13,13 @@ namespace {
 
 constexpr std::size_t kMaxSamples = 500;
 constexpr int kHorizontalTries = 24;
-constexpr int kFreeTries = 60;
+constexpr int kVerticalTries = 40;
+constexpr int kFreeTries = 40;
+constexpr int kRefinements = 3;
+/// Floors, tables and walls are level or upright; other planes have to be clearly better.
+constexpr double kFreeHandicap = 0.75;
+/// Cosine of 3 degrees, what the up axis of a map may be off.
+constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -86,30 +92,67 @@ Plane refined(const Plane& plane, const Points& points, const ForegroundOptions&
   return {normal.cast<float>(), static_cast<float>(-normal.dot(mean))};
 }
 
+/// The best of planes that were tried.
+class Contest {
+ public:
+  Contest(const Points& points, const ForegroundOptions& options)
+      : points_(points), options_(options) {}
+
+  /// `handicap` times its support is what counts.
+  void consider(const Plane& plane, double handicap = 1.0) {
+    const double value = handicap * static_cast<double>(support(plane, points_, options_));
+    if (value <= best_value_) return;
+    best_ = plane;
+    best_value_ = value;
+    handicap_ = handicap;
+  }
+
+  /// Moves the best plane into the middle of its points while that gains support. To turn a level
+  /// or upright plane by more than the map may lean has to gain more: it may join two parallel
+  /// faces.
+  void refine() {
+    const Eigen::Vector3f normal = best_.normal;
+    for (int round = 0; round < kRefinements; ++round) {
+      const Plane next = refined(best_, points_, options_);
+      const bool turns = std::abs(next.normal.dot(normal)) < kLeanCos;
+      consider(next, turns ? kFreeHandicap : handicap_);
+    }
+  }
+
+  [[nodiscard]] const Plane& best() const { return best_; }
+
+ private:
+  const Points& points_;
+  const ForegroundOptions& options_;
+  Plane best_;
+  double best_value_ = 0.0;
+  double handicap_ = 1.0;
+};
+
 Plane best_plane(const Points& points,
                  const Eigen::Vector3f& up_in_camera,
                  const ForegroundOptions& options,
                  Dice& dice) {
-  Plane best;
-  std::size_t best_support = 0;
-  const auto consider = [&](const Plane& plane) {
-    const std::size_t supported = support(plane, points, options);
-    if (supported <= best_support) return;
-    best = plane;
-    best_support = supported;
+  Contest contest(points, options);
+  const auto any_point = [&]() -> const Eigen::Vector3f& {
+    return points[dice.below(points.size())];
   };
   for (int i = 0; i < kHorizontalTries; ++i) {
-    const Eigen::Vector3f& point = points[dice.below(points.size())];
-    consider({up_in_camera, -up_in_camera.dot(point)});
+    contest.consider({up_in_camera, -up_in_camera.dot(any_point())});
+  }
+  for (int i = 0; i < kVerticalTries; ++i) {
+    const Eigen::Vector3f& a = any_point();
+    const auto plane = plane_through(a, any_point(), a + up_in_camera);
+    if (plane) contest.consider(*plane);
   }
   for (int i = 0; i < kFreeTries; ++i) {
-    const Eigen::Vector3f& a = points[dice.below(points.size())];
-    const Eigen::Vector3f& b = points[dice.below(points.size())];
-    const Eigen::Vector3f& c = points[dice.below(points.size())];
-    if (const std::optional<Plane> plane = plane_through(a, b, c)) consider(*plane);
+    const Eigen::Vector3f& a = any_point();
+    const Eigen::Vector3f& b = any_point();
+    const auto plane = plane_through(a, b, any_point());
+    if (plane) contest.consider(*plane, kFreeHandicap);
   }
-  for (int round = 0; round < 3; ++round) consider(refined(best, points, options));
-  return best;
+  contest.refine();
+  return contest.best();
 }
 
 }  // namespace
@@ -132,13 +175,17 @@ std::vector<Plane> background_planes(const DepthWindow& window,
   const auto least = std::max(
       kLeastSupport,
       static_cast<std::size_t>(options.plane_min_share * static_cast<double>(points.size())));
+  // What is left of a plane at twice its thickness is its own noise, not another plane.
+  ForegroundOptions wide = options;
+  wide.plane_thickness_m *= 2.0;
+  wide.noise_factor *= 2.0;
   std::vector<Plane> planes;
   Dice dice;
   while (planes.size() < static_cast<std::size_t>(options.max_planes) && points.size() >= least) {
     const Plane plane = best_plane(points, up_in_camera, options, dice);
     if (support(plane, points, options) < least) break;
     planes.push_back(plane);
-    std::erase_if(points, [&](const auto& point) { return lies_on(plane, point, options); });
+    std::erase_if(points, [&](const auto& point) { return lies_on(plane, point, wide); });
   }
   return planes;
 }

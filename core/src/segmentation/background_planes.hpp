@@ -28,8 +28,9 @@ struct Plane {
 
 /// The planes that hold most of what is outside the box, the largest first.
 ///
-/// RANSAC over horizontal planes through one point (the map's z axis is up) and free planes through
-/// three, each refined by least squares; the random numbers are fixed, so the result is.
+/// RANSAC over horizontal planes through one point (the map's z axis is up), upright ones through
+/// two and free ones through three, each refined by least squares; the random numbers are fixed, so
+/// the result is.
 [[nodiscard]] std::vector<Plane> background_planes(const DepthWindow& window,
                                                    const Eigen::Vector3f& up_in_camera,
                                                    const ForegroundOptions& options);

@@ -11,8 +11,18 @@ namespace {
 
 /// A hole in the depth of this many pixels does not part a surface.
 constexpr int kBridgePx = 2;
+/// Sensors lose this many pixels at the edge between a thing and what it hides.
+constexpr int kEdgePx = 10;
 
 constexpr std::array<std::pair<int, int>, 4> kDirections{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+void extend(PixelRect& bounds, int x, int y) {
+  bounds = bounds.empty() ? PixelRect{x, y, x + 1, y + 1}
+                          : PixelRect{std::min(bounds.u_begin, x),
+                                      std::min(bounds.v_begin, y),
+                                      std::max(bounds.u_end, x + 1),
+                                      std::max(bounds.v_end, y + 1)};
+}
 
 class Labeller {
  public:
@@ -22,7 +32,8 @@ class Labeller {
       : window_(window),
         kind_of_cell_(kind_of_cell),
         options_(options),
-        reach_(1 + kBridgePx / window.block_px) {
+        reach_(1 + kBridgePx / window.block_px),
+        edge_reach_(1 + kEdgePx / window.block_px) {
     result_.of_cell.assign(window.size(), kNoComponent);
   }
 
@@ -51,19 +62,27 @@ class Labeller {
     result_.components.push_back(component_);
   }
 
-  /// The nearest measured cell in a direction, over a hole of at most kBridgePx.
+  /// Looks at the nearest measured cell in a direction: a depth edge, or more of the surface.
   void visit_towards(int x, int y, int dx, int dy) {
     const std::size_t from = window_.cell(x, y);
-    for (int distance = 1; distance <= reach_; ++distance) {
+    for (int distance = 1; distance <= edge_reach_; ++distance) {
       const int nx = x + distance * dx;
       const int ny = y + distance * dy;
       if (nx < 0 || ny < 0 || nx >= window_.width() || ny >= window_.height()) return;
       const std::size_t to = window_.cell(nx, ny);
       if (window_.depth_m[to] == 0.0F) continue;
-      if (is_open(to) && kind_of_cell_[to] == component_.kind && same_surface(from, to))
+      if (!same_surface(from, to)) {
+        count_edge(x, y, window_.depth_m[from] < window_.depth_m[to]);
+      } else if (distance <= reach_ && is_open(to) && kind_of_cell_[to] == component_.kind) {
         take(nx, ny);
+      }
       return;
     }
+  }
+
+  void count_edge(int x, int y, bool is_before) {
+    if (!window_.box.contains(x, y)) return;
+    ++(is_before ? component_.num_before : component_.num_behind);
   }
 
   [[nodiscard]] bool same_surface(std::size_t from, std::size_t to) const {
@@ -75,14 +94,10 @@ class Labeller {
   void take(int x, int y) {
     result_.of_cell[window_.cell(x, y)] = static_cast<std::uint32_t>(result_.components.size());
     stack_.emplace_back(x, y);
+    extend(component_.bounds, x, y);
     if (!window_.tolerant_box.contains(x, y)) ++component_.num_outside;
     if (!window_.box.contains(x, y)) return;
-    PixelRect& bounds = component_.bounds_in_box;
-    bounds = component_.num_in_box == 0 ? PixelRect{x, y, x + 1, y + 1}
-                                        : PixelRect{std::min(bounds.u_begin, x),
-                                                    std::min(bounds.v_begin, y),
-                                                    std::max(bounds.u_end, x + 1),
-                                                    std::max(bounds.v_end, y + 1)};
+    extend(component_.bounds_in_box, x, y);
     ++component_.num_in_box;
   }
 
@@ -90,6 +105,7 @@ class Labeller {
   const std::vector<std::uint8_t>& kind_of_cell_;
   const ForegroundOptions& options_;
   int reach_;
+  int edge_reach_;
   DepthComponents result_;
   DepthComponent component_;
   std::vector<std::pair<int, int>> stack_;

@@ -17,6 +17,15 @@ struct DepthComponent {
   std::uint32_t num_outside = 0;  ///< Its cells outside the tolerant box.
   PixelRect bounds_in_box = {};   ///< Of its cells within the box. Unit: cell.
 
+  PixelRect bounds = {};         ///< Of all its cells. Unit: cell.
+  std::uint32_t num_before = 0;  ///< Steps in depth at its edge down to what it hides.
+  std::uint32_t num_behind = 0;  ///< Steps in depth at its edge up to what hides it.
+
+  /// Share of its depth edges that are its own outline; 0.5 when it has none. A thing that stands
+  /// free has 1, the wall seen through the back of a chair 0.
+  [[nodiscard]] double outline_share() const {
+    return (1.0 + num_before) / (2.0 + num_before + num_behind);
+  }
   /// Share of the surface that lies outside the box.
   [[nodiscard]] double outside_share() const {
     const double all = static_cast<double>(num_in_box) + static_cast<double>(num_outside);
@@ -31,7 +40,7 @@ struct DepthComponents {
 
 inline constexpr std::uint32_t kNoComponent = 0xFFFFFFFFU;
 
-/// Joins cells of equal kind that are neighbours (across up to two cells without measurement) and
+/// Joins cells of equal kind that are neighbours (across up to two pixels without measurement) and
 /// differ in depth by no more than the step of one surface. Numbered by their first cell.
 /// Cost: O(cells).
 [[nodiscard]] DepthComponents connected_components(const DepthWindow& window,

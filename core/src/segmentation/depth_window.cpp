@@ -10,6 +10,7 @@ namespace {
 /// A detector's edges are off by a few percent; what sticks out so little is still inside.
 constexpr double kBoxToleranceShare = 0.06;
 constexpr double kBoxTolerancePx = 1.5;
+constexpr double kSameThingOverlap = 0.7;
 
 /// Larger windows are looked at in blocks, so that a couch costs no more than a chair.
 constexpr int kMaxCells = 32768;
@@ -86,6 +87,28 @@ PixelRect cells_in(const PixelRect& pixels, const DepthWindow& window) {
   return cells;
 }
 
+double overlap(const PixelBox& a, const PixelBox& b) {
+  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
+  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
+  const double common = std::max(0.0, width) * std::max(0.0, height);
+  return common / (a.width_px() * a.height_px() + b.width_px() * b.height_px() - common);
+}
+
+/// Boxes of other things. A box almost the same as ours may be another name for our thing.
+std::vector<PixelRect> rivals_of(const PixelBox& box_px,
+                                 std::span<const Detection> others,
+                                 const PinholeCamera& camera,
+                                 const DepthWindow& window) {
+  std::vector<PixelRect> rivals;
+  for (const Detection& other : others) {
+    if (!(overlap(other.box_px, box_px) < kSameThingOverlap)) continue;
+    const PixelRect pixels = pixels_in(other.box_px, camera.width_px, camera.height_px);
+    const PixelRect cells = cells_in(pixels, window);
+    if (!cells.empty()) rivals.push_back(cells);
+  }
+  return rivals;
+}
+
 PixelBox bounds_of(const MaskImage& mask) {
   PixelBox box{static_cast<double>(mask.width_px()), static_cast<double>(mask.height_px()), 0, 0};
   for (int v = 0; v < mask.height_px(); ++v) {
@@ -104,6 +127,7 @@ PixelBox bounds_of(const MaskImage& mask) {
 
 DepthWindow make_depth_window(const RgbdFrame& frame,
                               const Detection& detection,
+                              std::span<const Detection> others,
                               const GeometricSegmentationOptions& options) {
   const PixelBox box_px = detection.mask ? bounds_of(*detection.mask) : detection.box_px;
   const ForegroundOptions& foreground = options.foreground;
@@ -132,6 +156,7 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   }
   window.box = cells_in(box, window);
   window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
+  window.rivals = rivals_of(box_px, others, frame.camera, window);
   const DepthReader reader(frame, detection, options);
   window.depth_m.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace hypermap {
@@ -17,13 +18,14 @@ namespace hypermap {
 /// A cut-out of a depth picture in cells: pixels, or square blocks of them when the cut-out is
 /// large. Row-major.
 struct DepthWindow {
-  PixelRect rect;              ///< What is cut out: the box and its surroundings. Unit: pixel.
-  int block_px = 1;            ///< Edge of a cell.
-  PixelRect box;               ///< The cells in the box.
-  PixelRect tolerant_box;      ///< The cells in the box with room for a detector's inaccuracy.
-  std::vector<float> depth_m;  ///< Smoothed; 0 where nothing was measured within range.
-  std::vector<float> slope_x;  ///< Per column, x / z of its ray.
-  std::vector<float> slope_y;  ///< Per row, y / z of its ray.
+  PixelRect rect;                 ///< What is cut out: the box and its surroundings. Unit: pixel.
+  int block_px = 1;               ///< Edge of a cell.
+  PixelRect box;                  ///< The cells in the box.
+  PixelRect tolerant_box;         ///< The cells in the box with room for a detector's inaccuracy.
+  std::vector<PixelRect> rivals;  ///< The cells in the boxes of other detections.
+  std::vector<float> depth_m;     ///< Smoothed; 0 where nothing was measured within range.
+  std::vector<float> slope_x;     ///< Per column, x / z of its ray.
+  std::vector<float> slope_y;     ///< Per row, y / z of its ray.
 
   [[nodiscard]] int width() const { return static_cast<int>(slope_x.size()); }
   [[nodiscard]] int height() const { return static_cast<int>(slope_y.size()); }
@@ -52,9 +54,10 @@ struct DepthWindow {
 /// Cuts the window out and smooths it: each depth becomes the mean of its 3 x 3 pixels on the same
 /// surface. Independent noise falls to a third, which is what lifts a keyboard out of its table.
 /// Empty when the box lies outside the picture; where there is a mask, it replaces the box, and
-/// pixels outside it are no measurement.
+/// pixels outside it are no measurement. `others` are all detections of the picture.
 [[nodiscard]] DepthWindow make_depth_window(const RgbdFrame& frame,
                                             const Detection& detection,
+                                            std::span<const Detection> others,
                                             const GeometricSegmentationOptions& options);
 
 /// How much two neighbouring pixels of one surface may differ in depth around `depth_m`.

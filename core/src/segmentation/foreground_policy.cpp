@@ -15,6 +15,8 @@ namespace {
 
 /// Share of the box that a patch of a plane covers at least to be taken for a part of the thing.
 constexpr double kPatchShare = 0.03;
+/// And how much of its edge is its own outline: a seat is in front of the floor, a floor is not.
+constexpr double kPatchMinOutline = 0.7;
 /// A cell with fewer neighbours of the thing hangs in the air between two surfaces.
 constexpr int kLeastNeighbours = 3;
 
@@ -37,7 +39,8 @@ std::vector<std::uint8_t> plane_of_cells(const DepthWindow& window,
 }
 
 /// A plane found outside may go on through the thing: the seats of two chairs are of one height.
-/// What lies on it inside the box, and is not joined with the outside, is no background.
+/// What lies on it inside the box, and is not joined with the outside, is no background unless it
+/// is seen through the thing.
 DepthComponents surfaces_of(const DepthWindow& window,
                             std::vector<std::uint8_t> plane_of_cell,
                             const ForegroundOptions& options) {
@@ -46,7 +49,8 @@ DepthComponents surfaces_of(const DepthWindow& window,
   std::vector<std::uint8_t> is_freed(labelled.components.size(), 0);
   for (std::size_t id = 0; id < is_freed.size(); ++id) {
     const DepthComponent& component = labelled.components[id];
-    const bool is_inside = component.outside_share() <= options.part_max_outside;
+    const bool is_inside = component.outside_share() <= options.part_max_outside &&
+                           component.outline_share() >= kPatchMinOutline;
     is_freed[id] = component.kind != 0 && component.num_in_box >= least && is_inside ? 1 : 0;
   }
   if (std::find(is_freed.begin(), is_freed.end(), 1) == is_freed.end()) return labelled;
@@ -168,10 +172,11 @@ class Notes {
 
 Result<Segment> segment_by_foreground(const RgbdFrame& frame,
                                       const Detection& detection,
+                                      std::span<const Detection> others,
                                       const GeometricSegmentationOptions& options,
                                       StepRecorder* recorder) {
   const ForegroundOptions& foreground = options.foreground;
-  const DepthWindow window = make_depth_window(frame, detection, options);
+  const DepthWindow window = make_depth_window(frame, detection, others, options);
   if (window.box.empty()) return nothing_left("crop");
   Notes notes(recorder, frame, window);
   const auto if_measured = [&](std::size_t cell, std::int32_t label) {

@@ -49,8 +49,10 @@ struct PixelCloud {
                                                         const GeometricSegmentationOptions& options,
                                                         StepRecorder* recorder);
 
+/// `others` are all detections of the picture: what fills another's box better is not this thing.
 [[nodiscard]] Result<Segment> segment_by_foreground(const RgbdFrame& frame,
                                                     const Detection& detection,
+                                                    std::span<const Detection> others,
                                                     const GeometricSegmentationOptions& options,
                                                     StepRecorder* recorder);
 

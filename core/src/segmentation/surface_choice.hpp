@@ -16,7 +16,8 @@ using ComponentIds = std::vector<std::uint32_t>;  ///< Positions in the componen
 
 /// The surface that explains the box best (large in it, absent outside it, from edge to edge) and
 /// the parts that complete it; a flat patch of its support when nothing stands out. Empty when
-/// nothing lies in the box. `upright_from_camera` turns the camera's axes so that z is up.
+/// nothing lies in the box, or only background and other detections' things. `upright_from_camera`
+/// turns the camera's axes so that z is up.
 [[nodiscard]] ComponentIds choose_surfaces(const DepthWindow& window,
                                            const DepthComponents& labelled,
                                            const Eigen::Matrix3f& upright_from_camera,

@@ -35,10 +35,10 @@ struct ForegroundOptions {
   double context_share = 0.3;
   /// At least this many pixels around the box, so that small boxes see their support. Unit: pixel.
   int context_min_px = 16;
-  /// Planes taken for background at most; 0 removes none. Floor, table top, wall: 3.
-  int max_planes = 3;
+  /// Planes taken for background at most; 0 removes none. Floor, table top, walls: 5.
+  int max_planes = 5;
   /// A plane is background when it holds this share of the valid pixels around the box.
-  double plane_min_share = 0.12;
+  double plane_min_share = 0.06;
   /// Half thickness of a background plane without noise; the sensor's noise is added. Unit: metre.
   double plane_thickness_m = 0.007;
   /// Times the sensor's axial noise (1.2 mm + 1.9 mm (z - 0.4)^2) that a plane tolerates after
@@ -127,6 +127,8 @@ struct GeometricSegmentationOptions {
 
 /// Finds the thing that `detection` names in the depth of `frame`.
 ///
+/// Policy kForeground also looks at the boxes of `frame.detections`: a surface that fills another
+/// box better is not this thing. Whether `detection` is among them does not matter.
 /// Requires: validate(frame), validate(options).
 /// Errors: kNotFound with the step after which nothing was left.
 /// Boundary: depth that is 0, negative, NaN or infinite is no measurement; a box that leaves the
@@ -137,8 +139,8 @@ struct GeometricSegmentationOptions {
                                       const Detection& detection,
                                       const GeometricSegmentationOptions& options);
 
-/// `segment` for each detection, in parallel, in their order; the same result with any number of
-/// threads. Requires: threads >= 1.
+/// `segment` for each detection, in parallel, in their order, `detections` in the place of
+/// `frame.detections`; the same result with any number of threads. Requires: threads >= 1.
 [[nodiscard]] std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
                                                        std::span<const Detection> detections,
                                                        const GeometricSegmentationOptions& options,
