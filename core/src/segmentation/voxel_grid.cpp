@@ -29,7 +29,7 @@ class KeyNumbering {
  public:
   std::uint32_t number_of(std::uint64_t key) {
     if (count_ > 0 && key == last_.key) return last_.number;
-    if (2 * (count_ + 1) > slots_.size()) grow();
+    if (std::size_t{2} * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slot_of(key);
     if (slot.number == kFree) slot = {key, count_++};
     last_ = slot;
