@@ -66,7 +66,7 @@ MapFromCamera camera_pose(const State& state) {
 
 }  // namespace
 
-Result<CameraPath> CameraPath::create(std::vector<CameraWaypoint> waypoints,
+Result<CameraPath> CameraPath::create(const std::vector<CameraWaypoint>& waypoints,
                                       const Options& options) {
   if (!(options.speed_m_per_s > 0.0) || !(options.turn_rate_rad_per_s > 0.0))
     return fail(ErrorCode::kInvalidArgument, "speed and turn rate must be > 0", "path");

@@ -131,7 +131,7 @@ class FramePipeline {
       return num_started_++;
     };
     const auto make = [this](std::size_t index) { return make_frame(simulator_, index, folder_); };
-    const auto take = [this](Result<FrameRecord> record) { take_over(record); };
+    const auto take = [this](const Result<FrameRecord>& record) { take_over(record); };
     tbb::parallel_pipeline(
         max_frames_in_flight,
         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, next) &
@@ -148,7 +148,7 @@ class FramePipeline {
     if (progress_) progress_(report_.num_frames, simulator_.size());
   }
 
-  Result<void> write_lists() const {
+  [[nodiscard]] Result<void> write_lists() const {
     HYPERMAP_TRY(folder_.write("rgb.txt", lists_.color));
     HYPERMAP_TRY(folder_.write("depth.txt", lists_.depth));
     HYPERMAP_TRY(folder_.write("groundtruth.txt", lists_.poses));

@@ -17,6 +17,7 @@ constexpr int kMaxFrames = 100'000;
 /// Moments that divide the camera's way evenly, the first and last included.
 std::vector<double> moments(const CameraPath& path, int num_frames) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(num_frames));
   for (int i = 0; i < num_frames; ++i)
     times.push_back(num_frames == 1 ? 0.0 : path.duration_s() * i / (num_frames - 1));
   return times;
@@ -75,6 +76,7 @@ struct Simulator::Impl {
       return object.visible_px < options.detector.min_visible_px;
     });
     std::vector<ObjectId> ids;
+    ids.reserve(seen.size());
     for (const VisibleObject& object : seen) ids.push_back(object.id);
     const auto shares = renderer.unhidden_shares(view, ids, options.camera, pose);
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i].unhidden_share = shares[i];
@@ -97,6 +99,7 @@ Result<Simulator> Simulator::create(const Scene& scene, const SimulationOptions&
                             SimulatedDetector::create(options.detector, classes, options.seed));
   const std::vector<double> times_s = moments(path, options.num_frames);
   std::vector<MapFromCamera> true_poses;
+  true_poses.reserve(times_s.size());
   for (const double time_s : times_s) true_poses.push_back(path.pose_at(time_s));
   std::vector<MapFromCamera> recorded = drifted(true_poses, options.pose_noise, options.seed);
   auto impl = std::make_unique<Impl>(Impl{options,

@@ -100,7 +100,7 @@ Vector3f notes(const Vector3f& base, const Vector2f& at) {
 Vector3f surface_color(const SurfaceMaterial& material,
                        const Vector3f& point,
                        const Vector3f& normal) {
-  const Vector3f base = Vector3f(material.color.r, material.color.g, material.color.b) / 255.0F;
+  Vector3f base = Vector3f(material.color.r, material.color.g, material.color.b) / 255.0F;
   const Vector2f at = along_surface(point, normal);
   switch (material.pattern) {
     case SurfacePattern::kPlain:

@@ -69,6 +69,7 @@ bool meets_cell(const std::vector<Vector2d>& polygon, Cell cell) {
 void mark_surface(const std::vector<Vector3d>& in_band, OccupancyGrid& grid) {
   if (in_band.size() < 2) return;
   std::vector<Vector2d> shadow;
+  shadow.reserve(in_band.size());
   for (const Vector3d& point : in_band)
     shadow.push_back(to_cells(grid.geometry(), point.head<2>()));
   const auto [low_x, high_x] = extent_along(shadow, Vector2d::UnitX());
@@ -84,6 +85,7 @@ void mark_surface(const std::vector<Vector3d>& in_band, OccupancyGrid& grid) {
 void mark_mesh(const TriangleMesh& mesh, const TrueOccupancyOptions& options, OccupancyGrid& grid) {
   for (const auto& triangle : mesh.triangles) {
     std::vector<Vector3d> corners;
+    corners.reserve(triangle.size());
     for (const std::uint32_t index : triangle)
       corners.push_back(mesh.vertices[index].cast<double>());
     const auto above = cut_at(corners, options.min_height_m, 1.0);

@@ -35,7 +35,7 @@ class CameraPath {
 
   /// Errors: kInvalidArgument: fewer than two waypoints, a coordinate that is not finite, a gaze
   /// target within 1 cm of its camera or straight above or below it, a speed that is not positive.
-  [[nodiscard]] static Result<CameraPath> create(std::vector<CameraWaypoint> waypoints,
+  [[nodiscard]] static Result<CameraPath> create(const std::vector<CameraWaypoint>& waypoints,
                                                  const Options& options);
 
   [[nodiscard]] double duration_s() const noexcept { return knots_.back().time_s; }
