@@ -17,7 +17,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kMarginCells = 2;  // unknown cells around the room
+constexpr int kMarginCells = 2;   // unknown cells around the room
+constexpr double kSnap = 4096.0;  // steps a cell
 
 /// The part of a convex polygon on one side of a height: `sign` 1 keeps what is above.
 std::vector<Vector3d> cut_at(const std::vector<Vector3d>& polygon, double height_m, double sign) {
@@ -33,6 +34,12 @@ std::vector<Vector3d> cut_at(const std::vector<Vector3d>& polygon, double height
   return kept;
 }
 
+/// Coordinates in cells without the error of single precision, so that what lies on a cell's edge
+/// does so exactly.
+Vector2d snapped(const Vector2d& in_cells) {
+  return (kSnap * in_cells).array().round().matrix() / kSnap;
+}
+
 /// Extent of points along a direction.
 template <class Points>
 std::pair<double, double> extent_along(const Points& points, const Vector2d& direction) {
@@ -45,24 +52,24 @@ std::pair<double, double> extent_along(const Points& points, const Vector2d& dir
   return {low, high};
 }
 
-/// Separating axes of a convex polygon (perhaps a line) and a cell of edge 1; touching is no
-/// meeting.
+/// Separating axes of a convex polygon (perhaps a line) and a cell of edge 1 that holds its lower
+/// and left edges, as `cell_at` has it.
 bool meets_cell(const std::vector<Vector2d>& polygon, Cell cell) {
-  constexpr double kTouch = 1e-9;
   const Vector2d corner(cell.col, cell.row);
+  for (const Vector2d& axis : {Vector2d(1, 0), Vector2d(0, 1)}) {
+    const auto [low, high] = extent_along(polygon, axis);
+    if (high < corner.dot(axis) || low >= corner.dot(axis) + 1.0) return false;
+  }
   const std::array<Vector2d, 4> square{
       corner, corner + Vector2d(1, 0), corner + Vector2d(1, 1), corner + Vector2d(0, 1)};
-  std::vector<Vector2d> axes{Vector2d::UnitX(), Vector2d::UnitY()};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    axes.emplace_back(-edge.y(), edge.x());
-  }
-  return std::ranges::none_of(axes, [&](const Vector2d& axis) {
+    const Vector2d axis(-edge.y(), edge.x());
     const auto [polygon_low, polygon_high] = extent_along(polygon, axis);
     const auto [cell_low, cell_high] = extent_along(square, axis);
-    const double touch = kTouch * axis.norm();
-    return polygon_high <= cell_low + touch || cell_high <= polygon_low + touch;
-  });
+    if (polygon_high < cell_low || cell_high < polygon_low) return false;
+  }
+  return true;
 }
 
 /// Marks the cells that a surface meets inside the band.
@@ -71,7 +78,7 @@ void mark_surface(const std::vector<Vector3d>& in_band, OccupancyGrid& grid) {
   std::vector<Vector2d> shadow;
   shadow.reserve(in_band.size());
   for (const Vector3d& point : in_band)
-    shadow.push_back(to_cells(grid.geometry(), point.head<2>()));
+    shadow.push_back(snapped(to_cells(grid.geometry(), point.head<2>())));
   const auto [low_x, high_x] = extent_along(shadow, Vector2d::UnitX());
   const auto [low_y, high_y] = extent_along(shadow, Vector2d::UnitY());
   for (int row = static_cast<int>(std::floor(low_y)); row <= high_y; ++row) {

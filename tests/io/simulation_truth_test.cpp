@@ -34,13 +34,13 @@ TEST(SimulationTruth, OccupancyHasWallsAndThingsAndWhatCanBeReached) {
   EXPECT_EQ(grid->at_point({1.025, 0.5}), kOccupiedCell);
   EXPECT_EQ(grid->at_point({1.1, 0.5}), kUnknownCell);    // inside the pillar
   EXPECT_EQ(grid->at_point({-0.12, 0.5}), kUnknownCell);  // behind the wall
-  // The pillar's outline in cells of 5 cm: 4 x 4 less the inner 2 x 2.
+  // Faces at 1.0 and 1.2 lie in the cells from there on: 5 x 5 cells less the inner 3 x 3.
   int occupied = 0;
   for (double x = 0.925; x < 1.3; x += 0.05) {
     for (double y = 0.325; y < 0.7; y += 0.05)
       occupied += grid->at_point({x, y}) == kOccupiedCell ? 1 : 0;
   }
-  EXPECT_EQ(occupied, 12);
+  EXPECT_EQ(occupied, 16);
 }
 
 TEST(SimulationTruth, SurfacesAreCutAtTheBand) {
@@ -57,7 +57,7 @@ TEST(SimulationTruth, SurfacesAreCutAtTheBand) {
   EXPECT_EQ(grid->at_point({1.475, 0.2}), kFreeCell);
   EXPECT_EQ(grid->at_point({1.525, 0.2}), kOccupiedCell);
   EXPECT_EQ(grid->at_point({1.775, 0.2}), kOccupiedCell);
-  EXPECT_EQ(grid->at_point({1.825, 0.2}), kFreeCell);
+  EXPECT_EQ(grid->at_point({1.875, 0.2}), kFreeCell);
 }
 
 TEST(SimulationTruth, BadBandsAreRefused) {

@@ -34,7 +34,8 @@ struct TrueOccupancyOptions {
 /// unknown: the inside of things, what lies behind walls.
 ///
 /// Errors: kInvalidArgument for the band; those of `OccupancyGrid::create`.
-/// Boundary: a surface that only touches a cell's edge does not occupy it.
+/// Boundary: a point on the edge between two cells belongs as `cell_at` says, so that a wall on an
+/// edge occupies one row of cells.
 [[nodiscard]] Result<OccupancyGrid> true_occupancy(const FurnishedScene& scene,
                                                    std::span<const CameraWaypoint> way,
                                                    const TrueOccupancyOptions& options = {});
