@@ -12,12 +12,16 @@ namespace {
 
 constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 
-/// Text that every YAML reader takes as one bare scalar, inside and outside flow collections.
-bool is_safe_bare(std::string_view text) {
+/// Whether the scalar stands within brackets or braces, where commas separate.
+enum class Place { kBlock, kFlow };
+
+/// Text that every YAML reader takes as one bare scalar.
+bool is_safe_bare(std::string_view text, Place place) {
   constexpr std::string_view kNeverFirst = "!&*-?|>@`%'\"#[]{},:=<~ ";
-  constexpr std::string_view kNever = "\"'#[]{},:\\`|>&*!%@";
+  constexpr std::string_view kNever = "\"'#[]{}:\\`|>&*!%@";
   if (text.empty() || kNeverFirst.find(text.front()) != std::string_view::npos) return false;
   if (text.back() == ' ' || text == "..." || text.starts_with("---")) return false;
+  if (place == Place::kFlow && text.find(',') != std::string_view::npos) return false;
   return std::all_of(text.begin(), text.end(), [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte >= 0x20 && byte < 0x7F && kNever.find(c) == std::string_view::npos;
@@ -60,9 +64,10 @@ std::string in_quotes(std::string_view text) {
   return out + "\"";
 }
 
-std::string scalar(const ValueTree& tree) {
+std::string scalar(const ValueTree& tree, Place place) {
   if (tree.kind == ValueKind::kNull) return "~";
-  if (!tree.quoted && (is_bare_number(tree.text) || is_safe_bare(tree.text))) return tree.text;
+  if (!tree.quoted && (is_bare_number(tree.text) || is_safe_bare(tree.text, place)))
+    return tree.text;
   return in_quotes(tree.text);
 }
 
@@ -76,7 +81,7 @@ bool is_empty(const ValueTree& tree) {
 
 // NOLINTBEGIN(misc-no-recursion): the depth of a tree is bounded by whoever made it
 std::string flow(const ValueTree& tree) {
-  if (is_scalar(tree)) return scalar(tree);
+  if (is_scalar(tree)) return scalar(tree, Place::kFlow);
   const bool is_list = tree.kind == ValueKind::kList;
   std::string out = is_list ? "[" : "{";
   std::string_view separator;
@@ -98,11 +103,16 @@ bool fits_one_line(const ValueTree& tree) {
          std::all_of(tree.items.begin(), tree.items.end(), is_scalar);
 }
 
+/// What fits on the rest of a line.
+std::string in_line(const ValueTree& tree) {
+  return is_scalar(tree) ? scalar(tree, Place::kBlock) : flow(tree);
+}
+
 void append_block(std::string& out, const ValueTree& tree, std::size_t indent, bool first_inline);
 
 void append_value(std::string& out, const ValueTree& value, std::size_t indent) {
   if (fits_one_line(value)) {
-    out += " " + flow(value) + "\n";
+    out += " " + in_line(value) + "\n";
   } else {
     out += "\n";
     append_block(out, value, indent, false);
@@ -116,7 +126,7 @@ void append_block(std::string& out, const ValueTree& tree, std::size_t indent, b
   for (const ValueTree& item : tree.items) {
     out += (std::exchange(is_first, false) ? "" : blanks) + "-";
     if (fits_one_line(item)) {
-      out += " " + flow(item) + "\n";
+      out += " " + in_line(item) + "\n";
     } else {
       out += " ";
       append_block(out, item, indent + 2, true);
@@ -132,7 +142,7 @@ void append_block(std::string& out, const ValueTree& tree, std::size_t indent, b
 }  // namespace
 
 std::string yaml_scalar(std::string_view text) {
-  const bool bare = is_safe_bare(text) && !reads_as_no_text(text);
+  const bool bare = is_safe_bare(text, Place::kFlow) && !reads_as_no_text(text);
   return bare ? std::string(text) : in_quotes(text);
 }
 
