@@ -11,36 +11,42 @@
 namespace hypermap {
 namespace {
 
-/// One pixel as its readers see it: samples in 0..1, and the colour as a byte.
+/// One pixel as its readers see it. Sums stay whole numbers, so that thresholds compare exactly.
 struct Shade {
-  double gray = 0.0;  ///< Mean of the colours.
-  double alpha = 1.0;
-  int channels = 1;
+  double colors = 0.0;  ///< Sum over the colour channels.
+  double full = 1.0;    ///< What that sum is for white.
+  double alpha = 0.0;   ///< Of one channel; `white` when there is none.
+  double white = 1.0;   ///< Of one channel.
+  bool has_alpha = false;
 };
 
 Shade shade_of(const Picture& picture, std::size_t pixel) {
   const auto channels = static_cast<std::size_t>(picture.channels);
-  const std::size_t colors = channels - (picture.has_alpha() ? 1 : 0);
+  const std::size_t num_colors = channels - (picture.has_alpha() ? 1 : 0);
   const auto sample = [&](std::size_t c) {
     const std::size_t at = pixel * channels + c;
     const int value = picture.bits == 8 ? int{picture.samples8[at]} : int{picture.samples16[at]};
-    return static_cast<double>(value) / picture.max_value;
+    return static_cast<double>(value);
   };
-  Shade shade{.channels = picture.channels};
-  for (std::size_t c = 0; c < colors; ++c) shade.gray += sample(c);
-  shade.gray /= static_cast<double>(colors);
-  if (picture.has_alpha()) shade.alpha = sample(colors);
+  Shade shade{.full = static_cast<double>(num_colors) * picture.max_value,
+              .white = static_cast<double>(picture.max_value),
+              .has_alpha = picture.has_alpha()};
+  for (std::size_t c = 0; c < num_colors; ++c) shade.colors += sample(c);
+  shade.alpha = shade.has_alpha ? sample(num_colors) : shade.white;
   return shade;
 }
 
 bool is_transparent(const Shade& shade) {
-  return shade.alpha < 1.0;
+  return shade.alpha < shade.white;
 }
 
 /// Source: [hypermap] 3.3.5; `in_between` gives the occupancy for r in [0, 1].
 template <class InBetween>
-std::int8_t by_thresholds(double gray, const MapMetadata& metadata, const InBetween& in_between) {
-  const double p = metadata.negate ? gray : 1.0 - gray;
+std::int8_t by_thresholds(double sum,
+                          double full,
+                          const MapMetadata& metadata,
+                          const InBetween& in_between) {
+  const double p = (metadata.negate ? sum : full - sum) / full;
   if (p > metadata.occupied_thresh) return kOccupiedCell;
   if (p < metadata.free_thresh) return kFreeCell;
   if (metadata.mode == MapMode::kTrinary) return kUnknownCell;
@@ -50,7 +56,7 @@ std::int8_t by_thresholds(double gray, const MapMetadata& metadata, const InBetw
 
 /// The grey value as a byte, negated if asked.
 int raw_value(const Shade& shade, const MapMetadata& metadata) {
-  const int value = static_cast<int>(std::lround(shade.gray * 255.0));
+  const int value = static_cast<int>(std::lround(255.0 * shade.colors / shade.full));
   return metadata.negate ? 255 - value : value;
 }
 
@@ -62,7 +68,7 @@ std::int8_t raw_cell(const Shade& shade, const MapMetadata& metadata) {
 std::int8_t hypermap_cell(const Shade& shade, const MapMetadata& metadata) {
   if (is_transparent(shade)) return kUnknownCell;
   if (metadata.mode == MapMode::kRaw) return raw_cell(shade, metadata);
-  return by_thresholds(shade.gray, metadata, [](double r) {
+  return by_thresholds(shade.colors, shade.full, metadata, [](double r) {
     return static_cast<std::int8_t>(std::lround(100.0 * r));
   });
 }
@@ -70,12 +76,11 @@ std::int8_t hypermap_cell(const Shade& shade, const MapMetadata& metadata) {
 std::int8_t map_server_cell(const Shade& shade, const MapMetadata& metadata) {
   if (metadata.mode == MapMode::kRaw) return raw_cell(shade, metadata);
   if (metadata.mode == MapMode::kScale && is_transparent(shade)) return kUnknownCell;
-  const bool has_alpha = shade.channels == 2 || shade.channels == 4;
-  const bool averages_alpha = metadata.mode == MapMode::kTrinary && has_alpha;
-  const double colors = shade.channels - 1;
-  const double gray =
-      averages_alpha ? (shade.gray * colors + shade.alpha) / shade.channels : shade.gray;
-  return by_thresholds(gray, metadata, [](double r) { return static_cast<std::int8_t>(99.0 * r); });
+  const bool averages_alpha = metadata.mode == MapMode::kTrinary && shade.has_alpha;
+  const double sum = shade.colors + (averages_alpha ? shade.alpha : 0.0);
+  const double full = shade.full + (averages_alpha ? shade.white : 0.0);
+  return by_thresholds(
+      sum, full, metadata, [](double r) { return static_cast<std::int8_t>(99.0 * r); });
 }
 
 /// Raw values that are no occupancy and not 255, which a signed byte reads as -1.
