@@ -43,9 +43,9 @@ Result<std::map<ClassId, OccupancyGrid>> empty_grids(const OccupancyGrid& occupa
 
 }  // namespace
 
-Result<std::vector<ClassGrid>> project_class_grids(const LeafSource& leaves,
-                                                   const HeightBand& band,
-                                                   const OccupancyProjectionOptions& options) {
+Result<std::vector<ClassColumns>> project_class_grids(const LeafSource& leaves,
+                                                      const HeightBand& band,
+                                                      const OccupancyProjectionOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const OccupancyGrid occupancy,
                             project_occupancy(leaves, band, options));
   const GridGeometry& geometry = occupancy.geometry();
@@ -57,7 +57,7 @@ Result<std::vector<ClassGrid>> project_class_grids(const LeafSource& leaves,
       grids.at(*leaf.best_class).set(cell, kOccupiedCell);
     });
   });
-  std::vector<ClassGrid> out;
+  std::vector<ClassColumns> out;
   for (auto& [id, grid] : grids) out.push_back({id, std::move(grid)});
   return out;
 }

@@ -19,7 +19,7 @@ namespace hypermap {
 
 /// 100 where an occupied leaf of the class stands in the column, 0 where the column holds other
 /// things or is free, -1 where it is unknown.
-struct ClassGrid {
+struct ClassColumns {
   ClassId id;
   OccupancyGrid grid;
 };
@@ -27,7 +27,7 @@ struct ClassGrid {
 /// A grid for each class that some occupied leaf in the band bears, by ascending id, all of one
 /// geometry: that of project_occupancy with the same band and options.
 /// Errors: as project_occupancy; kLimit when all grids together have more than 2^30 cells.
-[[nodiscard]] Result<std::vector<ClassGrid>> project_class_grids(
+[[nodiscard]] Result<std::vector<ClassColumns>> project_class_grids(
     const LeafSource& leaves,
     const HeightBand& band = {},
     const OccupancyProjectionOptions& options = {});
