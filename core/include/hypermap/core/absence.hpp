@@ -66,12 +66,12 @@ struct AbsenceOptions {
   /// to detect it; 0 expects it everywhere. Ours.
   double expected_range_factor = 1.1;
   RemovalRule removal = RemovalRule::kExistence;
-  LogOdds min_existence{-2.0};         ///< Public implementation of [hypermap]: -5
-  Probability min_confidence{0.5};     ///< [smap] table D.2, o_valid: 0.5
-  ObjectConfidenceOptions confidence;  ///< For rule confidence.
-  double panel_tolerance_m = 0.1;      ///< Widens the box against panels. [smap] figure 3.24
-  double absent_share = 0.5;           ///< Share of panels after the box that means absent.
-  double occluded_share = 0.5;         ///< Share of panels before the box that means occluded.
+  LogOdds min_existence{-2.0};              ///< Public implementation of [hypermap]: -5
+  Probability min_confidence{0.5};          ///< [smap] table D.2, o_valid: 0.5
+  ObjectConfidenceOptions confidence = {};  ///< For rule confidence.
+  double panel_tolerance_m = 0.1;           ///< Widens the box against panels. [smap] figure 3.24
+  double absent_share = 0.5;                ///< Share of panels after the box that means absent.
+  double occluded_share = 0.5;              ///< Share of panels before the box that means occluded.
 
   friend bool operator==(const AbsenceOptions&, const AbsenceOptions&) = default;
 };

@@ -88,7 +88,7 @@ struct AssignmentOptions {
 
 struct AssociationOptions {
   AssociationPolicy policy = AssociationPolicy::kAssignment;
-  AssignmentOptions assignment;
+  AssignmentOptions assignment = {};
   double min_jaccard = 0.2;       ///< Policy overlap. No unit.            [hypermap] 3.4.5: 0.2
   double radius_m = 0.5;          ///< Policy radius: half side. Metre.    [hypermap] 3.4.5: 0.5
   double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.      [smap] table D.2: 0.2
@@ -104,11 +104,11 @@ struct AssociationOptions {
   LogOdds new_existence{1.0};      ///< Of a new object.            [hypermap] 3.4.5: 1
   LogOdds seen_existence{1.0};     ///< Added by each observation.  [hypermap] 3.4.5: 1
   LogOdds max_existence{20.0};     ///< Cap.                        public implementation: 20
-  ClassBeliefOptions belief;
-  VisibilityHistogramOptions histogram;
-  PointEvidenceOptions points;
+  ClassBeliefOptions belief = {};
+  VisibilityHistogramOptions histogram = {};
+  PointEvidenceOptions points = {};
   /// Classes that touch no object (a person walks by).
-  std::vector<ClassId> transient_classes;
+  std::vector<ClassId> transient_classes = {};
 
   friend bool operator==(const AssociationOptions&, const AssociationOptions&) = default;
 };

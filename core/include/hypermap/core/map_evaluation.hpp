@@ -30,11 +30,11 @@ struct EvaluatedObject {
 };
 
 struct EvaluationOptions {
-  double gate_m = 0.5;               ///< Farther centroids do not match. docs/EVALUATION.md
-  double small_gate_m = 0.25;        ///< The same for small truths.
-  double small_size_m = 0.3;         ///< Truths with all sides below this are small.
-  double min_judged_area_m2 = 0.04;  ///< Smaller footprints are averaged apart.
-  std::vector<std::string> classes;  ///< Only these, after aliases; all when empty.
+  double gate_m = 0.5;                    ///< Farther centroids do not match. docs/EVALUATION.md
+  double small_gate_m = 0.25;             ///< The same for small truths.
+  double small_size_m = 0.3;              ///< Truths with all sides below this are small.
+  double min_judged_area_m2 = 0.04;       ///< Smaller footprints are averaged apart.
+  std::vector<std::string> classes = {};  ///< Only these, after aliases; all when empty.
 };
 
 /// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0.

@@ -34,11 +34,11 @@ enum class LedgerKind : std::uint8_t {
 /// One thing said about an object.
 struct LedgerEntry {
   std::uint64_t frame_index = 0;
-  Stamp stamp;
+  Stamp stamp = {};
   LedgerKind kind = LedgerKind::kDetection;
   Visibility visibility = Visibility::kVisible;
-  DetectorId detector;       ///< 0 for verdicts.
-  ClassId class_id;          ///< Named by the detector; the object's own for verdicts.
+  DetectorId detector = {};  ///< 0 for verdicts.
+  ClassId class_id = {};     ///< Named by the detector; the object's own for verdicts.
   float score = 0.0F;        ///< Of the detection; the visible share for verdicts.
   float bearing_rad = 0.0F;  ///< Of the camera from the object, in the map frame.
   float distance_m = 0.0F;
@@ -49,8 +49,8 @@ struct LedgerEntry {
 /// Sums over all entries of one kind, detector, class and direction.
 struct LedgerSummary {
   LedgerKind kind = LedgerKind::kDetection;
-  DetectorId detector;
-  ClassId class_id;
+  DetectorId detector = {};
+  ClassId class_id = {};
   std::uint8_t bearing_bin = 0;  ///< 0 to 17: 20 degrees each, as the visibility histogram's.
   std::uint32_t count = 0;
   float score_sum = 0.0F;

@@ -19,7 +19,7 @@ struct PublicationOptions {
   std::optional<LogOdds> min_existence = LogOdds(2.0);
   /// Object confidence must not be below. [smap] table D.2, o_valid: 0.5. None: not asked.
   std::optional<Probability> min_confidence = std::nullopt;
-  ObjectConfidenceOptions confidence;
+  ObjectConfidenceOptions confidence = {};
   std::uint32_t min_observations = 3;  ///< Seen less often is not enough. Ours.
   /// Of two objects on the same points only the stronger one is published. Ours.
   bool one_per_place = true;
