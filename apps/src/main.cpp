@@ -1,2 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
-int main() { return 4; }
+#include "command.hpp"
+#include "version.hpp"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace hypermap::app {
+namespace {
+
+/// Output that could not be written (a full disk, a closed pipe) is a loss, never success.
+ExitCode flushed(ExitCode code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fprintf(stderr, "hypermap: standard output: could not be written\n");
+  return ExitCode::kSystem;
+}
+
+ExitCode parse_and_run(int argc, const char* const* argv) {
+  CLI::App program("Semantic volumetric maps from posed RGB-D frames and detections");
+  program.name("hypermap");
+  program.set_version_flag("--version", std::string("hypermap ") + kVersion);
+  program.require_subcommand(1);
+  program.fallthrough();
+  CommonOptions common;
+  program.add_option("--progress", common.progress, "when to show progress on stderr")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+
+  Action action;
+  add_simulate_command(program, common, action);
+  add_detect_command(program, common, action);
+  add_map_command(program, common, action);
+  add_info_command(program, action);
+  add_config_command(program, action);
+  add_query_command(program, action);
+  add_export_command(program, action);
+  add_snapshot_command(program, action);
+  add_eval_command(program, action);
+  add_tune_command(program, action);
+  add_check_command(program, action);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for_help = error.get_exit_code() == 0;
+    program.exit(error);
+    return asked_for_help ? flushed(ExitCode::kDone) : ExitCode::kUsage;
+  }
+  return flushed(action());
+}
+
+}  // namespace
+}  // namespace hypermap::app
+
+int main(int argc, char** argv) {
+  using hypermap::app::ExitCode;
+  // A reader that goes away must be told by the exit code, not by a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return static_cast<int>(hypermap::app::parse_and_run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "hypermap: out of memory\n");
+    return static_cast<int>(ExitCode::kSystem);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hypermap: internal error: %s\n", error.what());
+    return static_cast<int>(ExitCode::kInternal);
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all commands of the program share: exit codes, how an error is told, how a command is declared.
+#pragma once
+
+#include "hypermap/core/result.hpp"
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <string>
+
+namespace hypermap::app {
+
+/// The program's exit codes; documented in docs/CLI.md.
+enum class ExitCode : int {
+  kDone = 0,      ///< Done, nothing to remark.
+  kFindings = 1,  ///< Done, with findings: a difference, a warning, a repair.
+  kRefused = 2,   ///< Content refused, limits included.
+  kSystem = 3,    ///< Input or output failed, no memory, no EGL.
+  kUsage = 4,     ///< The command line is wrong.
+  kInternal = 5,  ///< A fault of the program.
+};
+
+/// Which exit code tells `error`.
+[[nodiscard]] ExitCode exit_code_of(const Error& error);
+
+/// Prints `hypermap: <error>` to stderr. Returns its exit code.
+ExitCode report(const Error& error);
+
+/// Prints one warning or error line to stderr. Returns kFindings or kRefused.
+ExitCode report(const Finding& finding);
+
+/// Options that every command takes.
+struct CommonOptions {
+  std::string progress = "auto";  ///< auto | always | never
+};
+
+/// What a parsed command does. Returned value becomes the exit code.
+using Action = std::function<ExitCode()>;
+
+/// Each adds its subcommand to `program` and, when that was chosen, stores what to do in `action`.
+void add_simulate_command(CLI::App& program, const CommonOptions& common, Action& action);
+void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action);
+void add_map_command(CLI::App& program, const CommonOptions& common, Action& action);
+void add_info_command(CLI::App& program, Action& action);
+void add_config_command(CLI::App& program, Action& action);
+void add_query_command(CLI::App& program, Action& action);
+void add_export_command(CLI::App& program, Action& action);
+void add_snapshot_command(CLI::App& program, Action& action);
+void add_eval_command(CLI::App& program, Action& action);
+void add_check_command(CLI::App& program, Action& action);
+void add_tune_command(CLI::App& program, Action& action);
+
+}  // namespace hypermap::app

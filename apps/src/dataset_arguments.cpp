@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dataset_arguments.hpp"
+
+#include <CLI/Validators.hpp>
+
+namespace hypermap::app {
+namespace {
+
+Result<std::vector<std::string>> class_names(const std::optional<std::string>& path) {
+  if (!path) return std::vector<std::string>{};
+  return read_class_names(*path);
+}
+
+}  // namespace
+
+void DatasetArguments::add_to(CLI::App& command) {
+  command.add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
+      ->required();
+  command.add_option("--dataset", description, "description of the folder, from outside it");
+  command.add_option("--classes", classes, "names of a model's outputs, one a line (default: COCO)");
+  command.add_option("--stride", stride, "use every N-th frame")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command.add_option("--max-frames", max_frames, "stop after so many frames")
+      ->check(CLI::Range(1, 1000000000));
+  command
+      .add_option("--stamp-tolerance", stamp_tolerance_s, "seconds that partners may be apart")
+      ->check(CLI::Range(0.0, 3600.0));
+}
+
+Result<DatasetOptions> DatasetArguments::options() const {
+  DatasetOptions options;
+  if (description) options.description = *description;
+  options.stride = stride;
+  options.stamp_tolerance_s = stamp_tolerance_s;
+  options.max_frames = max_frames;
+  HYPERMAP_ASSIGN_OR_RETURN(options.detection_reading.class_names, class_names(classes));
+  return options;
+}
+
+Result<OnnxDetectorOptions> DatasetArguments::detector() const {
+  OnnxDetectorOptions options;
+  HYPERMAP_ASSIGN_OR_RETURN(options.class_names, class_names(classes));
+  return options;
+}
+
+}  // namespace hypermap::app

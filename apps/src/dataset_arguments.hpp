@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The options by which several commands say which frames of which dataset they mean.
+#pragma once
+
+#include "hypermap/core/result.hpp"
+#include "hypermap/io/dataset_reader.hpp"
+#include "hypermap/io/onnx_detector.hpp"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap::app {
+
+struct DatasetArguments {
+  std::string input;
+  std::optional<std::string> description;
+  std::optional<std::string> classes;
+  std::size_t stride = 1;
+  std::optional<double> stamp_tolerance_s;
+  std::optional<std::size_t> max_frames;
+
+  void add_to(CLI::App& command);
+  /// Errors: those of read_class_names.
+  [[nodiscard]] Result<DatasetOptions> options() const;
+  /// Errors: those of read_class_names.
+  [[nodiscard]] Result<OnnxDetectorOptions> detector() const;
+};
+
+}  // namespace hypermap::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "number_lists.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace hypermap::app {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = text.find_first_not_of(separators, at);
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    at = end;
+  }
+  return parts;
+}
+
+Result<double> parse_number(std::string_view text, const std::string& field) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
+    return fail(
+        ErrorCode::kInvalidArgument, "'" + std::string(text) + "' is no finite number", field);
+  }
+  return number;
+}
+
+}  // namespace
+
+Result<std::vector<double>> parse_numbers(const std::string& text,
+                                          std::size_t min_count,
+                                          std::size_t max_count,
+                                          const std::string& field) {
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text, ", ")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const double number, parse_number(part, field));
+    numbers.push_back(number);
+  }
+  if (numbers.size() >= min_count && numbers.size() <= max_count) return numbers;
+  std::string wanted = std::to_string(min_count);
+  if (max_count > min_count) wanted += " or " + std::to_string(max_count);
+  return fail(ErrorCode::kInvalidArgument,
+              "must be " + wanted + " numbers separated by commas, is '" + text + "'",
+              field);
+}
+
+Result<Ring> parse_points(const std::string& text, const std::string& field) {
+  Ring ring;
+  for (const std::string_view pair : split(text, ",")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto point, parse_numbers(std::string(pair), 2, 2, field));
+    ring.emplace_back(point[0], point[1]);
+  }
+  return ring;
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Numbers as they stand on command lines.
+#pragma once
+
+#include "hypermap/core/polygon.hpp"
+#include "hypermap/core/result.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace hypermap::app {
+
+/// "1.5,2,0" as at least `min_count` and at most `max_count` finite numbers, separated by commas or
+/// blanks. Errors: kInvalidArgument naming `field`.
+[[nodiscard]] Result<std::vector<double>> parse_numbers(const std::string& text,
+                                                        std::size_t min_count,
+                                                        std::size_t max_count,
+                                                        const std::string& field);
+
+/// "0 0,1 0,1 1" as points. Errors: kInvalidArgument naming `field`.
+[[nodiscard]] Result<Ring> parse_points(const std::string& text, const std::string& field);
+
+}  // namespace hypermap::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Text in columns.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap::app {
+
+/// `value` with `digits` behind the point; "-" when there is none.
+[[nodiscard]] std::string fixed(const std::optional<double>& value, int digits);
+
+/// Rows under a heading, each column as wide as its widest cell; the first column is left-aligned.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> heading);
+  /// Requires: as many cells as the heading.
+  void add(std::vector<std::string> row);
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace hypermap::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Runs a detector over a whole dataset and writes what it said.
+#pragma once
+
+#include "hypermap/core/result.hpp"
+#include "hypermap/io/dataset_reader.hpp"
+#include "hypermap/io/onnx_detector.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace hypermap {
+
+/// Called after each frame.
+using JobProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+struct DetectionJob {
+  std::filesystem::path input;
+  std::filesystem::path model;
+  /// `.jsonl`: a line of JSON for each picture; anything else: COCO results.
+  std::filesystem::path output;
+  DatasetOptions dataset;
+  OnnxDetectorOptions detector;
+};
+
+struct DetectionJobReport {
+  std::size_t num_frames = 0;
+  std::size_t num_detections = 0;
+  std::vector<Error> skipped;  ///< Frames that could not be read, by name.
+};
+
+/// Errors: those of open_dataset, OnnxDetector::load and of writing; kNotFound when no frame has a
+/// colour picture. Nothing is written on an error.
+[[nodiscard]] Result<DetectionJobReport> run_detection(const DetectionJob& job,
+                                                       const JobProgress& progress = {});
+
+}  // namespace hypermap

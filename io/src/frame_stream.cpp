@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_stream.hpp"
+
+namespace hypermap {
+
+FrameStream::FrameStream(const DatasetReader& dataset, bool ahead)
+    : dataset_(dataset), ahead_(ahead) {
+  if (ahead_) start();
+}
+
+Result<RgbdFrame> FrameStream::next() {
+  if (!ahead_) return dataset_.read(next_++);
+  Result<RgbdFrame> frame = pending_.get();
+  ++next_;
+  start();
+  return frame;
+}
+
+void FrameStream::start() {
+  if (next_ >= dataset_.size()) return;
+  pending_ = std::async(std::launch::async, [this, index = next_] { return dataset_.read(index); });
+}
+
+}  // namespace hypermap

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Frames of a dataset in order, the next one read and decoded while the last one is worked on.
+#pragma once
+
+#include "hypermap/io/dataset_reader.hpp"
+
+#include <cstddef>
+#include <future>
+
+namespace hypermap {
+
+class FrameStream {
+ public:
+  /// `ahead`: read on a thread of its own. The frames are the same. Requires: `dataset` outlives it.
+  FrameStream(const DatasetReader& dataset, bool ahead);
+
+  /// Requires: called at most dataset.size() times.
+  [[nodiscard]] Result<RgbdFrame> next();
+
+ private:
+  void start();
+
+  const DatasetReader& dataset_;
+  bool ahead_;
+  std::size_t next_ = 0;
+  std::future<Result<RgbdFrame>> pending_;
+};
+
+}  // namespace hypermap

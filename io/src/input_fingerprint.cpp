@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input_fingerprint.hpp"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace hypermap {
+namespace {
+
+/// The bytes of numbers in memory; all hosts that are supported are little-endian.
+template <class T>
+std::string_view bytes_of(std::span<const T> values) {
+  const auto bytes = std::as_bytes(values);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void add(InputHash& hash, const Detection& detection) {
+  const PixelBox& box = detection.box_px;
+  const std::array numbers{box.u_min_px,
+                           box.v_min_px,
+                           box.u_max_px,
+                           box.v_max_px,
+                           detection.score.value(),
+                           static_cast<double>(detection.detector.value)};
+  hash.add(bytes_of(std::span<const double>(numbers)));
+  std::vector<double> scores;
+  for (const auto& [id, probability] : detection.class_scores) {
+    scores.push_back(static_cast<double>(id.value));
+    scores.push_back(probability.value());
+  }
+  hash.add(bytes_of(std::span<const double>(scores)));
+  if (detection.mask) hash.add(bytes_of(detection.mask->pixels()));
+}
+
+}  // namespace
+
+void InputFingerprint::add(const RgbdFrame& frame) {
+  const auto& camera = frame.camera;
+  const std::array numbers{static_cast<double>(camera.width_px),
+                           static_cast<double>(camera.height_px),
+                           camera.fx_px,
+                           camera.fy_px,
+                           camera.cx_px,
+                           camera.cy_px};
+  const std::array stamp{frame.stamp.ns};
+  const Eigen::Matrix4d pose = frame.map_from_camera.isometry().matrix();
+  hash_.add(bytes_of(std::span<const std::int64_t>(stamp)));
+  hash_.add(bytes_of(std::span<const double>(numbers)));
+  hash_.add(bytes_of(std::span<const double>(pose.data(), 16)));
+  hash_.add(bytes_of(frame.depth_m.pixels()));
+  for (const Detection& detection : frame.detections) hypermap::add(hash_, detection);
+}
+
+}  // namespace hypermap

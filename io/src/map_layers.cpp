@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/map_layers.hpp"
+
+#include "hypermap/projection/class_grids.hpp"
+#include "hypermap/projection/object_footprints.hpp"
+#include "hypermap/projection/occupancy_projection.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr const char* kOccupancyName = "occupancy";
+constexpr const char* kSemanticName = "semantic";
+
+std::vector<const Object*> published_objects(const ObjectMap& objects,
+                                             const PublicationOptions& publication) {
+  std::vector<const Object*> shown;
+  for (const ObjectId id : published(objects, publication)) shown.push_back(&objects.at(id));
+  return shown;
+}
+
+/// Replaces the content of a layer, or adds the layer.
+Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent content) {
+  if (hypermap.find(name) != nullptr) return hypermap.set_content(name, std::move(content));
+  return hypermap.add_layer({LayerInfo{.name = name}, std::move(content)});
+}
+
+}  // namespace
+
+Result<void> validate(const LayerOptions& options) {
+  if (!std::isfinite(options.min_height_m)) {
+    return fail(ErrorCode::kInvalidArgument, "must be finite", "min_height_m");
+  }
+  if (!std::isfinite(options.max_height_m) || options.max_height_m <= options.min_height_m) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be finite and above min_height_m, is " + std::to_string(options.max_height_m),
+                "max_height_m");
+  }
+  return {};
+}
+
+Result<void> derive_layers(MapArchive& archive,
+                           const ObjectPipelineOptions& objects,
+                           const LayerOptions& options) {
+  HYPERMAP_TRY(validate(options));
+  const LeafSource leaves = leaf_source(*archive.octree);
+  const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band));
+  HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band));
+  HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
+                            project_footprints(published_objects(archive.objects, objects.publication),
+                                               archive.classes,
+                                               {.policy = objects.footprint,
+                                                .confidence = objects.publication.confidence}));
+  HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer{std::move(occupancy)}));
+  HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
+  archive.class_grids.clear();
+  for (auto& [id, grid] : class_grids) {
+    archive.class_grids.push_back(
+        {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
+  }
+  return {};
+}
+
+}  // namespace hypermap

@@ -1,0 +1,336 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program as its users meet it: exit codes, messages, files, JSON. Usage: cli_test.py PROGRAM [unittest args]"""
+
+import hashlib
+import json
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+DATA = pathlib.Path(os.environ.get("HYPERMAP_DATA", SOURCE / "../shared/data"))
+COMMANDS = "simulate detect map info config query export snapshot eval tune check".split()
+
+
+def run(*arguments, stdout=subprocess.PIPE, env=None, limit_s=300):
+    return subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=stdout, stderr=subprocess.PIPE,
+                          text=True, errors="replace", timeout=limit_s, env=env, check=False)
+
+
+def digest(path):
+    return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
+
+
+def tree_digest(folder):
+    parts = [f"{p.relative_to(folder)}:{digest(p)}" for p in sorted(folder.rglob("*")) if p.is_file()]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+class Usage(unittest.TestCase):
+    def test_help_is_on_stdout_and_ends_with_0(self):
+        for arguments in [["--help"], *[[command, "--help"] for command in COMMANDS]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("Usage", result.stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^hypermap \d+\.\d+\.\d+\n$")
+
+    def test_wrong_command_lines_end_with_4(self):
+        for arguments in [[], ["nonsense"], ["map"], ["map", "--input"], ["map", "--no-such-option"],
+                          ["map", "--input", "x", "--output", "y", "--resolution", "nan"],
+                          ["map", "--input", "x", "--output", "y", "--resolution", "-1"],
+                          ["map", "--input", "x", "--output", "y", "--mode", "fast"],
+                          ["simulate", "--output", "x", "--frames", "0"],
+                          ["snapshot", "x", "--output", "y", "--size", "0x7"],
+                          ["query", "x", "--layer", "a"]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertNotEqual(result.stderr.strip(), "")
+
+    def test_a_full_device_is_no_success(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            self.assertEqual(run("config", stdout=full).returncode, 3)
+
+    def test_a_missing_input_is_named(self):
+        for arguments in [["info", "/nonexistent/a.hmap"], ["check", "/nonexistent/a.hmap"],
+                          ["eval", "--map", "/nonexistent/a.hmap", "--truth", "/nonexistent/b.hmap"]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertIn(result.returncode, (2, 3))
+                self.assertIn("/nonexistent/a.hmap", result.stderr + result.stdout)
+
+
+class Pipeline(unittest.TestCase):
+    """One small simulation, mapped once, looked at in every way."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-cli-"))
+        cls.dataset = cls.folder / "lab"
+        cls.archive = cls.folder / "lab.hmap"
+        cls.simulated = run("simulate", "--output", cls.dataset, "--frames", 40, "--seed", 1,
+                            "--detector", "perfect")
+        cls.mapped = run("map", "--input", cls.dataset, "--output", cls.archive,
+                         "--stats", cls.folder / "stats.json")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def setUp(self):
+        self.assertEqual(self.simulated.returncode, 0, self.simulated.stderr)
+        self.assertEqual(self.mapped.returncode, 0, self.mapped.stderr)
+
+    def copy_of_dataset(self, name):
+        copy = self.folder / name
+        shutil.copytree(self.dataset, copy)
+        return copy
+
+    def test_stats_have_the_fields_of_the_contract(self):
+        stats = json.loads((self.folder / "stats.json").read_text())
+        self.assertEqual(stats["frames"], 40)
+        self.assertEqual(stats["frames_skipped"], 0)
+        self.assertGreater(stats["points"], 40 * 50000)
+        self.assertLessEqual({"read", "detect", "segment", "integrate", "associate", "project", "write"},
+                             set(stats["stages_s"]))
+        for field in ("points_skipped", "wall_s", "frames_per_s", "objects", "peak_rss_bytes", "threads"):
+            self.assertIn(field, stats)
+        self.assertGreater(stats["leaves"]["occupied"], 1000)
+        self.assertGreater(stats["leaves"]["free"], stats["leaves"]["occupied"])
+
+    def test_threads_and_repetition_do_not_change_a_byte(self):
+        for name, threads in (("one", 1), ("two", 2)):
+            again = self.folder / f"{name}.hmap"
+            result = run("map", "--input", self.dataset, "--output", again, "--threads", threads)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(digest(again), digest(self.archive), f"{threads} threads")
+
+    def test_the_simulation_repeats_itself(self):
+        again = self.folder / "again"
+        env = dict(os.environ, TZ="Asia/Tokyo", LC_ALL="C.UTF-8")
+        result = run("simulate", "--output", again, "--frames", 40, "--seed", 1, "--detector", "perfect",
+                     "--threads", 1, env=env)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(tree_digest(again), tree_digest(self.dataset))
+
+    def test_info_lists_layers_and_classes(self):
+        info = json.loads(run("info", self.archive, "--json").stdout)
+        names = {layer["name"] for layer in info["layers"]}
+        self.assertLessEqual({"occupancy", "semantic"}, names)
+        self.assertIn("chair", {entry["name"] for entry in info["classes"]})
+        self.assertEqual({"transforms", "provenance", "format_version"} - set(info), set())
+
+    def test_queries_agree_with_each_other(self):
+        by_name = json.loads(run("query", self.archive, "--layer", "semantic", "--string", "chair",
+                                 "--json").stdout)["results"]
+        self.assertGreater(len(by_name), 0)
+        x, y = by_name[0]["position"][:2]
+        at = json.loads(run("query", self.archive, "--layer", "semantic", "--at", f"{x},{y}",
+                            "--json").stdout)["results"]
+        self.assertIn(by_name[0]["id"], [hit["id"] for hit in at])
+        nearest = run("query", self.archive, "--nearest", "chair", "--at", f"{x},{y}", "--json")
+        self.assertEqual(json.loads(nearest.stdout)["results"][0]["name"], "chair")
+
+    def test_an_unknown_layer_is_told_with_those_that_exist(self):
+        result = run("query", self.archive, "--layer", "smells", "--at", "0,0")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("semantic", result.stderr)
+
+    def test_eval_finds_the_objects(self):
+        result = run("eval", "--map", self.archive, "--truth", self.dataset / "truth.hmap", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads(result.stdout)
+        self.assertGreater(report["one_to_one"]["f1"], 0.5)
+        self.assertLessEqual({"n", "distance_m", "jaccard"}, set(report["all"]))
+        self.assertIn("chair", report["classes"])
+
+    def test_a_truth_is_perfect_against_itself(self):
+        truth = self.dataset / "truth.hmap"
+        report = json.loads(run("eval", "--map", truth, "--truth", truth, "--json").stdout)
+        self.assertEqual(report["one_to_one"]["recall"], 1.0)
+        self.assertEqual(report["one_to_one"]["distance_m"], 0.0)
+
+    def test_exports_are_made_and_checked(self):
+        for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson"):
+            with self.subTest(form):
+                suffix = {"octomap": ".ot", "color-octomap": ".ot", "ply": ".ply",
+                          "geojson": ".local.geojson"}.get(form, "")
+                output = self.folder / f"export-{form}{suffix}"
+                result = run("export", self.archive, "--format", form, "--output", output)
+                self.assertEqual(result.returncode, 0, result.stderr)
+        for pattern in ("export-ros-map*.yaml", "export-octomap.ot", "export-color-octomap.ot"):
+            for made in self.folder.glob(pattern):
+                self.assertEqual(run("check", made).returncode, 0, made)
+
+    def test_snapshots_are_pictures(self):
+        for view in ("top", "iso"):
+            output = self.folder / f"{view}.png"
+            result = run("snapshot", self.archive, "--output", output, "--view", view, "--size", "640x480")
+            if result.returncode == 3:
+                self.skipTest("no EGL here: " + result.stderr)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(output.read_bytes()[:4], b"\x89PNG")
+
+    def test_without_egl_a_snapshot_ends_with_3_and_says_so(self):
+        env = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS="/nonexistent", LIBGL_DRIVERS_PATH="/nonexistent")
+        result = run("snapshot", self.archive, "--output", self.folder / "none.png", env=env)
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("EGL", result.stderr)
+        self.assertFalse((self.folder / "none.png").exists())
+
+    def test_check_approves_what_we_wrote(self):
+        for path in (self.archive, self.dataset / "truth.hmap", self.dataset):
+            result = run("check", path)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_a_bad_frame_is_counted_named_and_survived(self):
+        copy = self.copy_of_dataset("bad-frame")
+        depth = sorted((copy / "depth").iterdir())
+        depth[7].write_bytes(b"not a picture")
+        result = run("map", "--input", copy, "--output", self.folder / "bad-frame.hmap",
+                     "--stats", self.folder / "bad-frame.json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn(depth[7].name, result.stderr)
+        self.assertEqual(json.loads((self.folder / "bad-frame.json").read_text())["frames_skipped"], 1)
+
+    def test_too_many_bad_frames_end_with_2_and_write_nothing(self):
+        copy = self.copy_of_dataset("bad-frames")
+        for depth in sorted((copy / "depth").iterdir())[:10]:
+            depth.write_bytes(b"")
+        output = self.folder / "bad-frames.hmap"
+        output.write_bytes(b"what was there before")
+        result = run("map", "--input", copy, "--output", output)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(output.read_bytes(), b"what was there before")
+
+    def test_missing_poses_are_survived(self):
+        copy = self.copy_of_dataset("missing-pose")
+        lines = (copy / "groundtruth.txt").read_text().splitlines()
+        data = [i for i, line in enumerate(lines) if not line.startswith("#")]
+        del lines[data[11]]
+        (copy / "groundtruth.txt").write_text("\n".join(lines) + "\n")
+        result = run("map", "--input", copy, "--output", self.folder / "missing-pose.hmap",
+                     "--stats", self.folder / "missing-pose.json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(json.loads((self.folder / "missing-pose.json").read_text())["frames_skipped"], 1)
+
+    def test_append_goes_on_from_the_archive(self):
+        grown = self.folder / "grown.hmap"
+        shutil.copy(self.archive, grown)
+        result = run("map", "--input", self.dataset, "--output", grown, "--append")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        before = json.loads(run("info", self.archive, "--json").stdout)
+        after = json.loads(run("info", grown, "--json").stdout)
+        self.assertEqual([layer["name"] for layer in before["layers"]],
+                         [layer["name"] for layer in after["layers"]])
+
+    def test_an_unknown_option_in_a_file_names_the_nearest(self):
+        config = self.folder / "options.yaml"
+        config.write_text("octree:\n  resolution: 0.05\n")
+        result = run("map", "--input", self.dataset, "--output", self.folder / "x.hmap", "--config", config)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("resolution_m", result.stderr)
+
+    def test_tune_shows_the_steps(self):
+        output = self.folder / "tune"
+        result = run("tune", "--input", self.dataset, "--frame", 5, "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(list(output.glob("*.png")))
+
+
+class Hostile(unittest.TestCase):
+    """Every file of the hostile corpus through `check`, as its name says."""
+
+    KINDS = {"zip": "archive", "octree": "octree", "image": "image", "depth": "depth", "wkt": "semantic",
+             "trajectory": "trajectory", "intrinsics": "intrinsics", "detections": "detections"}
+
+    def setUp(self):
+        if not (DATA / "hostile").is_dir():
+            self.skipTest(f"test data not present: {DATA / 'hostile'}")
+
+    def judge(self, path, *arguments):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        result = run("check", *arguments, path, limit_s=20)
+        spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertLess(spent.ru_utime - before.ru_utime, 10.0, path)
+        expected = (0, 1) if path.name.startswith("ok_") else (2,)
+        self.assertIn(result.returncode, expected, f"{path}: {result.stdout}{result.stderr}")
+        if path.name.startswith("err_"):
+            lines = [line for line in (result.stdout + result.stderr).splitlines() if line.strip()]
+            self.assertIn(path.name, "\n".join(lines))
+
+    def test_kinds_insisted_on(self):
+        for folder, kind in self.KINDS.items():
+            for path in sorted((DATA / "hostile" / folder).iterdir()):
+                with self.subTest(path.name):
+                    size = ["--size", "32x24"] if kind == "depth" else []
+                    self.judge(path, "--as", kind, *size)
+
+    def test_yaml(self):
+        meta = ("resolution", "thresh", "origin", "negate", "image", "occupancy", "missing_image",
+                "missing_origin")
+        for path in sorted((DATA / "hostile/yaml").iterdir()):
+            kind = "map" if any(word in path.name for word in meta) else "config"
+            with self.subTest(path.name):
+                self.judge(path, "--as", kind)
+
+    def test_the_kind_is_found_by_content(self):
+        for name in ("zip/ok_reference.hmap", "octree/ok_two.ot", "octree/ok_single.bt", "image/ok_p2.pgm",
+                     "wkt/ok_square_ccw.yaml", "trajectory/ok_two.txt", "intrinsics/ok_camera.json",
+                     "detections/ok_one.json", "yaml/ok_config.yaml"):
+            with self.subTest(name):
+                self.judge(DATA / "hostile" / name)
+
+
+class KnownAnswers(unittest.TestCase):
+    """The answers that are known for the recorded maps."""
+
+    def setUp(self):
+        self.truth = DATA / "hmap/semantic_gt_2019-04-23-12-51-46.hmap"
+        if not self.truth.exists():
+            self.skipTest(f"test data not present: {self.truth}")
+
+    def results(self, *arguments):
+        result = run("query", self.truth, "--layer", "semantic", "--json", *arguments)
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        return json.loads(result.stdout)["results"]
+
+    def test_the_sink(self):
+        (sink,) = self.results("--string", "sink")
+        self.assertAlmostEqual(sink["position"][0], 3.259, delta=0.001)
+        self.assertAlmostEqual(sink["position"][1], 2.378, delta=0.001)
+
+    def test_the_chair_in_an_area(self):
+        (chair,) = self.results("--string", "chair", "--area", "2 2,2 3,1 3,1 2")
+        self.assertAlmostEqual(chair["position"][0], 1.429, delta=0.001)
+        self.assertAlmostEqual(chair["position"][1], 2.887, delta=0.001)
+
+    def test_what_is_at_a_point_and_in_an_area(self):
+        self.assertEqual([hit["name"] for hit in self.results("--at", "3,-2")], ["table"])
+        names = {hit["name"] for hit in self.results("--area", "3 -2,3 -1,2 -1,2 -2")}
+        self.assertEqual(names, {"table", "tvmonitor", "chair"})
+
+    def test_every_archive_loads(self):
+        for path in sorted((DATA / "hmap").glob("*.hmap")):
+            with self.subTest(path.name):
+                result = run("info", path, "--json")
+                self.assertIn(result.returncode, (0, 1), result.stderr)
+                self.assertGreater(len(json.loads(result.stdout)["layers"]), 0)
+
+    def test_the_example_has_two_layers(self):
+        info = json.loads(run("info", DATA / "hmap/hmap_example.hmap", "--json").stdout)
+        self.assertEqual(len(info["layers"]), 2)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
