@@ -24,7 +24,7 @@ bool WindowGeometry::cover(const KeyBox& box, double max_cells) {
   double num_cells = 512.0;
   for (std::size_t i = 0; i < 3; ++i) {
     corner[i] = round_down_to_brick(box.min[i] - 1);
-    num_bricks[i] = static_cast<std::size_t>((box.max[i] + 1 - corner[i]) / 8 + 1);
+    num_bricks[i] = static_cast<std::size_t>(box.max[i] + 1 - corner[i]) / 8 + 1;
     num_cells *= static_cast<double>(num_bricks[i]);
   }
   if (num_cells > max_cells) return false;

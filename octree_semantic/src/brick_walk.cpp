@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace hypermap {
 namespace {
@@ -21,12 +22,61 @@ bool is_occupied(const OccupiedBrick& brick, const std::array<int, 3>& voxel) no
   return ((brick.occupied[cell >> 6U] >> (cell & 63U)) & 1U) != 0;
 }
 
-/// One axis of the walk; lengths in voxels along the ray.
-struct Axis {
-  int step = 0;
-  float next = std::numeric_limits<float>::infinity();
-  float per_voxel = std::numeric_limits<float>::infinity();
+/// A grazed edge: the walk starts at the nearest voxel and decides.
+constexpr float kGrazed = 1e-3F;
+
+/// A ray in voxels from the brick's corner.
+struct LocalRay {
+  std::array<float, 3> origin{};
+  std::array<float, 3> direction{};
+  float first = 0.0F;  // where it enters the brick
+  float last = 0.0F;   // where it leaves the brick
+  float end = 0.0F;    // where it ends
 };
+
+LocalRay clipped(const OccupiedBrick& brick, double resolution_m, const WalkedRay& ray) noexcept {
+  const auto voxels_per_m = static_cast<float>(1.0 / resolution_m);
+  LocalRay local{.origin = {},
+                 .direction = ray.direction,
+                 .first = ray.first * voxels_per_m,
+                 .last = ray.last * voxels_per_m,
+                 .end = ray.last * voxels_per_m};
+  for (std::size_t i = 0; i < 3; ++i) {
+    local.origin[i] = ray.origin[i] * voxels_per_m - static_cast<float>(brick.corner[i]);
+    if (ray.direction[i] == 0.0F) continue;
+    const float low = -local.origin[i] / ray.direction[i];
+    const float high = (kEdge - local.origin[i]) / ray.direction[i];
+    local.first = std::max(local.first, std::min(low, high));
+    local.last = std::min(local.last, std::max(low, high));
+  }
+  return local;
+}
+
+/// The voxel at which the ray enters the brick and where it passes the next faces.
+struct Walk {
+  std::array<int, 3> voxel{};
+  std::array<int, 3> step{};
+  std::array<float, 3> next;
+  std::array<float, 3> per_voxel{};
+};
+
+/// None when the ray passes the brick by.
+std::optional<Walk> start_walk(const LocalRay& ray) noexcept {
+  if (ray.first > ray.last + kGrazed) return std::nullopt;
+  Walk walk;
+  walk.next.fill(std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float entry = ray.origin[i] + ray.direction[i] * ray.first;
+    if (entry < -kGrazed || entry > kEdge + kGrazed) return std::nullopt;
+    walk.voxel[i] = std::clamp(static_cast<int>(entry), 0, kEdge - 1);
+    if (ray.direction[i] == 0.0F) continue;
+    walk.step[i] = ray.direction[i] > 0.0F ? 1 : -1;
+    const auto face = static_cast<float>(walk.voxel[i] + (walk.step[i] > 0 ? 1 : 0));
+    walk.next[i] = (face - ray.origin[i]) / ray.direction[i];
+    walk.per_voxel[i] = 1.0F / std::abs(ray.direction[i]);
+  }
+  return walk;
+}
 
 }  // namespace
 
@@ -54,42 +104,18 @@ VoxelBounds bounds_of(const OccupiedBrick& brick) noexcept {
 bool meets_occupied(const OccupiedBrick& brick,
                     double resolution_m,
                     const WalkedRay& ray) noexcept {
-  const auto voxels_per_m = static_cast<float>(1.0 / resolution_m);
-  std::array<float, 3> origin{};  // in voxels from the brick's corner
-  float first = ray.first * voxels_per_m;
-  float last = ray.last * voxels_per_m;
-  const float end = last;
-  for (std::size_t i = 0; i < 3; ++i) {
-    origin[i] = ray.origin[i] * voxels_per_m - static_cast<float>(brick.corner[i]);
-    if (ray.direction[i] == 0.0F) continue;
-    const float low = -origin[i] / ray.direction[i];
-    const float high = (kEdge - origin[i]) / ray.direction[i];
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
-  // A grazed edge: the walk below starts at the nearest voxel and decides.
-  constexpr float kGrazed = 1e-3F;
-  if (first > last + kGrazed) return false;
-  std::array<int, 3> voxel{};
-  std::array<Axis, 3> axes;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float entry = origin[i] + ray.direction[i] * first;
-    if (entry < -kGrazed || entry > kEdge + kGrazed) return false;
-    voxel[i] = std::clamp(static_cast<int>(entry), 0, kEdge - 1);
-    if (ray.direction[i] == 0.0F) continue;
-    axes[i].step = ray.direction[i] > 0.0F ? 1 : -1;
-    const float face = static_cast<float>(voxel[i] + (axes[i].step > 0 ? 1 : 0));
-    axes[i].next = (face - origin[i]) / ray.direction[i];
-    axes[i].per_voxel = 1.0F / std::abs(ray.direction[i]);
-  }
+  const LocalRay local = clipped(brick, resolution_m, ray);
+  std::optional<Walk> walk = start_walk(local);
+  if (!walk) return false;
+  auto& [voxel, step, next, per_voxel] = *walk;
   for (;;) {
     if (is_occupied(brick, voxel)) return true;
-    std::size_t axis = axes[0].next <= axes[1].next ? 0 : 1;
-    if (axes[2].next < axes[axis].next) axis = 2;
-    if (axes[axis].next > end) return false;
-    voxel[axis] += axes[axis].step;
+    std::size_t axis = next[0] <= next[1] ? 0 : 1;
+    if (next[2] < next[axis]) axis = 2;
+    if (next[axis] > local.end) return false;
+    voxel[axis] += step[axis];
     if (voxel[axis] < 0 || voxel[axis] >= kEdge) return false;
-    axes[axis].next += axes[axis].per_voxel;
+    next[axis] += per_voxel[axis];
   }
 }
 

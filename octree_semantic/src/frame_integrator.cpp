@@ -59,7 +59,7 @@ struct FrameIntegrator::Workspace {
   void mark_rays(double resolution_m, const PointF& sensor);
   void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
   void stage(SemanticOctree& tree);
-  void stage_labels(Brick& brick, std::size_t window_brick);
+  void stage_labels(Brick& brick, std::size_t window_brick) const;
   void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
   bool commit_labels(Brick& brick, std::size_t window_brick, const SemanticOctree& tree) noexcept;
   void gather_passed(std::size_t window_brick) noexcept;
@@ -176,7 +176,7 @@ void FrameIntegrator::Workspace::stage(SemanticOctree& tree) {
   tree.bricks().reserve_changes(staged.size());
 }
 
-void FrameIntegrator::Workspace::stage_labels(Brick& brick, std::size_t window_brick) {
+void FrameIntegrator::Workspace::stage_labels(Brick& brick, std::size_t window_brick) const {
   const BrickBits* labelled = votes.labelled(window_brick);
   if (labelled == nullptr) return;
   if (!brick.labels) brick.labels = std::make_unique<LabelTable>();

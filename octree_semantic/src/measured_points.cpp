@@ -77,7 +77,8 @@ std::size_t DepthPoints::read(std::size_t first,
                               IntegrationReport& report) const {
   const PinholeCamera& camera = frame_->camera;
   const auto width = static_cast<std::size_t>(camera.width_px);
-  const auto v = static_cast<double>(first / width);
+  const std::size_t row_index = first / width;
+  const auto v = static_cast<double>(row_index);
   const Eigen::Matrix3d rotation = frame_->map_from_camera.isometry().linear();
   const Eigen::Vector3d sensor = frame_->map_from_camera.isometry().translation();
   const Eigen::Vector3d row =

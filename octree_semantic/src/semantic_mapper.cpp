@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/semantic_mapper.hpp"
 
+#include "frame_checks.hpp"
 #include "hypermap/core/binned_depth_map.hpp"
 #include "hypermap/core/geometric_segmentation.hpp"
 #include "hypermap/core/stacking.hpp"
-#include "frame_checks.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,8 @@ class StopWatch {
 };
 
 /// Detections of things that stay.
-std::vector<Detection> lasting(std::vector<Detection> detections, const std::set<ClassId>& transient) {
+std::vector<Detection> lasting(std::vector<Detection> detections,
+                               const std::set<ClassId>& transient) {
   std::erase_if(detections, [&](const Detection& detection) {
     const auto best = best_class(detection.class_scores);
     return best && transient.contains(best->id);
@@ -140,11 +141,10 @@ Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
   report.num_merged = association.merged.size();
   report.seconds.associate = watch.lap();
 
-  HYPERMAP_ASSIGN_OR_RETURN(report.integration,
-                            integrator_.integrate(octree_,
-                                                  frame,
-                                                  pixel_labels(observations, association),
-                                                  options_.integration));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      report.integration,
+      integrator_.integrate(
+          octree_, frame, pixel_labels(observations, association), options_.integration));
   hand_over_voxels(association.merged);
   report.seconds.integrate = watch.lap();
 
@@ -167,8 +167,8 @@ void SemanticMapper::hand_over_voxels(std::span<const ObjectMerge> merges) {
   }
 }
 
-Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(
-    const RgbdFrame& frame, const AssociationReport& association) {
+Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(const RgbdFrame& frame,
+                                                             const AssociationReport& association) {
   const double max_range_m = options_.integration.max_range_m;
   switch (options_.objects.absence.policy) {
     case VisibilityPolicy::kHull: {
