@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -95,7 +96,9 @@ TEST_F(Snapshot, SidesAreDarkerThanTheTop) {
   const auto picture = render_snapshot(one_cube(), options);
   ASSERT_TRUE(picture);
   const Rgb8 color = class_color(ClassId{0});
-  const auto shade = [](std::uint8_t c) { return static_cast<std::uint8_t>(0.92 * c + 0.5); };
+  const auto shade = [](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::lround(0.92 * c));
+  };
   EXPECT_THAT(picture->at(150, 50), ColorNear(color));
   EXPECT_THAT(picture->at(150, 150),
               ColorNear(Rgb8{shade(color.r), shade(color.g), shade(color.b)}));

@@ -153,6 +153,7 @@ class Page {
   void paint_labels(std::span<const MapLabel> labels, const SnapshotCamera& camera) {
     const std::vector<MapLabel> seen = in_front(labels, camera);
     std::vector<LabelRequest> requests;
+    requests.reserve(seen.size());
     for (const MapLabel& label : seen) requests.push_back(request_for(label, camera));
     std::vector<PixelRect> obstacles{plan_->title, plan_->legend, plan_->foot};
     for (const LabelRequest& request : requests) {  // no label on the point that another speaks of

@@ -94,7 +94,8 @@ class NearWalls {
       const auto found = lanes_.find(near);
       if (found != lanes_.end()) wall_m = std::max(wall_m, found->second.wall_m);
     }
-    return wall_m == -kNowhere ? kNowhere : wall_m;
+    if (std::isinf(wall_m)) return kNowhere;
+    return wall_m;
   }
 
   CutawayOptions options_;

@@ -15,8 +15,9 @@ constexpr Rgb8 kFreeColor{255, 255, 255};
 constexpr Rgb8 kOccupiedColor{44, 52, 66};
 constexpr Rgb8 kFogColor{238, 241, 245};
 
+/// OpenGL takes offsets into buffers as pointers.
 const void* byte_offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
 float unit(std::uint8_t channel) {

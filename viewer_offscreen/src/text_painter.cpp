@@ -120,7 +120,7 @@ std::string TextPainter::fitted(const std::string& text,
   std::size_t end = text.size();
   while (end > 0) {
     end = previous_character(text, end);
-    const std::string shorter = text.substr(0, end) + "…";
+    std::string shorter = text.substr(0, end) + "…";
     if (width_px(shorter, style) <= max_width_px) return shorter;
   }
   return {};
