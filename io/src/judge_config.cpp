@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Judge of bare map configurations and of files of options.
+#include "file_judges.hpp"
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/byte_source.hpp"
 #include "hypermap/io/hypermap_config.hpp"
 #include "hypermap/io/options_file.hpp"
-
-#include "file_judges.hpp"
 
 #include <system_error>
 #include <utility>

@@ -151,7 +151,8 @@ NamedDetection detection_of(const Region& region, const std::string& name, int w
   for (const std::size_t pixel : region.pixels) {
     mask.pixels()[pixel] = 1;
     const auto u = static_cast<double>(pixel % static_cast<std::size_t>(width));
-    const auto v = static_cast<double>(pixel / static_cast<std::size_t>(width));
+    const std::size_t row = pixel / static_cast<std::size_t>(width);
+    const auto v = static_cast<double>(row);
     box = {std::min(box.u_min_px, u),
            std::min(box.v_min_px, v),
            std::max(box.u_max_px, u + 1.0),

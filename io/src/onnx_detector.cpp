@@ -126,9 +126,9 @@ struct OnnxDetector::Impl {
     }
   }
 
-  Result<Detection> detection_of(const YoloxCandidate& candidate,
-                                 std::span<const float> rows,
-                                 const ColorImage& picture) const {
+  [[nodiscard]] Result<Detection> detection_of(const YoloxCandidate& candidate,
+                                               std::span<const float> rows,
+                                               const ColorImage& picture) const {
     Detection out;
     out.detector = options.detector;
     out.score = Probability(candidate.score);

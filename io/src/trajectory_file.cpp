@@ -114,7 +114,7 @@ class TumBuilder {
 
  private:
   /// False when the pose is there already.
-  Result<bool> check_order(const TumLine& parsed) const {
+  [[nodiscard]] Result<bool> check_order(const TumLine& parsed) const {
     if (loaded_.value.poses.empty()) return true;
     const StampedPose& last = loaded_.value.poses.back();
     if (parsed.stamp.is_in_nanoseconds != in_nanoseconds_) {

@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 
 namespace hypermap {
@@ -108,6 +110,54 @@ TEST(OptionsFile, AnOptionIsSetByItsName) {
   EXPECT_EQ(options->octree.resolution_m, 0.02);
   EXPECT_THAT(to_string(with_option({}, "octree.resolution_m", "nan").error()),
               HasSubstr("octree.resolution_m"));
+}
+
+/// Names of the fields of `struct name` in a header of ours, those with a default value.
+std::vector<std::string> fields_of(const std::string& header, const std::string& name) {
+  std::ifstream file(test::source_path(header));
+  std::vector<std::string> fields;
+  bool is_inside = false;
+  const std::regex field(R"(^  [\w:<>, ]+ (\w+)(\{| =).*)");
+  for (std::string line; std::getline(file, line);) {
+    if (line == "struct " + name + " {") is_inside = true;
+    if (line == "};") is_inside = false;
+    std::smatch match;
+    if (is_inside && std::regex_match(line, match, field)) fields.push_back(match[1]);
+  }
+  return fields;
+}
+
+TEST(OptionsFile, NoFieldOfTheOptionsIsForgotten) {
+  const std::string core = "core/include/hypermap/core/";
+  const std::string octree = "octree_semantic/include/hypermap/octree_semantic/";
+  const std::pair<std::string, std::string> structs[] = {
+      {octree + "semantic_octree.hpp", "OctreeOptions"},
+      {octree + "sensor_model.hpp", "SensorModelOptions"},
+      {octree + "object_visibility.hpp", "VisibilityOptions"},
+      {core + "geometric_segmentation.hpp", "GeometricSegmentationOptions"},
+      {core + "geometric_segmentation.hpp", "ForegroundOptions"},
+      {core + "geometric_segmentation.hpp", "RegionGrowingOptions"},
+      {core + "association.hpp", "AssociationOptions"},
+      {core + "association.hpp", "AssignmentOptions"},
+      {core + "class_belief.hpp", "ClassBeliefOptions"},
+      {core + "visibility_histogram.hpp", "VisibilityHistogramOptions"},
+      {core + "shape_evidence.hpp", "PointEvidenceOptions"},
+      {core + "binned_depth_map.hpp", "BinnedDepthMapOptions"},
+      {core + "absence.hpp", "AbsenceOptions"},
+      {core + "publication.hpp", "PublicationOptions"}};
+  const auto options = describe_options({});
+  for (const auto& [header, name] : structs) {
+    const auto fields = fields_of(header, name);
+    EXPECT_THAT(fields, ::testing::Not(::testing::IsEmpty())) << name;
+    for (const std::string& field : fields) {
+      if (field == "sensor_model" || field == "confidence") continue;  // structs of their own
+      EXPECT_TRUE(
+          std::any_of(options.begin(),
+                      options.end(),
+                      [&](const auto& option) { return option.name.ends_with("." + field); }))
+          << name << "." << field << " has no row in io/src/options_of_*.cpp";
+    }
+  }
 }
 
 class ShippedOptions : public ::testing::TestWithParam<PresetName> {};
