@@ -17,6 +17,10 @@ Result<Verdict> judge(const std::filesystem::path& path,
   switch (kind) {
     case FileKind::kOctree:
       return judge_octree(path);
+    case FileKind::kMap:
+      return judge_map(path);
+    case FileKind::kSemantic:
+      return judge_semantic(path);
     case FileKind::kImage:
       return judge_image(path, options.size);
     case FileKind::kDepth:

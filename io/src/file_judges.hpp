@@ -19,6 +19,9 @@ struct Verdict {
 
 /// Errors of all: those of the kind's reader.
 [[nodiscard]] Result<Verdict> judge_octree(const std::filesystem::path& path);
+/// The description, and the picture that it names; one that is absent is a finding.
+[[nodiscard]] Result<Verdict> judge_map(const std::filesystem::path& path);
+[[nodiscard]] Result<Verdict> judge_semantic(const std::filesystem::path& path);
 [[nodiscard]] Result<Verdict> judge_image(const std::filesystem::path& path, PictureSize expected);
 [[nodiscard]] Result<Verdict> judge_depth(const std::filesystem::path& path, PictureSize expected);
 /// TUM lines, Open3D records or one matrix, by how many numbers the first line has.

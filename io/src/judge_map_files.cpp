@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Judges of maps and of what they are made of.
 #include "file_judges.hpp"
+#include "hypermap/io/byte_source.hpp"
+#include "hypermap/io/map_server.hpp"
 #include "hypermap/io/octomap_file.hpp"
 #include "hypermap/io/picture_file.hpp"
+#include "hypermap/io/semantic_yaml.hpp"
 
+#include <system_error>
 #include <utility>
 
 namespace hypermap {
@@ -29,6 +33,34 @@ Result<Verdict> judge_image(const std::filesystem::path& path, PictureSize expec
   return Verdict{size + ", " + std::to_string(picture.channels) + " channel(s) of " +
                      std::to_string(picture.bits) + " bit",
                  {}};
+}
+
+Result<Verdict> judge_map(const std::filesystem::path& path) {
+  constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxTextBytes));
+  HYPERMAP_ASSIGN_OR_RETURN(auto metadata, parse_map_metadata(text, SourceName{path.string()}));
+  const std::filesystem::path image = path.parent_path() / metadata.value.image;
+  std::error_code ec;
+  if (!std::filesystem::exists(image, ec)) {
+    Verdict out{"map without its picture", std::move(metadata.findings)};
+    out.findings.push_back({Severity::kWarning,
+                            {.code = ErrorCode::kNotFound,
+                             .what = "names " + printable(image.string()) + ", which is not there",
+                             .file = path.string(),
+                             .field = "image"}});
+    return out;
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path));
+  const GridGeometry& geometry = loaded.value.grid.geometry();
+  return Verdict{
+      "map of " + std::to_string(geometry.cols) + " x " + std::to_string(geometry.rows) + " cells",
+      std::move(loaded.findings)};
+}
+
+Result<Verdict> judge_semantic(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_semantic_layer(path));
+  return Verdict{std::to_string(loaded.value.objects().size()) + " object(s)",
+                 std::move(loaded.findings)};
 }
 
 }  // namespace hypermap

@@ -124,7 +124,7 @@ class HostileFiles : public ::testing::TestWithParam<FileKind> {};
 TEST_P(HostileFiles, AreJudgedAsTheIndexSays) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
   const std::string kind(name_of(GetParam()));
-  const auto files = test::hostile_files(kind);
+  const auto files = test::hostile_files(GetParam() == FileKind::kSemantic ? "wkt" : kind);
   ASSERT_THAT(files, ::testing::Not(::testing::IsEmpty()));
   for (const test::HostileFile& file : files) {
     FileCheckOptions options{.as = GetParam()};
@@ -154,6 +154,20 @@ INSTANTIATE_TEST_SUITE_P(Detections, HostileFiles, ::testing::Values(FileKind::k
 INSTANTIATE_TEST_SUITE_P(Depth, HostileFiles, ::testing::Values(FileKind::kDepth));
 INSTANTIATE_TEST_SUITE_P(Image, HostileFiles, ::testing::Values(FileKind::kImage));
 INSTANTIATE_TEST_SUITE_P(Octree, HostileFiles, ::testing::Values(FileKind::kOctree));
+
+INSTANTIATE_TEST_SUITE_P(Semantic, HostileFiles, ::testing::Values(FileKind::kSemantic));
+
+TEST(FileCheck, HostileMapDescriptionsAreRefused) {
+  HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
+  for (const test::HostileFile& file : test::hostile_files("yaml")) {
+    const auto kind = find_file_kind(file.path);
+    ASSERT_TRUE(kind) << to_string(kind.error());
+    const FileJudgement judgement = check_file(file.path);
+    const std::string said = file.path.filename().string() + ": " + first_finding(judgement);
+    // What the good ones name lies elsewhere, which is a finding.
+    EXPECT_EQ(judgement.exit_code(), file.must_load ? 1 : 2) << said;
+  }
+}
 
 TEST(FileCheck, CountsOfTheIndexComeOut) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
