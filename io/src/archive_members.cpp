@@ -8,20 +8,26 @@
 
 namespace hypermap {
 
+Unexpected ArchiveMembers::refusal(const std::string& owner, std::string what) const {
+  Error error{.code = ErrorCode::kMalformedFile, .what = std::move(what)};
+  error.file = file_;
+  error.field = owner;
+  return tl::make_unexpected(std::move(error));
+}
+
+Result<void> ArchiveMembers::check(std::string_view name, const std::string& owner) const {
+  const auto checked = check_name(name);
+  if (checked) return {};
+  return refusal(owner, "leads out of the archive or is no file name: " + checked.error().what);
+}
+
 Result<std::string> ArchiveMembers::take(std::string_view name,
                                          const std::string& owner,
                                          std::uint64_t max_bytes) {
-  const auto refuse = [&](std::string what) {
-    Error error{.code = ErrorCode::kMalformedFile, .what = std::move(what)};
-    error.file = file_;
-    error.field = owner;
-    return tl::make_unexpected(std::move(error));
-  };
-  if (const auto checked = check_name(name); !checked)
-    return refuse("leads out of the archive or is no file name: " + checked.error().what);
+  HYPERMAP_TRY(check(name, owner));
   if (const auto other = owner_of_.find(name); other != owner_of_.end())
-    return refuse("names '" + printable(name) + "', which belongs to " + other->second);
-  if (!contains(name)) return refuse("names '" + printable(name) + "', which is not there");
+    return refusal(owner, "names '" + printable(name) + "', which belongs to " + other->second);
+  if (!contains(name)) return refusal(owner, "names '" + printable(name) + "', which is not there");
   owner_of_.emplace(name, owner);
   auto content = read(name, max_bytes);
   if (!content)

@@ -39,6 +39,9 @@ class ArchiveMembers {
                                          const std::string& owner,
                                          std::uint64_t max_bytes);
 
+  /// Whether `name` may name a member. Errors: kMalformedFile with `field` = owner.
+  [[nodiscard]] Result<void> check(std::string_view name, const std::string& owner) const;
+
   [[nodiscard]] virtual bool contains(std::string_view name) const = 0;
   /// Members that nobody took, in the order of their names.
   [[nodiscard]] virtual Result<std::vector<OpaqueFile>> rest(std::uint64_t max_bytes) const = 0;
@@ -50,6 +53,8 @@ class ArchiveMembers {
                                                  std::uint64_t max_bytes) const = 0;
 
  private:
+  [[nodiscard]] Unexpected refusal(const std::string& owner, std::string what) const;
+
   std::string file_;
   std::map<std::string, std::string, std::less<>> owner_of_;
 };

@@ -9,11 +9,22 @@
 #include <iterator>
 #include <memory>
 #include <utility>
+#include <variant>
 
 namespace hypermap {
 namespace {
 
 constexpr std::uint64_t kSignatureBytes = 4;
+
+/// A bare configuration may name files anywhere; in the archive that the map is saved to, such a
+/// file bears the layer's name.
+Layer within_archive(Layer layer) {
+  if (!layer.info.file || check_member_name(*layer.info.file)) return layer;
+  layer.info.file.reset();
+  if (auto* opaque = std::get_if<OpaqueLayer>(&layer.content))
+    for (OpaqueFile& file : opaque->files) file.name = layer.info.name;
+  return layer;
+}
 
 /// Puts a map together from the files that its configuration names.
 class ArchiveReader {

@@ -158,7 +158,7 @@ class ObjectReader {
  public:
   explicit ObjectReader(const ObjectFileLimits& limits) : limits_(limits) {}
 
-  Result<Object> parse(const JsonNode& node) const {
+  [[nodiscard]] Result<Object> parse(const JsonNode& node) const {
     HYPERMAP_TRY(expect_keys(node,
                              {"id",
                               "belief",
@@ -211,7 +211,7 @@ class ObjectReader {
     return point;
   }
 
-  Result<Ring> parse_ring(const JsonNode& node) const {
+  [[nodiscard]] Result<Ring> parse_ring(const JsonNode& node) const {
     HYPERMAP_ASSIGN_OR_RETURN(Ring ring, list_of(node, parse_vertex));
     if (ring.size() < 3 || ring.size() > limits_.max_vertices)
       return node.error(ring.size() < 3 ? ErrorCode::kMalformedFile : ErrorCode::kLimit,
@@ -220,7 +220,7 @@ class ObjectReader {
     return ring;
   }
 
-  Result<Polygon> parse_polygon(const JsonNode& node) const {
+  [[nodiscard]] Result<Polygon> parse_polygon(const JsonNode& node) const {
     HYPERMAP_ASSIGN_OR_RETURN(
         auto rings, list_of(node, [this](const JsonNode& ring) { return parse_ring(ring); }));
     if (rings.empty()) return node.error(ErrorCode::kMalformedFile, "polygon without a ring");
@@ -231,7 +231,7 @@ class ObjectReader {
     return polygon;
   }
 
-  Result<ShapeEvidence> parse_shapes(const JsonNode& node) const {
+  [[nodiscard]] Result<ShapeEvidence> parse_shapes(const JsonNode& node) const {
     HYPERMAP_TRY(expect_keys(node, {"num_seen", "centroid_sum", "hull", "kept"}));
     ShapeEvidenceState state;
     HYPERMAP_ASSIGN_OR_RETURN(state.num_seen, integer_at<std::uint64_t>(node, "num_seen"));

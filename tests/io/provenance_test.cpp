@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName kSource{.file = "a.hmap", .entry = "provenance.yaml"};
+const SourceName test_source{.file = "a.hmap", .entry = "provenance.yaml"};
 
 Provenance sample() {
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
@@ -32,7 +32,7 @@ Provenance sample() {
 TEST(Provenance, EveryBitSurvives) {
   const Provenance provenance = sample();
   const std::string text = write_provenance(provenance).value();
-  const auto again = parse_provenance(text, kSource);
+  const auto again = parse_provenance(text, test_source);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_THAT(again->findings, IsEmpty());
   EXPECT_TRUE(again->value == provenance);
@@ -41,7 +41,7 @@ TEST(Provenance, EveryBitSurvives) {
 
 TEST(Provenance, UnknownKeysAreFindingsAndSurvive) {
   const std::string text = write_provenance(sample()).value() + "operator: jane\n";
-  const auto loaded = parse_provenance(text, kSource);
+  const auto loaded = parse_provenance(text, test_source);
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->findings.size(), 1U);
   EXPECT_THAT(write_provenance(loaded->value).value(), HasSubstr("operator: jane"));
@@ -56,7 +56,7 @@ TEST(Provenance, AMatrixThatIsNoRigidTransformIsRefusedBothWays) {
   const auto loaded = parse_provenance(
       "tool: t\ninput: i\ninput_hash: h\nmap_from_input: [[2, 0, 0, 0], [0, 1, 0, 0], "
       "[0, 0, 1, 0], [0, 0, 0, 1]]\n",
-      kSource);
+      test_source);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(to_string(loaded.error()), HasSubstr("map_from_input"));
 }
