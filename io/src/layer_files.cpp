@@ -26,23 +26,23 @@ std::string picture_member(const std::string& metadata_member, const std::string
   return (std::filesystem::path(metadata_member).parent_path() / image).string();
 }
 
-Result<Loaded<LayerContent>> read_occupancy_layer(ArchiveMembers& members,
-                                                  const LayerInfo& info,
-                                                  const std::string& owner,
-                                                  const ArchiveLimits& limits) {
+Result<Loaded<LayerContent>> read_grid(ArchiveMembers& members,
+                                       const LayerInfo& info,
+                                       const std::string& owner,
+                                       const ArchiveLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(auto layer, read_occupancy(members, file_of(info), owner, limits));
   return Loaded<LayerContent>{.value = std::move(layer.value),
                               .findings = std::move(layer.findings)};
 }
 
-Result<Loaded<LayerContent>> read_semantic_layer(ArchiveMembers& members,
-                                                 const LayerInfo& info,
-                                                 const std::string& owner,
-                                                 const ArchiveLimits& limits) {
+Result<Loaded<LayerContent>> read_shapes(ArchiveMembers& members,
+                                         const LayerInfo& info,
+                                         const std::string& owner,
+                                         const ArchiveLimits& limits) {
   const std::string file = file_of(info);
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                             members.take(file, owner, limits.max_text_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto layer, parse_semantic_yaml(bytes, members.source_of(file)));
+  HYPERMAP_ASSIGN_OR_RETURN(auto layer, parse_semantic_layer(bytes, members.source_of(file)));
   return Loaded<LayerContent>{.value = std::move(layer.value),
                               .findings = std::move(layer.findings)};
 }
@@ -132,8 +132,8 @@ Result<Loaded<LayerContent>> read_layer(ArchiveMembers& members,
   if (!entry.info.load_file)
     return Loaded<LayerContent>{.value = empty_layer(entry), .findings = {}};
   if (entry.class_name == kOccupancyLayerClass)
-    return read_occupancy_layer(members, entry.info, owner, limits);
-  return read_semantic_layer(members, entry.info, owner, limits);
+    return read_grid(members, entry.info, owner, limits);
+  return read_shapes(members, entry.info, owner, limits);
 }
 
 Result<std::vector<OpaqueFile>> write_layer(const Layer& layer) {
@@ -142,9 +142,8 @@ Result<std::vector<OpaqueFile>> write_layer(const Layer& layer) {
   const std::string file = file_of(layer.info);
   if (const auto* occupancy = std::get_if<OccupancyLayer>(&layer.content))
     return write_occupancy(*occupancy, file);
-  HYPERMAP_ASSIGN_OR_RETURN(std::string yaml,
-                            write_semantic_yaml(std::get<SemanticLayer>(layer.content)));
-  return std::vector<OpaqueFile>{{.name = file, .bytes = std::move(yaml)}};
+  return std::vector<OpaqueFile>{
+      {.name = file, .bytes = write_semantic_layer(std::get<SemanticLayer>(layer.content))}};
 }
 
 }  // namespace hypermap

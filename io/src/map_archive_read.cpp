@@ -60,8 +60,8 @@ class ArchiveReader {
       const LayerEntry& entry = config.layers[i];
       HYPERMAP_ASSIGN_OR_RETURN(auto content, read_layer(members_, entry, i, limits_));
       keep(std::move(content.findings));
-      HYPERMAP_TRY(
-          archive_.hypermap.add_layer({.info = entry.info, .content = std::move(content.value)}));
+      HYPERMAP_TRY(archive_.hypermap.add_layer(
+          within_archive({.info = entry.info, .content = std::move(content.value)})));
     }
     return {};
   }
