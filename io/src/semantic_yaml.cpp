@@ -24,6 +24,7 @@ struct Entry {
 struct Repairs {
   std::size_t unclosed_rings = 0;
   std::size_t wound_rings = 0;
+  std::size_t missing_commas = 0;
 };
 
 Result<std::string> name_at(const YamlNode& node) {
@@ -105,7 +106,9 @@ Result<Entry> parse_entry(const YamlNode& node, const WktLimits& limits, Repairs
   }
   repairs.unclosed_rings += shape.unclosed_rings;
   repairs.wound_rings += shape.wound_rings;
+  repairs.missing_commas += shape.missing_commas;
   object.parts = std::move(shape.parts);
+  if (object.shape_text == write_wkt(object.parts)) object.shape_text.clear();
   object.extra = keys_beyond(node.value());
   return entry;
 }
@@ -147,6 +150,7 @@ std::vector<Finding> findings_of(const Repairs& repairs, const SourceName& sourc
     findings.push_back({Severity::kWarning, with_source(std::move(error), source)});
   };
   add(repairs.unclosed_rings, " rings did not repeat their first point, read as closed");
+  add(repairs.missing_commas, " commas between two points were missing, read as there");
   add(repairs.wound_rings,
       " rings are wound more than once, read as the area of their non-zero winding");
   return findings;

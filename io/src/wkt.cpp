@@ -40,6 +40,7 @@ std::string upper(std::string_view text) {
 struct RingText {
   Ring points;
   std::size_t column = 1;
+  std::size_t missing_commas = 0;
 };
 using PolygonText = std::vector<RingText>;  // outer ring first
 
@@ -109,9 +110,23 @@ class WktParser {
       HYPERMAP_ASSIGN_OR_RETURN(const double x, coordinate());
       HYPERMAP_ASSIGN_OR_RETURN(const double y, coordinate());
       ring.points.emplace_back(x, y);
-    } while (take(','));
+    } while (take(',') || lacks_comma(ring));
     HYPERMAP_TRY(expect(')'));
     return ring;
+  }
+
+  /// Whether two more numbers follow a point where a comma should stand, as in "0 0, 1 0 1 1": one
+  /// hand-made map has that, once. Three numbers are a point in space, and so are four each time:
+  /// both are refused.
+  [[nodiscard]] bool lacks_comma(RingText& ring) {
+    const std::size_t before = at_;
+    const bool two_numbers = coordinate() && coordinate();
+    skip_blanks();
+    const bool ends = at_ < text_.size() && (text_[at_] == ',' || text_[at_] == ')');
+    at_ = before;
+    if (!two_numbers || !ends || ring.missing_commas > 0) return false;
+    ++ring.missing_commas;
+    return true;
   }
 
   /// A decimal number that ends at a blank, a comma or a bracket.
@@ -173,6 +188,7 @@ bool is_unclosed(const RingText& ring) {
 Result<void> append_parts(WktShape& shape, const PolygonText& rings) {
   const auto unclosed = std::count_if(rings.begin(), rings.end(), is_unclosed);
   shape.unclosed_rings += static_cast<std::size_t>(unclosed);
+  for (const RingText& ring : rings) shape.missing_commas += ring.missing_commas;
   std::vector<Ring> holes;
   for (std::size_t i = 1; i < rings.size(); ++i) holes.push_back(rings[i].points);
   auto polygon = make_polygon(rings.front().points, std::move(holes));

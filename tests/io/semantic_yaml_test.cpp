@@ -161,6 +161,17 @@ TEST(SemanticYaml, UneditedShapesStayAsTheyWereAndEditedOnesAreWritten) {
   EXPECT_EQ(parsed(write_semantic_layer(layer)).value.objects()[1].parts, edited.parts);
 }
 
+TEST(SemanticYaml, ALayerThatNobodyReadFromAFileRoundTripsToAnEqualOne) {
+  SemanticObject object;
+  object.name = "sink";
+  object.parts = {*make_polygon({{0.1, 0}, {1.0 / 3.0, 0}, {0.3, 1}})};
+  const auto layer = SemanticLayer::create({object});
+  ASSERT_TRUE(layer);
+  const auto again = parse_semantic_layer(write_semantic_layer(*layer), {.file = "semantic"});
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_TRUE(again->value == *layer);
+}
+
 TEST(SemanticYaml, AnEmptyLayerRoundTrips) {
   EXPECT_EQ(write_semantic_layer(SemanticLayer()), "[]\n");
   EXPECT_TRUE(parsed("[]\n").value.objects().empty());

@@ -61,6 +61,15 @@ TEST(Wkt, ARingWoundTwiceStandsForItsFill) {
   EXPECT_DOUBLE_EQ(area_m2(read.parts[0]), 1.0);
 }
 
+TEST(Wkt, OneMissingCommaInARingIsMendedAndCounted) {
+  // As in map_office_small_sem_gt.hmap: the last two points stand without a comma.
+  const WktShape read = shape("POLYGON((0 0, 2 0, 2 1 0 1))");
+  EXPECT_EQ(read.missing_commas, 1U);
+  EXPECT_DOUBLE_EQ(area_m2(read.parts.at(0)), 2.0);
+  refused("POLYGON((0 0 1 0,1 1 0 1))");  // twice: points of four numbers
+  refused("POLYGON((0 0 5,1 0 5,1 1 5))");
+}
+
 TEST(Wkt, ErrorsNameTheColumn) {
   EXPECT_EQ(refused("POLYGON((0 0,nan 0,1 1))"),
             "column 14: is 'nan 0,1 1))', expected a finite number");

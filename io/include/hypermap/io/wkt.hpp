@@ -28,6 +28,7 @@ struct WktShape {
   std::vector<Polygon> parts;      ///< One polygon, or several disjoint ones.
   std::size_t unclosed_rings = 0;  ///< Did not repeat their first point; hand-made maps do that.
   std::size_t wound_rings = 0;     ///< Wound more than once; stand for their non-zero winding fill.
+  std::size_t missing_commas = 0;  ///< Between two points, one a ring: "1 0 1 1".
 };
 
 /// Errors: kMalformedFile with the column (1-based, in bytes) for anything that is no such text,
