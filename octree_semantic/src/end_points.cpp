@@ -59,6 +59,7 @@ void EndPoints::add(const PointChunk& chunk,
   const PointF sensor = sensor_;
   std::size_t num_within = 0;
   std::size_t num_near = 0;
+  std::uint32_t last_marked = kNoCell;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const PointF point{chunk.x[i], chunk.y[i], chunk.z[i]};
     const float squared = squared_norm(difference(point, sensor));
@@ -73,7 +74,9 @@ void EndPoints::add(const PointChunk& chunk,
       continue;
     }
     cells[i] = cell;
-    hit.mark(cell);
+    // Neighbouring pixels mostly end in one voxel: to mark it again would only wait for the memory.
+    if (cell != last_marked) hit.mark(cell);
+    last_marked = cell;
     ++num_near;
     num_within += range.contains(squared) ? 1U : 0U;
     if (exact_) ray_ends_->push_back(point);

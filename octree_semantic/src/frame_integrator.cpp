@@ -148,12 +148,23 @@ void FrameIntegrator::Workspace::count_votes(std::span<const PixelLabels> labels
   votes.start(hit.geometry.num_bricks(), labels.size());
   evidence.start(labels);
   for (std::uint32_t label = 0; label < labels.size(); ++label) {
+    // Neighbouring pixels mostly end in one voxel: they vote together.
+    std::uint32_t cell = kNoCell;
+    std::uint32_t count = 0;
+    const auto vote = [&] {
+      if (cell == kNoCell || !hit.bits.test(cell)) return;
+      votes.add(cell, label, count);
+      report.num_labelled_hits += count;
+    };
     for (const std::uint32_t index : labels[label].pixel_indices) {
-      const std::uint32_t cell = cell_of_measurement[index];
-      if (cell == kNoCell || !hit.bits.test(cell)) continue;
-      votes.add(cell, label);
-      ++report.num_labelled_hits;
+      if (cell_of_measurement[index] != cell) {
+        vote();
+        cell = cell_of_measurement[index];
+        count = 0;
+      }
+      ++count;
     }
+    vote();
   }
   votes.finish();
 }

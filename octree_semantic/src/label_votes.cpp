@@ -24,20 +24,20 @@ LabelVotes::Slab& LabelVotes::slab(std::size_t brick) {
   return slabs_[slab_of_brick_[brick]];
 }
 
-void LabelVotes::add(std::uint32_t cell, std::uint32_t label) {
+void LabelVotes::add(std::uint32_t cell, std::uint32_t label, std::uint32_t count) {
   Slab& into = slab(cell / kBrickVolume);
   const std::size_t place = cell % kBrickVolume;
   auto& [first, second] = into.votes[place];
   if (!into.labelled.test(place)) {
     into.labelled.set(place);
-    first = {label, 1};
+    first = {label, count};
     second = {};
   } else if (first.label == label) {
-    ++first.count;
+    first.count += count;
   } else if (second.count == 0 || second.label == label) {
-    second = {label, second.count + 1};
+    second = {label, second.count + count};
   } else {
-    further_.push_back({cell, label});
+    further_.push_back({cell, label, count});
   }
 }
 
@@ -51,12 +51,12 @@ std::span<const LabelVote> LabelVotes::votes(std::size_t brick, std::size_t cell
     if (vote.count != 0) gathered_.push_back(vote);
   }
   const auto number = static_cast<std::uint32_t>(brick * kBrickVolume + cell);
-  auto further = std::lower_bound(further_.begin(), further_.end(), FurtherVote{number, 0});
+  auto further = std::lower_bound(further_.begin(), further_.end(), FurtherVote{number, 0, 0});
   for (; further != further_.end() && further->cell == number; ++further) {
     if (gathered_.back().label == further->label) {
-      ++gathered_.back().count;
+      gathered_.back().count += further->count;
     } else {
-      gathered_.push_back({further->label, 1});
+      gathered_.push_back({further->label, further->count});
     }
   }
   std::sort(gathered_.begin(), gathered_.end(), [](const LabelVote& a, const LabelVote& b) {

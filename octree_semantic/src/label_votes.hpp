@@ -26,8 +26,8 @@ class LabelVotes {
  public:
   /// Forgets all and makes room for a window of `num_bricks`. Throws std::bad_alloc.
   void start(std::size_t num_bricks, std::size_t num_labels);
-  /// Throws std::bad_alloc.
-  void add(std::uint32_t cell, std::uint32_t label);
+  /// `count` measurements of `label` ended in `cell`. Throws std::bad_alloc.
+  void add(std::uint32_t cell, std::uint32_t label, std::uint32_t count);
   /// Call once after the last `add`.
   void finish();
 
@@ -50,6 +50,7 @@ class LabelVotes {
   struct FurtherVote {
     std::uint32_t cell = 0;
     std::uint32_t label = 0;
+    std::uint32_t count = 0;
     friend auto operator<=>(const FurtherVote&, const FurtherVote&) = default;
   };
   [[nodiscard]] Slab& slab(std::size_t brick);

@@ -58,7 +58,7 @@ DepthPoints::DepthPoints(const RgbdFrame& frame) : frame_(&frame) {
 Box DepthPoints::bounds() const {
   float farthest_m = 0.0F;
   for (const float depth_m : frame_->depth_m.pixels()) {
-    if (is_measured(depth_m)) farthest_m = std::max(farthest_m, depth_m);
+    if (depth_m > farthest_m && std::isfinite(depth_m)) farthest_m = depth_m;
   }
   const PinholeCamera& camera = frame_->camera;
   const Eigen::Vector3d sensor = frame_->map_from_camera.origin().xyz;

@@ -82,11 +82,11 @@ std::istream& SemanticOcTreeNode::readData(std::istream& stream) {
   return stream;
 }
 
-const SemanticOcTree::Registration SemanticOcTree::kRegistration;
+const SemanticOcTree::Registration SemanticOcTree::registration_;
 
 SemanticOcTree::SemanticOcTree(double resolution_m)
     : octomap::OccupancyOcTreeBase<SemanticOcTreeNode>(resolution_m) {
-  kRegistration.ensure_linked();
+  registration_.ensure_linked();
 }
 
 SemanticOcTree::Registration::Registration() {

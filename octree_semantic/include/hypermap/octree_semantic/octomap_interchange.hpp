@@ -65,9 +65,8 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
     Registration();
     void ensure_linked() const {}
   };
-  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): OctoMap's registry is
   // global
-  static const Registration kRegistration;
+  static const Registration registration_;
 };
 
 /// Occupancy alone. The sensor model goes along; the tree is pruned.
