@@ -12,6 +12,9 @@ namespace hypermap {
 namespace {
 
 constexpr std::array<std::string_view, 5> kKeys = {"name", "shape", "tags", "confidence", "id"};
+/// Also what a simulation's truth says of a thing (simulation_truth.hpp), kept like an unknown key.
+constexpr std::array<std::string_view, 8> kExpectedKeys = {
+    "name", "shape", "tags", "confidence", "id", "thing", "box", "excluded"};
 constexpr std::size_t kMaxTags = 256;
 
 /// An object whose id is not settled yet.
@@ -176,7 +179,7 @@ Result<Collected> collect(const std::vector<YamlNode>& items,
       out.findings.push_back({Severity::kError, std::move(error)});
       continue;
     }
-    const std::vector<Finding> unknown = node.unknown_keys(kKeys);
+    const std::vector<Finding> unknown = node.unknown_keys(kExpectedKeys);
     out.findings.insert(out.findings.end(), unknown.begin(), unknown.end());
     out.entries.push_back(*std::move(entry));
     out.nodes.push_back(node);

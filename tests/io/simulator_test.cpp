@@ -214,6 +214,31 @@ TEST(Simulator, ThingsThatDoNotCountSayWhy) {
   EXPECT_GT(report->objects[2].num_frames_visible, 0U);
 }
 
+TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
+  const test::TempDir dir;
+  const auto report = simulate(room(), small_options(), dir / "out");
+  ASSERT_TRUE(report) << to_string(report.error());
+  const auto loaded = load_archive(dir / "out/truth.hmap");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  for (const Finding& finding : loaded->findings) ADD_FAILURE() << to_string(finding.error);
+  const auto simulator = Simulator::create(room(), small_options());
+  ASSERT_TRUE(simulator);
+  const auto expected = make_truth(*simulator, room(), report->objects);
+  ASSERT_TRUE(expected);
+  EXPECT_EQ(loaded->value.objects, expected->objects);
+  EXPECT_EQ(loaded->value.classes, expected->classes);
+  const auto layer = loaded->value.hypermap.at("semantic");
+  ASSERT_TRUE(layer);
+  const auto things = evaluated_objects(std::get<SemanticLayer>((*layer)->content));
+  ASSERT_EQ(things.size(), 5U);
+  EXPECT_TRUE(things[0].excluded);   // table
+  EXPECT_FALSE(things[2].excluded);  // chair
+  EXPECT_NEAR(things[2].size_m, 0.86, 1e-5);
+  const EvaluationReport perfect = evaluate(things, things);
+  EXPECT_EQ(perfect.all.one_to_one.f1, 1.0);
+  EXPECT_NEAR(*perfect.all.one_to_one.jaccard_in_place, 1.0, 1e-9);
+}
+
 TEST(Simulator, AFailureLeavesNothing) {
   const test::TempDir dir;
   Scene scene = room();
