@@ -87,8 +87,8 @@ void ClassBelief::weaken(LogOdds decay) {
   saturate();
 }
 
-void ClassBelief::merge(const ClassBelief& other) {
-  for (const auto& [id, log_odds] : other.entries_) entry(id) += log_odds;
+void ClassBelief::merge(const ClassBelief& other, double scale) {
+  for (const auto& [id, log_odds] : other.entries_) entry(id) += scale * log_odds;
   saturate();
 }
 

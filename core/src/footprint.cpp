@@ -13,6 +13,8 @@ namespace hypermap {
 namespace {
 
 constexpr double kMaxCoordinateM = 1e6;
+/// From so many observations on, a cell that only one of them saw is a stray.
+constexpr std::uint32_t kNumToOutvoteOne = 4;
 
 /// The cell of twice the edge that a cell lies in; rounds towards minus infinity.
 PointCell widened(const PointCell& cell) {
@@ -20,18 +22,17 @@ PointCell widened(const PointCell& cell) {
   return {half(cell.x), half(cell.y), half(cell.z)};
 }
 
-std::vector<PointVote> widened(std::span<const PointVote> votes, std::uint32_t most) {
+/// A wide cell has the votes of the best of its parts: their sum would count an observation several
+/// times, and strays that lie side by side would agree.
+std::vector<PointVote> widened(std::span<const PointVote> votes) {
   std::vector<PointVote> out;
   out.reserve(votes.size());
   for (const PointVote& vote : votes) out.push_back({widened(vote.cell), vote.votes});
-  std::sort(out.begin(), out.end());
+  std::sort(out.begin(), out.end());  // of equal cells the one with most votes comes last
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (kept > 0 && out[kept - 1].cell == out[i].cell) {
-      out[kept - 1].votes = std::min(most, out[kept - 1].votes + out[i].votes);
-    } else {
-      out[kept++] = out[i];
-    }
+  for (const PointVote& vote : out) {
+    if (kept > 0 && out[kept - 1].cell == vote.cell) --kept;
+    out[kept++] = vote;
   }
   out.resize(kept);
   return out;
@@ -127,11 +128,11 @@ void PointEvidence::merge(const PointEvidence& other) {
   assert(options_ == other.options_);
   PointEvidenceState added = other.state_;
   while (added.edge_m < state_.edge_m) {
-    added.votes = widened(added.votes, added.num_observations);
+    added.votes = widened(added.votes);
     added.edge_m *= 2.0;
   }
   while (state_.edge_m < added.edge_m) {
-    state_.votes = widened(state_.votes, state_.num_observations);
+    state_.votes = widened(state_.votes);
     state_.edge_m *= 2.0;
   }
   state_.num_observations += added.num_observations;
@@ -163,7 +164,7 @@ void PointEvidence::make_room() {
           return v.votes >= needed;
         }));
     if (num_agreed > options_.max_cells / 4 * 3) {
-      state_.votes = widened(state_.votes, state_.num_observations);
+      state_.votes = widened(state_.votes);
       state_.edge_m *= 2.0;
       continue;
     }
@@ -193,7 +194,9 @@ std::uint32_t PointEvidence::votes_needed() const {
     if (2 * below >= total) break;
   }
   const double needed = std::ceil(options_.min_vote_share * typical);
-  return std::max(1U, static_cast<std::uint32_t>(needed));
+  const std::uint32_t least =
+      options_.min_vote_share > 0.0 && state_.num_observations >= kNumToOutvoteOne ? 2U : 1U;
+  return std::max(least, static_cast<std::uint32_t>(needed));
 }
 
 std::vector<Eigen::Vector3d> PointEvidence::agreed_points() const {

@@ -11,6 +11,17 @@ Box united(const Box& a, const Box& b) {
   return {a.min_in_map.cwiseMin(b.min_in_map), a.max_in_map.cwiseMax(b.max_in_map)};
 }
 
+/// A belief saturates after few observations, so that without weights two of them would say as much
+/// as sixty. The one with fewer observations counts in proportion.
+ClassBelief merged_belief(const Object& a, const Object& b) {
+  const Object& larger = a.num_observations >= b.num_observations ? a : b;
+  const Object& smaller = &larger == &a ? b : a;
+  const double most = std::max<double>(1.0, larger.num_observations);
+  ClassBelief belief = larger.belief;
+  belief.merge(smaller.belief, smaller.num_observations / most);
+  return belief;
+}
+
 }  // namespace
 
 std::optional<ClassEvidence> best_class(const Object& object) {
@@ -43,7 +54,7 @@ Result<Polygon> footprint(const Object& object, ShapePolicy policy) {
 Object merged(const Object& a, const Object& b, LogOdds max_existence) {
   const Object& younger = b.id < a.id ? a : b;
   Object out = b.id < a.id ? b : a;
-  out.belief.merge(younger.belief);
+  out.belief = merged_belief(out, younger);
   out.existence = std::min(out.existence + younger.existence, max_existence);
   out.box_confidence = std::max(a.box_confidence, b.box_confidence);
   out.histogram.merge(younger.histogram);

@@ -21,7 +21,7 @@ ObjectPipelineOptions smap_preset() {
   o.association.position_error_m = 0.2;  // o_e
   o.association.tracking_factor = 0.5;   // o_t
   o.association.box_from_points = false;
-  o.association.belief.saturation = Saturation::kClamp;
+  o.association.belief = {.saturation = Saturation::kClamp};
   o.binned_depth.columns = 24;
   o.binned_depth.rows = 16;
   o.binned_depth.max_range_m = o.segmentation.max_range_m;
@@ -51,6 +51,7 @@ ObjectPipelineOptions hypermap_preset() {
   o.association.policy = AssociationPolicy::kOverlap;
   o.association.min_jaccard = 0.2;
   o.association.shape = ShapePolicy::kBest;
+  o.association.belief = {.saturation = Saturation::kClamp};
   o.association.points.min_vote_share = 0.0;  // the box is that of all evidence
   o.absence.policy = VisibilityPolicy::kHull;
   o.absence.missed_decay = LogOdds{0.2};

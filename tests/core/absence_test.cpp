@@ -107,10 +107,10 @@ TEST(Absences, TheConfidenceRuleRemovesBelowTheThreshold) {
     (void)apply_absences(map, std::array{verdict(Visibility::kAbsent)}, options);
     ++frames;
   }
-  // tp1 falls from l = 10 by 0.5 a frame, tp3 to 0 at once: (4 tp1 + tp2) / 6 < 0.5 needs
-  // tp1 < 0.5 or so, which is l < 0 or so: about 20 frames.
-  EXPECT_GE(frames, 19);
-  EXPECT_LE(frames, 22);
+  // Five observations of ln(0.8/0.2) - ln(0.1/0.9) = 3.58 each: l = 17.9, which falls by 0.5 a
+  // frame; tp3 is 0 soon. (4 tp1 + tp2) / 6 < 0.5 needs tp1 of about a half: l = 0 after 36 frames.
+  EXPECT_GE(frames, 35);
+  EXPECT_LE(frames, 37);
 }
 
 /// A wall at z = `depth_m` before a camera at (0, -2, 0.3) that looks along +y.

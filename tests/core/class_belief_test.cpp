@@ -112,6 +112,12 @@ TEST(ClassBelief, MergingAddsTheEvidence) {
   EXPECT_DOUBLE_EQ(a.log_odds(kSofa).value(), -1.0);
 }
 
+TEST(ClassBelief, MergingMayWeigh) {
+  auto a = ClassBelief::from_entries({}, {{kChair, LogOdds(2.0)}}).value();
+  a.merge(ClassBelief::from_entries({}, {{kSofa, LogOdds(8.0)}}).value(), 0.25);
+  EXPECT_DOUBLE_EQ(a.log_odds(kSofa).value(), 2.0);
+}
+
 TEST(ClassBelief, WhatIsStoredComesBack) {
   ClassBelief belief;
   belief.observe(

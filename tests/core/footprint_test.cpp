@@ -72,6 +72,17 @@ TEST(PointEvidence, LargeThingsGetLargerCellsAndMemoryStaysFlat) {
   EXPECT_NEAR(points.agreed_box()->extent().x(), 2.0, 0.05);
 }
 
+TEST(PointEvidence, StraysSideBySideDoNotAgreeWhenCellsWiden) {
+  // One observation in twenty is twice as long; the cells are doubled on the way.
+  PointEvidence points;
+  for (int i = 0; i < 60; ++i) {
+    const double length = i % 20 == 3 ? 4.0 : 2.0;
+    points.observe(surface_of(box_at({0, 0, 0.5}, {length, 1.0, 1.0}), 0.015));
+  }
+  EXPECT_GT(points.state().edge_m, points.options().edge_m);
+  EXPECT_NEAR(points.agreed_box()->extent().x(), 2.0, 0.08);
+}
+
 TEST(PointEvidence, MergingAddsVotesAcrossCellSizes) {
   PointEvidence large;
   large.observe(surface_of(box_at({0, 0, 0.5}, {2.0, 1.0, 1.0})));

@@ -63,5 +63,14 @@ TEST(Object, MergedObjectsAddUpAndTheOlderIdStays) {
   EXPECT_DOUBLE_EQ(merged(a, b, LogOdds(1.5)).existence.value(), 1.5);
 }
 
+TEST(Object, TwoObservationsDoNotOutweighSixtyWhenMerged) {
+  const Box box = box_at({0, 0, 0.2}, {0.4, 0.4, 0.4});
+  Object often = object_of(box, kCup);
+  for (int i = 0; i < 59; ++i) learn(often, observed(surface_of(box), scores(kCup, 0.9)), {});
+  Object seldom = object_of(box, ClassId{5});
+  learn(seldom, observed(surface_of(box), scores(ClassId{5}, 0.99)), {});
+  EXPECT_EQ(best_class(merged(seldom, often, LogOdds(20.0)))->id, kCup);
+}
+
 }  // namespace
 }  // namespace hypermap

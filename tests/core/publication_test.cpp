@@ -27,7 +27,7 @@ TEST(Publication, ExistenceMustBeAboveTwo) {
   ObjectMap map;
   (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kCup, 2));
   (void)map.add(seen_times(box_at({2, 0, 0}, {0.4, 0.4, 0.4}), kCup, 3));
-  const PublicationOptions options{.min_observations = 1};
+  const PublicationOptions options{.min_existence = LogOdds(2.0), .min_observations = 1};
   EXPECT_EQ(published(map, options), std::vector{ObjectId{2}});
 }
 

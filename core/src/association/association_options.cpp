@@ -52,6 +52,7 @@ Result<void> validate_assignment(const AssignmentOptions& o) {
       share("assignment.other_class_share", o.other_class_share),
       share("assignment.part_share", o.part_share),
       share("assignment.part_diagonal", o.part_diagonal),
+      positive("assignment.part_maturity", o.part_maturity),
       {"assignment.merge_factor", o.merge_factor, o.merge_factor >= 1.0, "must be >= 1"}});
 }
 

@@ -64,8 +64,12 @@ Contact contact(const Body& first, const Body& second, double near_m) {
   out.box_share = box_share(widened(first.box, near_m), widened(second.box, near_m));
   out.distance = (first.box.centre() - second.box.centre()).norm() /
                  (0.5 * (first_diagonal + second_diagonal));
-  out.diagonal_ratio = out.share_of_first >= out.share_of_second ? first_diagonal / second_diagonal
-                                                                 : second_diagonal / first_diagonal;
+  const bool first_is_part = out.share_of_first >= out.share_of_second;
+  const Body& part = first_is_part ? first : second;
+  const Body& whole = first_is_part ? second : first;
+  out.diagonal_ratio =
+      first_is_part ? first_diagonal / second_diagonal : second_diagonal / first_diagonal;
+  out.maturity_ratio = static_cast<double>(part.num_observations) / whole.num_observations;
   out.agreement = class_agreement(first.classes, second.classes);
   return out;
 }
@@ -98,7 +102,8 @@ bool is_same_thing(const Contact& c, const AssignmentOptions& options, double st
   }
   return smaller >= strictness * options.other_class_share ||
          (larger >= std::min(0.95, strictness * options.part_share) &&
-          c.diagonal_ratio >= strictness * options.part_diagonal);
+          c.diagonal_ratio >= strictness * options.part_diagonal &&
+          c.maturity_ratio <= options.part_maturity);
 }
 
 double affinity(const Contact& c) {

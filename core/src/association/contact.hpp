@@ -16,6 +16,7 @@ struct Body {
   std::vector<Eigen::Vector3d> points;  ///< Thinned evenly to at most 300.
   std::vector<ClassEvidence> classes;   ///< Ascending by id.
   TouchGrid grid;                       ///< Of all points.
+  std::uint32_t num_observations = 1;
 };
 
 [[nodiscard]] Body body_of(const Observation& observation, double near_m);
@@ -29,6 +30,8 @@ struct Contact {
   double diagonal_ratio =
       0.0;                 ///< The diagonal of the body with the larger share over the other's.
   double agreement = 0.0;  ///< Of the class vectors, in [0, 1].
+  /// Observations of the body with the larger share over those of the other.
+  double maturity_ratio = 1.0;
 };
 
 [[nodiscard]] Contact contact(const Body& first, const Body& second, double near_m);

@@ -68,7 +68,7 @@ struct AssignmentOptions {
   /// Points and boxes this near touch. Unit: metre. > 0
   double near_m = 0.025;
   /// Class vectors that agree at least so much count as the same class, in [0, 1].
-  double same_class_agreement = 0.15;
+  double same_class_agreement = 0.3;
   /// Same class: share of the points of one that must lie in the other, ...
   double same_class_share = 0.25;
   /// ... or share of the smaller box, ...
@@ -81,6 +81,9 @@ struct AssignmentOptions {
   double part_share = 0.8;
   /// ... and its diagonal is at least this share of the other's: a cup is no part of a table.
   double part_diagonal = 0.5;
+  /// ... and it was not seen more than this many times as often: a false alarm around a keyboard
+  /// does not swallow it.
+  double part_maturity = 3.0;
   /// Objects are merged when the shares above are exceeded by this factor. >= 1
   double merge_factor = 1.15;
   friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
@@ -104,7 +107,8 @@ struct AssociationOptions {
   LogOdds new_existence{1.0};      ///< Of a new object.            [hypermap] 3.4.5: 1
   LogOdds seen_existence{1.0};     ///< Added by each observation.  [hypermap] 3.4.5: 1
   LogOdds max_existence{20.0};     ///< Cap.                        public implementation: 20
-  ClassBeliefOptions belief = {};
+  /// Bounds of 30 instead of 10: two confident errors shall not overturn sixty observations.
+  ClassBeliefOptions belief = {.max_log_odds = LogOdds{30.0}, .min_log_odds = LogOdds{-30.0}};
   VisibilityHistogramOptions histogram = {};
   PointEvidenceOptions points = {};
   /// Classes that touch no object (a person walks by).

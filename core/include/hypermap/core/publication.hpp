@@ -15,8 +15,8 @@
 namespace hypermap {
 
 struct PublicationOptions {
-  /// Existence must be above. [hypermap] 3.4.5: 2. None: not asked (preset smap).
-  std::optional<LogOdds> min_existence = LogOdds(2.0);
+  /// Existence must be above; ours: 3. [hypermap] 3.4.5: 2. None: not asked (preset smap).
+  std::optional<LogOdds> min_existence = LogOdds(3.0);
   /// Object confidence must not be below. [smap] table D.2, o_valid: 0.5. None: not asked.
   std::optional<Probability> min_confidence = std::nullopt;
   ObjectConfidenceOptions confidence = {};
