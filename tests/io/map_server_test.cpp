@@ -3,7 +3,7 @@
 
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/pgm_image.hpp"
-#include "io/hostile_index.hpp"
+#include "support/hostile_index.hpp"
 #include "support/temp_dir.hpp"
 #include "support/test_data.hpp"
 
@@ -279,7 +279,7 @@ TEST_P(HostileMapYaml, GivesWhatTheIndexSays) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus,
                          HostileMapYaml,
-                         ::testing::ValuesIn(test::hostile_files_or_none("yaml")),
+                         ::testing::ValuesIn(test::hostile_names("yaml")),
                          [](const auto& file) { return test::test_name_of(file.param); });
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "hypermap/io/picture_file.hpp"
 
 #include "hypermap/io/png_image.hpp"
-#include "io/hostile_index.hpp"
+#include "support/hostile_index.hpp"
 #include "support/temp_dir.hpp"
 #include "support/test_data.hpp"
 
@@ -108,7 +108,7 @@ TEST_P(HostilePicture, GivesWhatTheIndexSays) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus,
                          HostilePicture,
-                         ::testing::ValuesIn(test::hostile_files_or_none("image")),
+                         ::testing::ValuesIn(test::hostile_names("image")),
                          [](const auto& file) { return test::test_name_of(file.param); });
 
 TEST(PictureFile, TheCorpusPicturesHoldTheRightPixels) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/semantic_yaml.hpp"
 
-#include "io/hostile_index.hpp"
+#include "support/hostile_index.hpp"
 #include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
@@ -196,7 +196,7 @@ TEST_P(HostileWkt, GivesWhatTheIndexSays) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus,
                          HostileWkt,
-                         ::testing::ValuesIn(test::hostile_files_or_none("wkt")),
+                         ::testing::ValuesIn(test::hostile_names("wkt")),
                          [](const auto& file) { return test::test_name_of(file.param); });
 
 TEST(SemanticYaml, TheCorpusShapesHaveTheirAreas) {

@@ -5,6 +5,7 @@
 
 #include "support/test_data.hpp"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -34,6 +35,21 @@ inline std::vector<HostileFile> hostile_files(const std::string& folder) {
                      line});
   }
   return files;
+}
+
+/// Names of those files, for one test each; one name that stands for the absent corpus without it,
+/// so that its test skips with a message.
+inline std::vector<std::string> hostile_names(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const HostileFile& file : hostile_files(folder)) names.push_back(file.path.filename());
+  return names.empty() ? std::vector<std::string>{"absent"} : names;
+}
+
+/// A file's name as GoogleTest takes it.
+inline std::string test_name_of(const std::string& file) {
+  std::string name;
+  for (const char c : file) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : 'X';
+  return name;
 }
 
 }  // namespace hypermap::test
