@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Archives, maps and semantic layers as `check` judges them: found by content, then by their
+// Maps, configurations and semantic layers as `check` judges them: found by content, then by their
 // reader.
 #include "hypermap/io/file_check.hpp"
 #include "hypermap/io/pgm_image.hpp"
@@ -48,12 +48,10 @@ TEST_P(HostileMapFiles, AreJudgedAsTheIndexSays) {
 INSTANTIATE_TEST_SUITE_P(ByContent,
                          HostileMapFiles,
                          ::testing::Values(Section{"yaml", std::nullopt},
-                                           Section{"wkt", std::nullopt},
-                                           Section{"zip", std::nullopt}));
+                                           Section{"wkt", std::nullopt}));
 INSTANTIATE_TEST_SUITE_P(InsistedOn,
                          HostileMapFiles,
-                         ::testing::Values(Section{"wkt", FileKind::kSemantic},
-                                           Section{"zip", FileKind::kArchive}));
+                         ::testing::Values(Section{"wkt", FileKind::kSemantic}));
 
 TEST(MapFilesCheck, AMapIsJudgedWithItsPicture) {
   const test::TempDir dir;
