@@ -28,7 +28,7 @@ class ArchiveMembers {
   virtual ~ArchiveMembers() = default;
 
   /// How errors name a member.
-  [[nodiscard]] SourceName source_of(std::string_view name) const {
+  [[nodiscard]] virtual SourceName source_of(std::string_view name) const {
     return {.file = file_, .entry = std::string(name)};
   }
 
@@ -85,6 +85,9 @@ class FolderMembers final : public ArchiveMembers {
  public:
   explicit FolderMembers(const std::filesystem::path& config)
       : ArchiveMembers(config.string()), folder_(config.parent_path()) {}
+  [[nodiscard]] SourceName source_of(std::string_view name) const override {
+    return {.file = (folder_ / name).string()};
+  }
   [[nodiscard]] bool contains(std::string_view name) const override;
   /// None: whatever else lies in the folder is no part of the map.
   [[nodiscard]] Result<std::vector<OpaqueFile>> rest(std::uint64_t) const override {

@@ -15,6 +15,8 @@ Result<Verdict> judge(const std::filesystem::path& path,
                       FileKind kind,
                       const FileCheckOptions& options) {
   switch (kind) {
+    case FileKind::kArchive:
+      return judge_archive(path);
     case FileKind::kOctree:
       return judge_octree(path);
     case FileKind::kMap:

@@ -18,6 +18,7 @@ struct Verdict {
 };
 
 /// Errors of all: those of the kind's reader.
+[[nodiscard]] Result<Verdict> judge_archive(const std::filesystem::path& path);
 [[nodiscard]] Result<Verdict> judge_octree(const std::filesystem::path& path);
 /// The description, and the picture that it names; one that is absent is a finding.
 [[nodiscard]] Result<Verdict> judge_map(const std::filesystem::path& path);

@@ -2,7 +2,6 @@
 #include "hypermap/io/hypermap_config.hpp"
 
 #include "hypermap/io/bounded_yaml.hpp"
-#include "hypermap/io/byte_source.hpp"
 #include "value_keys.hpp"
 
 #include <algorithm>
@@ -234,31 +233,6 @@ Result<Loaded<HypermapConfig>> parse_hypermap_config(std::string_view bytes,
                                                      const SourceName& source) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(bytes, source));
   return ConfigParser().parse(document.root());
-}
-
-Result<std::vector<Finding>> check_hypermap_config(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, read_file(path, YamlLimits{}.max_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto config, parse_hypermap_config(bytes, {.file = path.string()}));
-  const auto expect = [&](const std::string& file, const std::string& field) {
-    std::error_code ignored;
-    if (std::filesystem::exists(path.parent_path() / file, ignored)) return;
-    Error error{.code = ErrorCode::kNotFound, .what = "'" + printable(file) + "' is not there"};
-    error.file = path.string();
-    error.field = field;
-    config.findings.push_back({.error = std::move(error)});
-  };
-  for (std::size_t i = 0; i < config.value.layers.size(); ++i)
-    if (const auto file = layer_file(config.value.layers[i]))
-      expect(*file, "layers[" + std::to_string(i) + "].file");
-  for (std::size_t i = 0; i < config.value.extensions.size(); ++i)
-    expect(config.value.extensions[i].file, "extensions[" + std::to_string(i) + "].file");
-  return std::move(config.findings);
-}
-
-std::optional<std::string> layer_file(const LayerEntry& layer) {
-  if (!layer.info.load_file) return std::nullopt;
-  const std::string file = layer.info.file.value_or(layer.info.name);
-  return layer.class_name == kOccupancyLayerClass ? file + ".yaml" : file;
 }
 
 std::string write_hypermap_config(const HypermapConfig& config) {

@@ -2,6 +2,7 @@
 // Judges of maps and of what they are made of.
 #include "file_judges.hpp"
 #include "hypermap/io/byte_source.hpp"
+#include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/map_server.hpp"
 #include "hypermap/io/octomap_file.hpp"
 #include "hypermap/io/picture_file.hpp"
@@ -11,6 +12,13 @@
 #include <utility>
 
 namespace hypermap {
+
+Result<Verdict> judge_archive(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path));
+  return Verdict{"archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
+                     " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)",
+                 std::move(loaded.findings)};
+}
 
 Result<Verdict> judge_octree(const std::filesystem::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_octomap(path));

@@ -13,8 +13,6 @@
 #include "hypermap/projection/value_tree.hpp"
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,14 +70,6 @@ struct HypermapConfig {
 /// N"; kLimit for too many layers or extensions.
 [[nodiscard]] Result<Loaded<HypermapConfig>> parse_hypermap_config(std::string_view bytes,
                                                                    const SourceName& source);
-
-/// Judges a configuration file on disk as text: what parse_hypermap_config finds, and a finding for
-/// each file that it names and that is not there. Errors: those of parse_hypermap_config; kIo.
-[[nodiscard]] Result<std::vector<Finding>> check_hypermap_config(const std::filesystem::path& path);
-
-/// The files that a layer names: the metadata of an occupancy layer, else its one file. None when
-/// it does not load a file.
-[[nodiscard]] std::optional<std::string> layer_file(const LayerEntry& layer);
 
 /// The strict form first: layers, transforms; then format_version, extensions, other keys.
 /// Boundary: without layers the list is there, empty; without extensions their key and
