@@ -82,11 +82,11 @@ std::istream& SemanticOcTreeNode::readData(std::istream& stream) {
   return stream;
 }
 
-const SemanticOcTree::Registration SemanticOcTree::registration_;
+const SemanticOcTree::Registration SemanticOcTree::registration;
 
 SemanticOcTree::SemanticOcTree(double resolution_m)
     : octomap::OccupancyOcTreeBase<SemanticOcTreeNode>(resolution_m) {
-  registration_.ensure_linked();
+  registration.ensure_linked();
 }
 
 SemanticOcTree::Registration::Registration() {

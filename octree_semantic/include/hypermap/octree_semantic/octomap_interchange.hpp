@@ -66,7 +66,7 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
     void ensure_linked() const {}
   };
   // global
-  static const Registration registration_;
+  static const Registration registration;
 };
 
 /// Occupancy alone. The sensor model goes along; the tree is pruned.
