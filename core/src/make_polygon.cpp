@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -21,17 +22,31 @@ Result<Ring> checked_ring(Ring ring, const std::string& name) {
   return clean;
 }
 
+/// A ring as the area within, with its bounds, which decide most questions.
+struct RingArea {
+  Polygon area;
+  Rect box;
+
+  explicit RingArea(const Ring& ring) : area{ring, {}}, box(bounds(area)) {}
+  [[nodiscard]] bool holds(const Eigen::Vector2d& point) const {
+    const bool may =
+        (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
+    return may && contains(area, point);
+  }
+};
+
 /// All rings meet nobody, so one point of a hole decides for all of it.
 Result<void> check_holes(const Polygon& polygon) {
-  const Polygon outer{polygon.outer, {}};
-  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+  const RingArea outer(polygon.outer);
+  const std::vector<RingArea> holes(polygon.holes.begin(), polygon.holes.end());
+  for (std::size_t i = 0; i < holes.size(); ++i) {
     const Eigen::Vector2d& point = polygon.holes[i].front();
-    if (!contains(outer, point)) {
+    if (!outer.holds(point)) {
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies outside the outer ring");
     }
-    for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
-      if (k == i || !contains(Polygon{polygon.holes[k], {}}, point)) continue;
+    for (std::size_t k = 0; k < holes.size(); ++k) {
+      if (k == i || !holes[k].holds(point)) continue;
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies inside hole " + std::to_string(k + 1));
     }

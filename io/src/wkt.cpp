@@ -91,6 +91,10 @@ class WktParser {
     PolygonText rings;
     HYPERMAP_TRY(expect('('));
     do {
+      if (rings.size() > limits_.max_holes) {
+        return refuse(ErrorCode::kLimit,
+                      "more than " + std::to_string(limits_.max_holes) + " holes");
+      }
       HYPERMAP_ASSIGN_OR_RETURN(RingText ring, ring_text());
       rings.push_back(std::move(ring));
     } while (take(','));

@@ -163,6 +163,11 @@ void YamlTreeBuilder::take_key(const std::string& text, bool bare, int line) {
   if (!map.keys.insert(text).second) {
     refuse(ErrorCode::kMalformedFile, "the key " + printable(text) + " stands twice", line);
   }
+  if (map.keys.size() > limits_.max_map_keys) {
+    refuse(ErrorCode::kLimit,
+           "more than " + std::to_string(limits_.max_map_keys) + " keys in one map",
+           line);
+  }
   flow_items_ahead_ = 0;
   map.pending_key = text;
   map.key_line = line;

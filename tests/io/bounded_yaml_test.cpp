@@ -211,14 +211,18 @@ TEST(BoundedYaml, ValuesFlowItemsAndBytesAreLimited) {
   limits.max_nodes = 10;
   EXPECT_EQ(refused(repeated("- a\n", 10), limits).code, ErrorCode::kLimit);
   EXPECT_TRUE(parse_yaml(repeated("- a\n", 9), kSource, limits));
-  EXPECT_THAT(refused("[" + repeated("x,", 600'000) + "]").what, HasSubstr("flow collection"));
+  EXPECT_THAT(refused("[" + repeated("x,", 300'000) + "]").what, HasSubstr("flow collection"));
+  limits = {};
+  limits.max_map_keys = 2;
+  EXPECT_TRUE(parse_yaml("a: 1\nb: {a: 1, b: 2}\n", kSource, limits));
+  EXPECT_EQ(refused("a: 1\nb: 2\nc: 3\n", limits).code, ErrorCode::kLimit);
   limits = {};
   limits.max_bytes = 4;
   EXPECT_THAT(refused("a: bc", limits).what, HasSubstr("the limit for YAML is 4"));
 }
 
 TEST(BoundedYaml, AShapeWithManyCommasIsNoFlowCollection) {
-  const std::string shape = repeated("1 2,", 400'000);
+  const std::string shape = repeated("1 2,", 200'000);
   EXPECT_TRUE(parse_yaml("- shape: \"" + shape + "\"\n- shape: \"" + shape + "\"\n", kSource));
 }
 

@@ -118,6 +118,10 @@ TEST(Wkt, OtherGeometriesAreRefusedByName) {
 TEST(Wkt, VerticesAndPartsAreLimited) {
   EXPECT_EQ(read_wkt("POLYGON((0 0,1 0,1 1,0 1))", {.max_vertices = 3}).error().code,
             ErrorCode::kLimit);
+  EXPECT_EQ(read_wkt("POLYGON((0 0,9 0,9 9),(1 .1,2 .1,2 .2),(3 .1,4 .1,4 .2))", {.max_holes = 1})
+                .error()
+                .code,
+            ErrorCode::kLimit);
   std::string many = "MULTIPOLYGON(((0 0,1 0,1 1))";
   for (int i = 1; i <= 100; ++i) {
     const std::string x = std::to_string(2 * i);

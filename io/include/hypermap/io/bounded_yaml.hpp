@@ -27,9 +27,10 @@ struct YamlLimits {
   std::size_t max_bytes = std::size_t{16} << 20U;       ///< Of the file.
   int max_depth = 64;                                   ///< Of nested lists and maps.
   std::size_t max_nodes = 1'000'000;                    ///< Of all values.
+  std::size_t max_map_keys = 65'536;                    ///< Of one map.
   std::size_t max_alias_nodes = 10'000;                 ///< Values that anchors and aliases copy.
   std::size_t max_alias_bytes = std::size_t{1} << 20U;  ///< Text that anchors and aliases copy.
-  std::size_t max_flow_items = 500'000;                 ///< Within one outermost [] or {}.
+  std::size_t max_flow_items = 250'000;                 ///< Within one outermost [] or {}.
 };
 
 /// A place in a document: a value and the way to it ("layers[1].file").

@@ -20,6 +20,7 @@ namespace hypermap {
 
 struct WktLimits {
   std::size_t max_vertices = 100'000;  ///< Of the whole shape.
+  std::size_t max_holes = 1'000;       ///< Of one polygon.
   std::size_t max_parts = 100;         ///< Of a MULTIPOLYGON.
 };
 
