@@ -163,7 +163,8 @@ void PointEvidence::make_room() {
         std::count_if(state_.votes.begin(), state_.votes.end(), [&](const PointVote& v) {
           return v.votes >= needed;
         }));
-    if (num_agreed > options_.max_cells / 4 * 3) {
+    const std::size_t most = options_.max_cells;
+    if (num_agreed > most / 4 * 3) {
       state_.votes = widened(state_.votes);
       state_.edge_m *= 2.0;
       continue;

@@ -129,7 +129,8 @@ class Evaluation {
       for (Eigen::Index k = 0; k < costs.cols(); ++k) {
         const std::size_t t = truth_side[static_cast<std::size_t>(k)];
         const double d = distance(map_side[static_cast<std::size_t>(i)], t);
-        costs(i, k) = d <= gate_m(t) ? d : kForbiddenPair;
+        costs(i, k) = kForbiddenPair;
+        if (d <= gate_m(t)) costs(i, k) = d;
       }
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;

@@ -42,7 +42,7 @@ struct PointEvidenceOptions {
   std::uint32_t max_cells = 4096;  ///< More make cells twice as wide; 64 to 65,536.
   /// A cell counts when it has at least this share of the votes that a typical vote's cell has, in
   /// [0, 1]. 0 counts all: the hull of all errors.
-  double min_vote_share = 0.15;
+  double min_vote_share = 0.25;
   friend bool operator==(const PointEvidenceOptions&, const PointEvidenceOptions&) = default;
 };
 

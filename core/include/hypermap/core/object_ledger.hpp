@@ -97,7 +97,7 @@ class ObjectLedger {
 
 static_assert(sizeof(LedgerEntry) * (ObjectLedger::kMaxNewest + 1) +
                       sizeof(LedgerSummary) * ObjectLedger::kMaxSummaries + sizeof(ObjectLedger) <=
-                  16 * 1024,
+                  std::size_t{16} * 1024,
               "a ledger takes at most 16 KB");
 
 /// Bin of 20 degrees that a bearing falls into; bin 0 starts at 0, counter-clockwise.
