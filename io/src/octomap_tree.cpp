@@ -12,6 +12,7 @@ namespace hypermap {
 namespace {
 
 constexpr float kMaxLogOdds = 32.767F;
+constexpr int kBrickDepth = 13;                         // a leaf of 8 x 8 x 8 voxels
 constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};  // OctoMap's "no colour"
 constexpr Rgb8 kUnlabelled{.r = 160, .g = 160, .b = 160};
 
@@ -93,6 +94,11 @@ std::uint64_t num_voxels(const OctomapTree& tree) {
   return total;
 }
 
+std::uint64_t max_voxels(const OctomapTree& tree, const OctreeConversionOptions& options) {
+  const std::uint64_t by_leaves = options.max_voxels_per_leaf * tree.leaves.size();
+  return std::min(options.max_voxels, std::max(options.unjudged_voxels, by_leaves));
+}
+
 Finding counted(std::uint64_t count, const std::string& what) {
   return {.error = {.code = ErrorCode::kMalformedFile,
                     .what = std::to_string(count) + " leaves: " + what,
@@ -147,7 +153,8 @@ OctomapTree to_octomap_tree(const SemanticOctree& octree) {
       tree.labels.push_back(*stored.label);
     }
     tree.leaves.push_back(leaf);
-    while (last_eight_are_one(tree)) merge_last_eight(tree);
+    while (tree.leaves.back().depth > kBrickDepth && last_eight_are_one(tree))
+      merge_last_eight(tree);
   });
   return tree;
 }
@@ -187,10 +194,11 @@ Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
                                                   const OctreeConversionOptions& conversion) {
   HYPERMAP_TRY(validate(tree));
   const std::uint64_t voxels = num_voxels(tree);
-  if (voxels > conversion.max_voxels)
+  const std::uint64_t limit = max_voxels(tree, conversion);
+  if (voxels > limit)
     return fail(ErrorCode::kLimit,
-                "leaves cover " + std::to_string(voxels) + " voxels, the limit is " +
-                    std::to_string(conversion.max_voxels),
+                std::to_string(tree.leaves.size()) + " leaves cover " + std::to_string(voxels) +
+                    " voxels, the limit is " + std::to_string(limit),
                 "octree");
   OctreeOptions own = options;
   own.resolution_m = tree.resolution_m;

@@ -78,6 +78,14 @@ TEST(OctomapTree, TooLargeALeafIsRefusedBeforeAnythingIsSplit) {
   EXPECT_THAT(octree.error().what, HasSubstr("281474976710656 voxels"));
 }
 
+TEST(OctomapTree, AFewBytesCannotAskForMuchMemory) {
+  // Depth 8: 2^24 voxels in one leaf, beyond 2^22 and beyond 512 a leaf.
+  const OctomapTree tree{.leaves = {{.depth = 8, .log_odds = 1.0F}}};
+  EXPECT_EQ(to_semantic_octree(tree).error().code, ErrorCode::kLimit);
+  const OctomapTree small{.leaves = {{.depth = 10, .log_odds = 1.0F}}};  // 2^18
+  EXPECT_TRUE(to_semantic_octree(small));
+}
+
 TEST(OctomapTree, WhatTheConversionRoundsOrClampsIsCounted) {
   const OctomapTree tree{.leaves = {{.key = {0, 0, 0}, .log_odds = 0.84729786F},
                                     {.key = {1, 0, 0}, .log_odds = 9.0F},

@@ -58,8 +58,9 @@ struct OctomapTree {
 /// OctoMap's own threshold. Requires: `tree` outlives the source.
 [[nodiscard]] LeafSource leaf_source(const OctomapTree& tree);
 
-/// The map as a tree of our type, leaves of equal content merged eight by eight as OctoMap prunes.
-/// A blank label counts as none.
+/// The map as a tree of our type, leaves of equal content merged eight by eight as OctoMap prunes,
+/// up to the size of a brick, so that what is written stays within OctreeConversionOptions. A blank
+/// label counts as none.
 [[nodiscard]] OctomapTree to_octomap_tree(const SemanticOctree& octree);
 
 /// The same space without labels.
@@ -71,15 +72,18 @@ struct OctomapTree {
 /// Merges leaves: eight siblings of equal depth and content become their parent.
 [[nodiscard]] OctomapTree pruned(const OctomapTree& tree);
 
+/// Large leaves are split, so a file of a few bytes could ask for any amount of memory. Recorded
+/// maps have 3 to 12 voxels a leaf.
 struct OctreeConversionOptions {
-  /// Voxels that large leaves may be split into; 2^26 are 160 MB of bricks when all are known.
-  std::uint64_t max_voxels = std::uint64_t{1} << 26U;
+  std::uint64_t max_voxels = std::uint64_t{1} << 31U;       ///< In all.
+  std::uint64_t max_voxels_per_leaf = 512;                  ///< On average; judged beyond the next.
+  std::uint64_t unjudged_voxels = std::uint64_t{1} << 22U;  ///< 9 MB of bricks, a second.
 };
 
 /// A map of our own: large leaves are split into voxels, log-odds rounded to steps of 0.001 and
 /// clamped to the sensor model's bounds; findings count both where they changed something. Colours
 /// are dropped. The resolution is that of the tree, whatever `options` says.
-/// Errors: kLimit when the leaves cover more than `max_voxels`; those of SemanticOctree.
+/// Errors: kLimit when the leaves cover more voxels than that allows; those of SemanticOctree.
 [[nodiscard]] Result<Loaded<SemanticOctree>> to_semantic_octree(
     const OctomapTree& tree,
     const OctreeOptions& options = {},
