@@ -50,7 +50,8 @@ ExitCode judge(const std::string& file, const FileCheckOptions& options) {
 void add_check_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   const std::vector<std::string> kinds(file_kind_names().begin(), file_kind_names().end());
-  CLI::App& command = *program.add_subcommand("check", "Judge any file of a kind that is read here");
+  CLI::App& command =
+      *program.add_subcommand("check", "Judge any file of a kind that is read here");
   command.add_option("files", arguments->files, "files, or folders of datasets")->required();
   command
       .add_option("--as",

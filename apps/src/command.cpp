@@ -28,7 +28,8 @@ ExitCode report(const Error& error) {
 
 ExitCode report(const Finding& finding) {
   const bool is_error = finding.severity == Severity::kError;
-  std::fprintf(stderr, "%s: %s\n", is_error ? "error" : "warning", to_string(finding.error).c_str());
+  std::fprintf(
+      stderr, "%s: %s\n", is_error ? "error" : "warning", to_string(finding.error).c_str());
   return is_error ? ExitCode::kRefused : ExitCode::kFindings;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all commands of the program share: exit codes, how an error is told, how a command is declared.
+/// What all commands of the program share: exit codes, how an error is told, how a command is
+/// declared.
 #pragma once
 
 #include "hypermap/core/result.hpp"

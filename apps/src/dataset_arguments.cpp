@@ -14,17 +14,18 @@ Result<std::vector<std::string>> class_names(const std::optional<std::string>& p
 }  // namespace
 
 void DatasetArguments::add_to(CLI::App& command) {
-  command.add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
+  command
+      .add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
       ->required();
   command.add_option("--dataset", description, "description of the folder, from outside it");
-  command.add_option("--classes", classes, "names of a model's outputs, one a line (default: COCO)");
+  command.add_option(
+      "--classes", classes, "names of a model's outputs, one a line (default: COCO)");
   command.add_option("--stride", stride, "use every N-th frame")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command.add_option("--max-frames", max_frames, "stop after so many frames")
       ->check(CLI::Range(1, 1000000000));
-  command
-      .add_option("--stamp-tolerance", stamp_tolerance_s, "seconds that partners may be apart")
+  command.add_option("--stamp-tolerance", stamp_tolerance_s, "seconds that partners may be apart")
       ->check(CLI::Range(0.0, 3600.0));
 }
 

@@ -24,8 +24,8 @@ Result<DetectionJobReport> run(const Arguments& arguments, const std::string& pr
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
   Progress progress("detecting", progress_when);
-  return run_detection(
-      job, [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+  return run_detection(job,
+                       [&](std::size_t done, std::size_t total) { progress.update(done, total); });
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ Result<std::vector<EvaluatedObject>> objects_of(const std::string& path, const s
   if (!found) return Unexpected(with_source(found.error(), {path}));
   const auto* semantic = std::get_if<SemanticLayer>(&(*found)->content);
   if (semantic == nullptr) {
-    return Unexpected(
-        Error{ErrorCode::kUnsupported, "is no semantic layer", path, layer});
+    return Unexpected(Error{ErrorCode::kUnsupported, "is no semantic layer", path, layer});
   }
   return evaluated_objects(*semantic);
 }
@@ -86,7 +85,9 @@ Result<Outcome> run(const Arguments& arguments) {
   return outcome;
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
 
 Json json_of(const NearestMetric& metric) {
   return {{"n", metric.n},
@@ -157,21 +158,24 @@ void print_table(const Outcome& outcome) {
   table.add(row("all", outcome.report.all));
   std::printf("%s", table.text().c_str());
   const OneToOneMetric& one = outcome.report.all.one_to_one;
-  std::printf("%zu true objects excluded; Jaccard in place over %zu footprints of 0.04 m2 and more\n",
-              one.excluded,
-              one.num_judged);
+  std::printf(
+      "%zu true objects excluded; Jaccard in place over %zu footprints of 0.04 m2 and more\n",
+      one.excluded,
+      one.num_judged);
   if (!outcome.against) return;
-  std::printf("against the other map (Wilcoxon, one-sided): p = %s that this map's Jaccard is greater "
-              "by chance, p = %s that its distance is smaller by chance\n",
-              fixed(outcome.against->jaccard.p, 4).c_str(),
-              fixed(outcome.against->distance.p, 4).c_str());
+  std::printf(
+      "against the other map (Wilcoxon, one-sided): p = %s that this map's Jaccard is greater "
+      "by chance, p = %s that its distance is smaller by chance\n",
+      fixed(outcome.against->jaccard.p, 4).c_str(),
+      fixed(outcome.against->distance.p, 4).c_str());
 }
 
 }  // namespace
 
 void add_eval_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *program.add_subcommand("eval", "How good a map is, measured against a truth");
+  CLI::App& command =
+      *program.add_subcommand("eval", "How good a map is, measured against a truth");
   command.add_option("--map", arguments->map, "archive to judge")->required();
   command.add_option("--truth", arguments->truth, "archive that is right")->required();
   command.add_option("--against", arguments->against, "another map of the same place, to compare");

@@ -27,7 +27,8 @@ Result<std::vector<std::filesystem::path>> run(const Arguments& arguments) {
 
 void add_export_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *program.add_subcommand("export", "A map in the forms that other programs read");
+  CLI::App& command =
+      *program.add_subcommand("export", "A map in the forms that other programs read");
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command
       .add_option("--format",
@@ -39,7 +40,8 @@ void add_export_command(CLI::App& program, Action& action) {
                   arguments->request.output,
                   "file; for ros-map the stem or .yaml, for class-grids a folder")
       ->required();
-  command.add_option("--layer", arguments->request.layer, "2D layer (default: the first that fits)");
+  command.add_option(
+      "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
   command.add_option("--class", arguments->request.classes, "only this class; may be repeated");
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");

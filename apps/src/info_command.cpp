@@ -25,8 +25,9 @@ struct Arguments {
 
 std::string size_text(const LayerSummary& layer) {
   if (layer.cells) {
-    return std::to_string(layer.cells->occupied) + " occupied, " + std::to_string(layer.cells->free) +
-           " free, " + std::to_string(layer.cells->unknown) + " unknown cells";
+    return std::to_string(layer.cells->occupied) + " occupied, " +
+           std::to_string(layer.cells->free) + " free, " + std::to_string(layer.cells->unknown) +
+           " unknown cells";
   }
   if (layer.num_objects) return std::to_string(*layer.num_objects) + " objects";
   if (layer.leaves) {

@@ -94,7 +94,9 @@ ExitCode run(const Arguments& arguments, const std::string& progress_when) {
   return written ? worst : report(written.error());
 }
 
-bool is_positive(double number) { return std::isfinite(number) && number > 0.0; }
+bool is_positive(double number) {
+  return std::isfinite(number) && number > 0.0;
+}
 
 /// For --option of a length: finite and above 0, NaN is neither.
 CLI::Validator positive_length() {
@@ -111,7 +113,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--output", arguments.job.output, "archive to write")->required();
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
-  command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each picture");
+  command.add_option(
+      "--model", arguments.job.model, "network (ONNX, YOLOX) to run on each picture");
   command.add_option("--preset", arguments.preset, "where options start from")
       ->check(CLI::IsMember({"default", "smap", "hypermap"}))
       ->capture_default_str();
@@ -122,10 +125,10 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->check(positive_length());
   command.add_option("--max-range", arguments.max_range_m, "farther depth only frees (default 5)")
       ->check(positive_length());
-  command.add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
+  command
+      .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
-  command.add_option(
-      "--transient", arguments.transient, "class of things that do not stay");
+  command.add_option("--transient", arguments.transient, "class of things that do not stay");
   command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(CLI::Range(0.0, 1.0))

@@ -19,7 +19,8 @@ std::vector<const Object*> published_objects(const MapArchive& archive) {
   std::vector<const Object*> objects;
   for (const Object& object : archive.objects.objects()) {
     bool shown = layers.empty();
-    for (const SemanticLayer* layer : layers) shown = shown || layer->find(object.id.value) != nullptr;
+    for (const SemanticLayer* layer : layers)
+      shown = shown || layer->find(object.id.value) != nullptr;
     if (shown) objects.push_back(&object);
   }
   return objects;

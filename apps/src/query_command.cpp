@@ -120,7 +120,12 @@ std::string joined(const std::vector<double>& numbers) {
 }
 
 void print_table(const Answers& answers) {
-  Table table({"name", "id", "value", "position (" + printable(answers.frame) + ")", "confidence", "size m"});
+  Table table({"name",
+               "id",
+               "value",
+               "position (" + printable(answers.frame) + ")",
+               "confidence",
+               "size m"});
   for (const QueryAnswer& one : answers.found) {
     table.add({printable(one.name),
                std::to_string(one.id),
@@ -171,7 +176,8 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--string", arguments->text, "things of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "things of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
-  command.add_option("--frame", arguments->frame, "frame of points and areas (default: the layer's)");
+  command.add_option(
+      "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--json", arguments->json, "one JSON document");
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);

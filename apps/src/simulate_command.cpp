@@ -24,10 +24,10 @@ Result<SimulationReport> run(const Arguments& arguments, const std::string& prog
   HYPERMAP_ASSIGN_OR_RETURN(const auto path, find_scene(arguments.scene, data_dir()));
   HYPERMAP_ASSIGN_OR_RETURN(const Scene scene, load_scene(path));
   Progress progress("simulating", progress_when);
-  return simulate(scene,
-                  arguments.simulation,
-                  arguments.output,
-                  [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+  return simulate(
+      scene, arguments.simulation, arguments.output, [&](std::size_t done, std::size_t total) {
+        progress.update(done, total);
+      });
 }
 
 void print(const SimulationReport& report, const std::string& output) {

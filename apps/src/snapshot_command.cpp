@@ -90,7 +90,8 @@ void add_snapshot_command(CLI::App& program, Action& action) {
                      arguments->layers,
                      "voxels,objects,occupancy,semantic,trajectory or all (default: by view)");
   command.add_option("--title", arguments->title, "text over the picture (default: file name)");
-  command.add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)");
+  command.add_option(
+      "--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)");
   command.callback([arguments, &action] {
     auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("snapshot", to_string(options.error()));

@@ -107,14 +107,15 @@ void print(const SegmentationTrace& trace,
   }
   const Segment& segment = *trace.segment;
   const Eigen::Vector3d extent = segment.box.extent();
-  std::printf("  segment of %zu points, %zu pixels, %.3f x %.3f x %.3f m at %.2f m, box confidence %.2f\n",
-              segment.points_in_map.size(),
-              segment.pixel_indices.size(),
-              extent.x(),
-              extent.y(),
-              extent.z(),
-              segment.distance_m,
-              segment.box_confidence.value());
+  std::printf(
+      "  segment of %zu points, %zu pixels, %.3f x %.3f x %.3f m at %.2f m, box confidence %.2f\n",
+      segment.points_in_map.size(),
+      segment.pixel_indices.size(),
+      extent.x(),
+      extent.y(),
+      extent.z(),
+      segment.distance_m,
+      segment.box_confidence.value());
 }
 
 Result<void> tune(const Arguments& arguments, const GeometricSegmentationOptions& options) {
@@ -125,8 +126,8 @@ Result<void> tune(const Arguments& arguments, const GeometricSegmentationOptions
                             open_dataset(arguments.dataset.input, dataset_options, classes));
   if (arguments.frame >= dataset->size()) {
     return fail(ErrorCode::kNotFound,
-                "the dataset has frames 0.." + std::to_string(dataset->size() - 1) + ", asked for " +
-                    std::to_string(arguments.frame),
+                "the dataset has frames 0.." + std::to_string(dataset->size() - 1) +
+                    ", asked for " + std::to_string(arguments.frame),
                 "--frame");
   }
   HYPERMAP_ASSIGN_OR_RETURN(const RgbdFrame frame, dataset->read(arguments.frame));

@@ -20,8 +20,8 @@ DatasetOptions pictures_only(DatasetOptions options) {
 
 Result<std::string> as_text(std::span<const FrameDetections> frames, const DetectionJob& job) {
   if (job.output.extension() != ".jsonl") {
-    const auto names = job.detector.class_names.empty() ? coco_class_names()
-                                                        : job.detector.class_names;
+    const auto names =
+        job.detector.class_names.empty() ? coco_class_names() : job.detector.class_names;
     return to_coco_results(frames, names);
   }
   std::string lines;

@@ -24,7 +24,8 @@ template <class Content>
   if (request.layer) {
     HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*request.layer));
     if (std::holds_alternative<Content>(layer->content)) return layer;
-    return fail(ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);
+    return fail(
+        ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);
   }
   for (const Layer& layer : archive.hypermap.layers()) {
     if (std::holds_alternative<Content>(layer.content)) return &layer;

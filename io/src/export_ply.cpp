@@ -85,8 +85,8 @@ Result<WrittenFiles> export_ply(const MapArchive& archive, const ExportRequest& 
   PlyBody body;
   archive.octree->for_each_stored_leaf(
       [&](const StoredLeaf& leaf) { add_leaf(leaf, *archive.octree, wanted, body); });
-  HYPERMAP_TRY(write_file_atomically(request.output,
-                                     header(archive, body.num_vertices()) + body.bytes()));
+  HYPERMAP_TRY(
+      write_file_atomically(request.output, header(archive, body.num_vertices()) + body.bytes()));
   return WrittenFiles{request.output};
 }
 

@@ -12,7 +12,8 @@ namespace hypermap {
 
 class FrameStream {
  public:
-  /// `ahead`: read on a thread of its own. The frames are the same. Requires: `dataset` outlives it.
+  /// `ahead`: read on a thread of its own. The frames are the same. Requires: `dataset` outlives
+  /// it.
   FrameStream(const DatasetReader& dataset, bool ahead);
 
   /// Requires: called at most dataset.size() times.

@@ -49,11 +49,12 @@ Result<void> derive_layers(MapArchive& archive,
   const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band));
   HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band));
-  HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
-                            project_footprints(published_objects(archive.objects, objects.publication),
-                                               archive.classes,
-                                               {.policy = objects.footprint,
-                                                .confidence = objects.publication.confidence}));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto footprints,
+      project_footprints(
+          published_objects(archive.objects, objects.publication),
+          archive.classes,
+          {.policy = objects.footprint, .confidence = objects.publication.confidence}));
   HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer{std::move(occupancy)}));
   HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
   archive.class_grids.clear();

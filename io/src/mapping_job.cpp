@@ -54,7 +54,8 @@ Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRe
   if (!job.model) return std::optional<OnnxDetector>();
   OnnxDetectorOptions options = job.detector;
   options.detector = DetectorId{static_cast<std::uint32_t>(job.dataset.detections.size()) + 1};
-  HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector, OnnxDetector::load(*job.model, options, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
+                            OnnxDetector::load(*job.model, options, classes));
   return std::optional<OnnxDetector>(std::move(detector));
 }
 
@@ -62,7 +63,8 @@ Result<SemanticMapper> make_mapper(const MappingJob& job,
                                    ClassRegistry& classes,
                                    const std::optional<MapArchive>& previous) {
   SemanticMapperOptions options = job.mapper;
-  HYPERMAP_ASSIGN_OR_RETURN(options.transient_classes, class_ids(options.objects.transient_class_names, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(options.transient_classes,
+                            class_ids(options.objects.transient_class_names, classes));
   if (!previous) return SemanticMapper::create(options);
   if (!previous->octree) {
     return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");

@@ -23,7 +23,8 @@ Result<Upright> by_floor(const DatasetReader& dataset) {
 
 }  // namespace
 
-Result<Upright> turn_upright(const DatasetReader& dataset, const std::optional<std::string>& wanted) {
+Result<Upright> turn_upright(const DatasetReader& dataset,
+                             const std::optional<std::string>& wanted) {
   if (wanted && *wanted != "floor") return by_axis(*wanted, "as asked for");
   if (wanted) return by_floor(dataset);
   const DatasetSummary& summary = dataset.summary();

@@ -17,11 +17,12 @@ struct Upright {
   std::string explanation;  ///< For people: what was done and why.
 };
 
-/// `wanted` is an axis ("z", "-y"), "floor" to look for the floor plane, or none: then the dataset's
-/// description decides, TUM RGB-D is taken as it is (its world is gravity aligned), and in any other
-/// dataset the floor is looked for.
+/// `wanted` is an axis ("z", "-y"), "floor" to look for the floor plane, or none: then the
+/// dataset's description decides, TUM RGB-D is taken as it is (its world is gravity aligned), and
+/// in any other dataset the floor is looked for.
 ///
-/// Errors: those of map_from_input_axis and estimate_floor; the latter say that an axis can be given.
+/// Errors: those of map_from_input_axis and estimate_floor; the latter say that an axis can be
+/// given.
 [[nodiscard]] Result<Upright> turn_upright(const DatasetReader& dataset,
                                            const std::optional<std::string>& wanted);
 

@@ -131,6 +131,9 @@ Visibility state_by_panels(double wall_m) {
   return verdicts.empty() ? Visibility::kOutOfView : verdicts.at(0).state;
 }
 
+// [smap] Eq. (3.23), [smap] Eq. (3.24), [smap] Eq. (3.25): each corner takes the panel nearest by
+// angle, so a wall at 1 m stands before a box that begins at 1.8 m, one at 1.9 m inside and one at
+// 3 m after it.
 TEST(PanelPolicy, PanelsBeforeInsideAndAfterTellTheState) {
   // [smap] figure 3.24; the object lies 1.8 to 2.2 m before the camera.
   EXPECT_EQ(state_by_panels(1.0), Visibility::kOccluded);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The README's example: maps a dataset and saves the archive. Usage: map_sequence DATASET OUTPUT.hmap
+// The README's example: maps a dataset and saves the archive. Usage: map_sequence DATASET
+// OUTPUT.hmap
 #include <hypermap/io/mapping_job.hpp>
 
 #include <cstdio>

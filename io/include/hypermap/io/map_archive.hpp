@@ -104,6 +104,7 @@ struct SaveOptions {
   /// Parses the bytes before they replace anything, compares the maps, and after the replacement
   /// compares the file with the bytes. For archives up to `max_verified_bytes`.
   bool verify = true;
+  /// Larger archives are written without that second look. Unit: byte. Default: 1 GiB.
   std::uint64_t max_verified_bytes = std::uint64_t{1} << 30;
 };
 

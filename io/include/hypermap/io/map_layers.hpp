@@ -19,8 +19,8 @@ struct LayerOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const LayerOptions& options);
 
-/// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its octree
-/// and from the objects that `objects` publishes; other layers stay as they are.
+/// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
+/// octree and from the objects that `objects` publishes; other layers stay as they are.
 ///
 /// Requires: archive.octree. Errors: those of the grids and layers.
 /// Cost: two walks over the leaves.

@@ -51,16 +51,16 @@ struct MappingSeconds {
 };
 
 struct MappingReport {
-  std::size_t num_frames = 0;          ///< In the map.
-  std::vector<Error> skipped;          ///< Frames that could not be used, with the reason.
-  std::vector<Finding> findings;       ///< Repairs and unknown keys while opening the dataset.
+  std::size_t num_frames = 0;     ///< In the map.
+  std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
+  std::vector<Finding> findings;  ///< Repairs and unknown keys while opening the dataset.
   std::size_t num_detections = 0;
   std::size_t num_segments = 0;
-  IntegrationReport points;            ///< Summed over the frames.
-  std::size_t num_objects = 0;         ///< Published.
-  std::size_t num_tentative = 0;       ///< Not sure enough to be published.
+  IntegrationReport points;       ///< Summed over the frames.
+  std::size_t num_objects = 0;    ///< Published.
+  std::size_t num_tentative = 0;  ///< Not sure enough to be published.
   LeafCount leaves;
-  std::string up;                      ///< How the world was turned upright, in words.
+  std::string up;  ///< How the world was turned upright, in words.
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
