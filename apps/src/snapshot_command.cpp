@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "hypermap/io/atomic_file.hpp"
 #include "hypermap/io/map_archive.hpp"
+#include "hypermap/io/map_layers.hpp"
 #include "hypermap/io/png_image.hpp"
 #include "hypermap/viewer_offscreen/snapshot.hpp"
 #include "object_query.hpp"
@@ -39,13 +40,20 @@ Result<SnapshotOptions> options_of(const Arguments& arguments) {
   return options;
 }
 
+std::vector<ObjectId> ids_of(const std::vector<QueryAnswer>& answers) {
+  std::vector<ObjectId> ids;
+  for (const QueryAnswer& one : answers) ids.push_back({static_cast<std::uint32_t>(one.id)});
+  return ids;
+}
+
 /// The first layer of each kind, and the objects that the archive stands for.
 SnapshotScene scene_of(const MapArchive& archive, const std::string& title) {
   SnapshotScene scene;
   scene.title = title;
   scene.classes = archive.classes;
+  const auto shown = find_objects(archive, {.name = std::nullopt});
   if (archive.octree) {
-    scene.leaves = leaf_source(*archive.octree);
+    scene.leaves = published_leaves(archive, ids_of(shown));
   } else if (!archive.octomaps.empty()) {
     scene.leaves = leaf_source(archive.octomaps.front().tree);
   }
@@ -58,7 +66,7 @@ SnapshotScene scene_of(const MapArchive& archive, const std::string& title) {
       if (scene.semantic.empty()) scene.semantic.assign(objects.begin(), objects.end());
     }
   }
-  for (const QueryAnswer& one : find_objects(archive, {.name = std::nullopt})) {
+  for (const QueryAnswer& one : shown) {
     const Object& object = archive.objects.at(ObjectId{static_cast<std::uint32_t>(one.id)});
     scene.objects.push_back(
         {.box = object.box, .class_id = archive.classes.find(one.name), .label = one.name});

@@ -6,6 +6,8 @@
 #include "hypermap/projection/occupancy_projection.hpp"
 
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace hypermap {
@@ -14,11 +16,20 @@ namespace {
 constexpr const char* kOccupancyName = "occupancy";
 constexpr const char* kSemanticName = "semantic";
 
-std::vector<const Object*> published_objects(const ObjectMap& objects,
-                                             const PublicationOptions& publication) {
-  std::vector<const Object*> shown;
-  for (const ObjectId id : published(objects, publication)) shown.push_back(&objects.at(id));
-  return shown;
+std::vector<const Object*> objects_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+  std::vector<const Object*> found;
+  for (const ObjectId id : shown) found.push_back(&objects.at(id));
+  return found;
+}
+
+std::map<ObjectId, ClassId> classes_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+  std::map<ObjectId, ClassId> classes;
+  for (const ObjectId id : shown) {
+    const Object* object = objects.find(id);
+    const auto best = object != nullptr ? best_class(*object) : std::nullopt;
+    if (best) classes.emplace(id, best->id);
+  }
+  return classes;
 }
 
 /// Replaces the content of a layer, or adds the layer.
@@ -41,20 +52,33 @@ Result<void> validate(const LayerOptions& options) {
   return {};
 }
 
+LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId> shown) {
+  return [leaves = leaf_source(*archive.octree),
+          classes = classes_of(archive.objects, shown)](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      LeafSample published = leaf;
+      const auto owner = classes.find(leaf.object);
+      published.best_class = owner == classes.end() ? std::nullopt : std::optional(owner->second);
+      if (owner == classes.end()) published.object = kNoObject;
+      visit(published);
+    });
+  };
+}
+
 Result<void> derive_layers(MapArchive& archive,
                            const ObjectPipelineOptions& objects,
                            const LayerOptions& options) {
   HYPERMAP_TRY(validate(options));
-  const LeafSource leaves = leaf_source(*archive.octree);
+  const auto shown = published(archive.objects, objects.publication);
+  const LeafSource leaves = published_leaves(archive, shown);
   const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band));
   HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band));
-  HYPERMAP_ASSIGN_OR_RETURN(
-      auto footprints,
-      project_footprints(
-          published_objects(archive.objects, objects.publication),
-          archive.classes,
-          {.policy = objects.footprint, .confidence = objects.publication.confidence}));
+  HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
+                            project_footprints(objects_of(archive.objects, shown),
+                                               archive.classes,
+                                               {.policy = objects.footprint,
+                                                .confidence = objects.publication.confidence}));
   HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer{std::move(occupancy)}));
   HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
   archive.class_grids.clear();

@@ -3,9 +3,12 @@
 /// The 2D layers of a map, derived from its octree and its objects.
 #pragma once
 
+#include "hypermap/core/leaf.hpp"
 #include "hypermap/core/object_pipeline_options.hpp"
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/map_archive.hpp"
+
+#include <span>
 
 namespace hypermap {
 
@@ -18,6 +21,14 @@ struct LayerOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const LayerOptions& options);
+
+/// The voxels with the classes that the map stands for: a voxel of one of the objects `shown` bears
+/// that object's class, any other none. So a false alarm, which labels voxels too, reaches no grid
+/// and no picture; what each voxel itself was told stays in the octree.
+///
+/// Requires: archive.octree, which outlives the result. Ids that are no objects are left out.
+[[nodiscard]] LeafSource published_leaves(const MapArchive& archive,
+                                          std::span<const ObjectId> shown);
 
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
 /// octree and from the objects that `objects` publishes; other layers stay as they are.
