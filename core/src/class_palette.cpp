@@ -7,8 +7,8 @@ namespace hypermap {
 namespace {
 
 // Found by a greedy search in Oklab: each colour is the one farthest from all before it, among
-// those of medium lightness (0.44 .. 0.80) and chroma (0.09 .. 0.18); the first eight were chosen by
-// hand.
+// those of medium lightness (0.44 .. 0.80) and chroma (0.09 .. 0.18); the first eight were chosen
+// by hand.
 constexpr std::array<Rgb8, kNumClassColors> kColors{
     {Rgb8{42, 113, 214},  Rgb8{229, 96, 34},   Rgb8{60, 158, 64},   Rgb8{235, 180, 50},
      Rgb8{125, 77, 190},  Rgb8{33, 172, 183},  Rgb8{215, 76, 130},  Rgb8{149, 92, 40},

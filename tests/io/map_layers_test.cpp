@@ -57,8 +57,8 @@ TEST(PublishedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
 
 TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {
   const MapArchive archive = archive_with_a_false_alarm();
-  published_leaves(archive, {})(
-      [](const LeafSample& leaf) { EXPECT_EQ(leaf.best_class, std::nullopt); });
+  published_leaves(archive,
+                   {})([](const LeafSample& leaf) { EXPECT_EQ(leaf.best_class, std::nullopt); });
 }
 
 TEST(LayerOptions, RefuseABandThatIsNone) {

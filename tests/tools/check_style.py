@@ -21,7 +21,7 @@ BANNED_IN_LIBRARIES = [
 ]
 BANNED_IN_HEADERS = [(r"^\s*using namespace\b", "headers open no namespace")]
 # Anywhere, comments included.
-BANNED_IN_ALL_TEXT = [(r"\b(TODO|FIXME|XXX|HACK)\b", "leftover"), (r"/work/", "path of one machine")]
+BANNED_IN_ALL_TEXT = [(r"\b(TODO|FIXME|XXX|HACK)\b", "leftover"), (r"/(home|root)/\w", "path of one machine")]
 BANNED_IN_BUILD = [(r"-ffast-math|-Ofast|-funsafe-math", "changes results"),
                    (r"-march=native|-mtune=native", "runs on one machine only")]
 

@@ -32,8 +32,8 @@ struct FurnitureSpec {
 /// The shape in its own frame: it stands on z = 0, the middle of its ground plan is the origin and
 /// it faces +x (who sits on a chair looks along +x; a screen shines towards +x).
 ///
-/// Errors: kNotFound when there is no such shape (those that there are are listed); kInvalidArgument when
-/// a size is neither 0 nor in 0.01 .. 20 m.
+/// Errors: kNotFound when there is no such shape (those that there are are listed);
+/// kInvalidArgument when a size is neither 0 nor in 0.01 .. 20 m.
 [[nodiscard]] Result<TriangleMesh> build_furniture(const FurnitureSpec& spec);
 
 }  // namespace hypermap

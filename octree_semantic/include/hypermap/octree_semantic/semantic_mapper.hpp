@@ -31,7 +31,8 @@ struct SemanticMapperOptions {
   /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
   /// The ids of `objects.transient_class_names`.
   std::set<ClassId> transient_classes;
-  /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on it.
+  /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on
+  /// it.
   int num_threads = 1;
   friend bool operator==(const SemanticMapperOptions&, const SemanticMapperOptions&) = default;
 };
