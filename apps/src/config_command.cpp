@@ -19,7 +19,7 @@ struct Arguments {
   bool json = false;
 };
 
-void print_json(const SemanticMapperOptions& options) {
+void print_json(const MapOptions& options) {
   Json list = Json::array();
   for (const OptionDescription& option : describe_options(options)) {
     list.push_back({{"name", option.name},
@@ -33,8 +33,8 @@ void print_json(const SemanticMapperOptions& options) {
 }
 
 ExitCode run(const Arguments& arguments) {
-  SemanticMapperOptions options;
-  options.objects = preset(*preset_of(arguments.preset));
+  MapOptions options;
+  options.mapper.objects = preset(*preset_of(arguments.preset));
   if (!arguments.file.empty()) {
     auto read = read_options(arguments.file, options);
     if (!read) return report(read.error());

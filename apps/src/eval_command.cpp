@@ -2,8 +2,8 @@
 #include "command.hpp"
 #include "hypermap/core/map_evaluation.hpp"
 #include "hypermap/core/wilcoxon.hpp"
+#include "hypermap/io/evaluated_objects.hpp"
 #include "hypermap/io/map_archive.hpp"
-#include "hypermap/io/simulation_truth.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -129,7 +129,7 @@ void print_json(const Outcome& outcome) {
 
 std::vector<std::string> row(const std::string& name, const ClassMetrics& metrics) {
   const OneToOneMetric& one = metrics.one_to_one;
-  return {name,
+  return {printable(name),
           std::to_string(one.num_truth),
           std::to_string(one.num_map),
           fixed(one.precision, 2),

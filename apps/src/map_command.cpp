@@ -38,10 +38,13 @@ Result<MappingJob> job_of(const Arguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
-  job.mapper.objects = preset(*preset_of(arguments.preset));
+  MapOptions options;
+  options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
-    HYPERMAP_ASSIGN_OR_RETURN(job.mapper, read_options(*arguments.config, job.mapper));
+    HYPERMAP_ASSIGN_OR_RETURN(options, read_options(*arguments.config, options));
   }
+  job.mapper = std::move(options.mapper);
+  job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
   if (arguments.mode) {

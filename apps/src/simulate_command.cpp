@@ -41,7 +41,8 @@ void print(const SimulationReport& report, const std::string& output) {
   std::printf("%zu objects count in evaluations; not counted:\n", num_counted);
   for (const SimulatedTruth& truth : report.objects) {
     if (truth.excluded_because.empty()) continue;
-    std::printf("  %-16s %s\n", truth.name.c_str(), truth.excluded_because.c_str());
+    std::printf(
+        "  %-16s %s\n", printable(truth.name).c_str(), printable(truth.excluded_because).c_str());
   }
 }
 

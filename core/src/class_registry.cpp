@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/class_registry.hpp"
 
+#include "hypermap/core/utf8.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -35,13 +37,10 @@ Result<void> check_name(std::string_view name) {
                 "at most 256 bytes are read, has " + std::to_string(name.size()),
                 "class name");
   }
-  // `printable` changes exactly what is no UTF-8 or a control character; each escape is longer.
-  if (printable(name, 4 * kMaxNameBytes) != name) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be UTF-8 without control characters, is " + printable(name),
-                "class name");
-  }
-  return {};
+  if (first_bad_utf8(name) == name.size() && name.find('\0') == std::string_view::npos) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be UTF-8 without NUL, is " + printable(name),
+              "class name");
 }
 
 }  // namespace

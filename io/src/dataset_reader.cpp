@@ -229,7 +229,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
     paired.detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
-    auto ids = register_classes(paired.set.class_names, registry);
+    auto ids = register_classes(distinct_classes(paired.set.class_names), registry);
     if (!ids) return Unexpected(in_file(std::move(ids).error(), paired.file));
     paired.known_classes = std::move(*ids);
     summary.num_detections += paired.set.num_detections();
@@ -255,14 +255,9 @@ Result<void> prepare_labels(const DatasetOptions& options,
   }
   HYPERMAP_ASSIGN_OR_RETURN(sequence.label_names, read_label_names(sequence.folder));
   std::vector<std::string> names;
-  std::vector<std::string> canonical;
-  for (const auto& [number, name] : sequence.label_names) {
-    const std::string key = canonical_class_name(name);
-    if (std::find(canonical.begin(), canonical.end(), key) != canonical.end()) continue;
-    canonical.push_back(key);
-    names.push_back(name);
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_classes, register_classes(names, registry));
+  for (const auto& [number, name] : sequence.label_names) names.push_back(name);
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_classes,
+                            register_classes(distinct_classes(names), registry));
   sequence.label_detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
   return {};
 }

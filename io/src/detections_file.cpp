@@ -201,6 +201,15 @@ Result<Loaded<DetectionSet>> parse_detections(std::string_view text,
   return std::move(builder).take();
 }
 
+std::vector<std::string> distinct_classes(std::span<const std::string> class_names) {
+  std::vector<std::string> distinct;
+  std::set<std::string> seen;
+  for (const std::string& name : class_names) {
+    if (seen.insert(canonical_class_name(name)).second) distinct.push_back(name);
+  }
+  return distinct;
+}
+
 Result<std::vector<ClassId>> register_classes(std::span<const std::string> class_names,
                                               ClassRegistry& registry) {
   std::vector<ClassId> ids;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace hypermap {
@@ -175,6 +176,7 @@ Result<std::string> parse_label(const JsonNode& node, const DetectionLimits& lim
 Result<std::vector<NamedScore>> parse_scores(const JsonNode& node, const DetectionLimits& limits) {
   HYPERMAP_TRY(node.expect(JsonKind::kObject));
   std::vector<NamedScore> scores;
+  std::set<std::string> classes;
   scores.reserve(node.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < node.size(); ++i) {
@@ -184,6 +186,10 @@ Result<std::vector<NamedScore>> parse_scores(const JsonNode& node, const Detecti
       return member.error(ErrorCode::kMalformedFile,
                           "class name must have 1 .. " + std::to_string(limits.max_label_bytes) +
                               " bytes and no NUL");
+    }
+    if (!classes.insert(canonical_class_name(member.key())).second) {
+      return member.error(ErrorCode::kMalformedFile,
+                          "must name each class once, is another spelling of one before");
     }
     HYPERMAP_ASSIGN_OR_RETURN(const Probability p, parse_probability(member));
     scores.push_back({std::string(member.key()), p});

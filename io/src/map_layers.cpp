@@ -49,6 +49,11 @@ Result<void> validate(const LayerOptions& options) {
                 "must be finite and above min_height_m, is " + std::to_string(options.max_height_m),
                 "max_height_m");
   }
+  if (!(options.min_free_share > 0.0 && options.min_free_share <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be above 0 and at most 1, is " + std::to_string(options.min_free_share),
+                "min_free_share");
+  }
   return {};
 }
 
@@ -72,8 +77,9 @@ Result<void> derive_layers(MapArchive& archive,
   const auto shown = published(archive.objects, objects.publication);
   const LeafSource leaves = published_leaves(archive, shown);
   const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
-  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band));
-  HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band));
+  const OccupancyProjectionOptions projection{.min_free_share = options.min_free_share};
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band, projection));
+  HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band, projection));
   HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
                             project_footprints(objects_of(archive.objects, shown),
                                                archive.classes,

@@ -180,7 +180,7 @@ Result<void> check_losses(const MappingReport& report, const MappingJob& job) {
 }
 
 /// Every option by name, as an options file would say it.
-ValueTree options_tree(const SemanticMapperOptions& options) {
+ValueTree options_tree(const MapOptions& options) {
   std::vector<ValueTree::Entry> entries;
   for (const OptionDescription& option : describe_options(options)) {
     entries.emplace_back(option.name, make_text(option.value));
@@ -192,7 +192,7 @@ Provenance provenance(const Run& run, const MappingJob& job) {
   return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
           .input = std::filesystem::absolute(job.input).lexically_normal().filename().string(),
           .input_hash = run.fingerprint.text(),
-          .options = options_tree(job.mapper),
+          .options = options_tree({job.mapper, job.layers}),
           .map_from_input = run.dataset->map_from_input()};
 }
 

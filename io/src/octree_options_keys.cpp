@@ -54,6 +54,7 @@ Result<OctreeOptions> octree_options(const ValueTree& extra) {
 
 std::vector<ValueTree::Entry> octree_option_keys(const OctreeOptions& options) {
   std::vector<ValueTree::Entry> model;
+  model.reserve(kModelKeys.size());
   for (const ProbabilityKey& key : kModelKeys)
     model.emplace_back(key.name, make_number((options.sensor_model.*key.field).value()));
   return {{"sensor_model", make_map(std::move(model))},

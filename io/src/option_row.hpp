@@ -7,7 +7,7 @@
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/bounded_json.hpp"
 #include "hypermap/io/bounded_yaml.hpp"
-#include "hypermap/octree_semantic/semantic_mapper.hpp"
+#include "hypermap/io/options_file.hpp"
 
 #include <array>
 #include <cstdint>
@@ -28,8 +28,8 @@ struct OptionRow {
   std::string range;
   std::string source;
   std::string effect;
-  std::function<std::string(const SemanticMapperOptions&)> text;
-  std::function<Result<void>(SemanticMapperOptions&, const YamlNode&)> assign;
+  std::function<std::string(const MapOptions&)> text;
+  std::function<Result<void>(MapOptions&, const YamlNode&)> assign;
 };
 
 struct OptionRange {
@@ -149,7 +149,7 @@ struct OptionNotes {
 /// A row for the field that `get` gives of options, const or not.
 template <class Get>
 OptionRow option_row(const char* name, OptionRange range, OptionNotes notes, Get get) {
-  using Field = std::remove_cvref_t<decltype(get(std::declval<SemanticMapperOptions&>()))>;
+  using Field = std::remove_cvref_t<decltype(get(std::declval<MapOptions&>()))>;
   std::string range_text = json_number(range.min) + " .. " + json_number(range.max);
   if constexpr (std::is_same_v<Field, bool>) range_text = "true, false";
   if constexpr (std::is_same_v<Field, std::vector<std::string>>) range_text = "names";
@@ -158,8 +158,8 @@ OptionRow option_row(const char* name, OptionRange range, OptionNotes notes, Get
           std::move(range_text),
           notes.source,
           notes.effect,
-          [get](const SemanticMapperOptions& options) { return option_text(get(options)); },
-          [get, range](SemanticMapperOptions& options, const YamlNode& node) {
+          [get](const MapOptions& options) { return option_text(get(options)); },
+          [get, range](MapOptions& options, const YamlNode& node) {
             return assign_option(get(options), node, range);
           }};
 }
@@ -169,31 +169,35 @@ template <class Get>
 OptionRow choice_row(const char* name, std::vector<std::string> names, OptionNotes notes, Get get) {
   std::string range;
   for (const std::string& choice : names) range += (range.empty() ? "" : ", ") + choice;
-  return {
-      name,
-      notes.unit,
-      range,
-      notes.source,
-      notes.effect,
-      [get, names](const SemanticMapperOptions& options) {
-        return names.at(static_cast<std::size_t>(get(options)));
-      },
-      [get, names, range](SemanticMapperOptions& options, const YamlNode& node) -> Result<void> {
-        HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          if (names[i] != text) continue;
-          auto& field = get(options);
-          field = static_cast<std::remove_cvref_t<decltype(field)>>(i);
-          return {};
-        }
-        return Unexpected(node.error("must be one of " + range + ", is " + printable(text)));
-      }};
+  return {name,
+          notes.unit,
+          range,
+          notes.source,
+          notes.effect,
+          [get, names](const MapOptions& options) {
+            return names.at(static_cast<std::size_t>(get(options)));
+          },
+          [get, names, range](MapOptions& options, const YamlNode& node) -> Result<void> {
+            HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
+            for (std::size_t i = 0; i < names.size(); ++i) {
+              if (names[i] != text) continue;
+              auto& field = get(options);
+              field = static_cast<std::remove_cvref_t<decltype(field)>>(i);
+              return {};
+            }
+            return Unexpected(node.error("must be one of " + range + ", is " + printable(text)));
+          }};
 }
 
-/// The field of options that `path` names, for const and other options alike.
+/// The field of the mapper's options that `path` names, for const and other options alike.
 #define HYPERMAP_OPTION_FIELD(path) \
   [](auto& options) -> auto& {      \
-    return options.path;            \
+    return options.mapper.path;     \
+  }
+/// The same for options of the 2D layers.
+#define HYPERMAP_LAYER_OPTION_FIELD(path) \
+  [](auto& options) -> auto& {            \
+    return options.layers.path;           \
   }
 
 /// The table, in parts.
@@ -201,5 +205,6 @@ OptionRow choice_row(const char* name, std::vector<std::string> names, OptionNot
 [[nodiscard]] std::vector<OptionRow> segmentation_option_rows();
 [[nodiscard]] std::vector<OptionRow> association_option_rows();
 [[nodiscard]] std::vector<OptionRow> presence_option_rows();
+[[nodiscard]] std::vector<OptionRow> layer_option_rows();
 
 }  // namespace hypermap

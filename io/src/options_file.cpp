@@ -18,7 +18,8 @@ std::vector<OptionRow> all_rows() {
   for (auto part : {map_option_rows(),
                     segmentation_option_rows(),
                     association_option_rows(),
-                    presence_option_rows()}) {
+                    presence_option_rows(),
+                    layer_option_rows()}) {
     std::move(part.begin(), part.end(), std::back_inserter(rows));
   }
   return rows;
@@ -54,7 +55,7 @@ std::string unknown_text(const std::vector<OptionRow>& rows, const std::string& 
 Result<void> apply(const std::vector<OptionRow>& rows,
                    const YamlNode& node,
                    const std::string& prefix,
-                   SemanticMapperOptions& options) {
+                   MapOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto entries, node.as_map());
   for (const auto& [key, value] : entries) {
     const std::string name = prefix + key;
@@ -96,7 +97,12 @@ std::vector<std::string> parts_of(const std::string& name) {
 
 }  // namespace
 
-std::vector<OptionDescription> describe_options(const SemanticMapperOptions& options) {
+Result<void> validate(const MapOptions& options) {
+  HYPERMAP_TRY(validate(options.mapper));
+  return validate(options.layers);
+}
+
+std::vector<OptionDescription> describe_options(const MapOptions& options) {
   std::vector<OptionDescription> out;
   for (const OptionRow& row : all_rows()) {
     out.push_back({row.name, row.text(options), row.unit, row.range, row.source, row.effect});
@@ -104,15 +110,15 @@ std::vector<OptionDescription> describe_options(const SemanticMapperOptions& opt
   return out;
 }
 
-Result<SemanticMapperOptions> with_option(const SemanticMapperOptions& options,
-                                          std::string_view name,
-                                          std::string_view text) {
+Result<MapOptions> with_option(const MapOptions& options,
+                               std::string_view name,
+                               std::string_view text) {
   const std::vector<OptionRow> rows = all_rows();
   const OptionRow* row = find_row(rows, name);
   if (row == nullptr) {
     return fail(ErrorCode::kNotFound, unknown_text(rows, std::string(name)), "option");
   }
-  SemanticMapperOptions out = options;
+  MapOptions out = options;
   const auto document = parse_yaml(text, SourceName{});
   Result<void> assigned =
       document ? row->assign(out, document->root()) : Unexpected(document.error());
@@ -123,13 +129,12 @@ Result<SemanticMapperOptions> with_option(const SemanticMapperOptions& options,
   return out;
 }
 
-Result<SemanticMapperOptions> read_options(const std::filesystem::path& path,
-                                           const SemanticMapperOptions& base) {
+Result<MapOptions> read_options(const std::filesystem::path& path, const MapOptions& base) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, read_yaml(path));
   const YamlNode root = document.root();
-  SemanticMapperOptions out = base;
+  MapOptions out = base;
   if (const auto node = root.find(kPresetKey)) {
-    HYPERMAP_ASSIGN_OR_RETURN(out.objects, preset_from(*node));
+    HYPERMAP_ASSIGN_OR_RETURN(out.mapper.objects, preset_from(*node));
   }
   HYPERMAP_TRY(apply(all_rows(), root, "", out));
   if (auto ok = validate(out); !ok) {
@@ -140,7 +145,7 @@ Result<SemanticMapperOptions> read_options(const std::filesystem::path& path,
   return out;
 }
 
-std::string write_options(const SemanticMapperOptions& options) {
+std::string write_options(const MapOptions& options) {
   std::string out;
   std::vector<std::string> open;
   for (const OptionRow& row : all_rows()) {

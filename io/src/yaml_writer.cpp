@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -36,30 +37,38 @@ bool is_bare_number(std::string_view text) {
          });
 }
 
-std::string escaped(unsigned char byte) {
-  switch (byte) {
-    case '"':
-      return "\\\"";
-    case '\\':
-      return "\\\\";
-    case '\n':
-      return "\\n";
-    case '\t':
-      return "\\t";
-    case '\r':
-      return "\\r";
-    default:
-      return {'\\', 'x', kHexDigits[byte >> 4U], kHexDigits[byte & 0xFU]};
-  }
+std::string hex_escaped(unsigned char code) {
+  return {'\\', 'x', kHexDigits[code >> 4U], kHexDigits[code & 0xFU]};
 }
 
-/// In double quotes; control characters escaped, other characters as they are.
+/// One character within double quotes. Escaped are those that YAML does not allow as they are, and
+/// those that other readers take as the end of a line (U+0085, U+2028, U+2029) or as a byte order.
+std::string in_quotes_one(std::string_view character) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNamed{
+      {{"\"", "\\\""},
+       {"\\", "\\\\"},
+       {"\n", "\\n"},
+       {"\t", "\\t"},
+       {"\r", "\\r"},
+       {"\xE2\x80\xA8", "\\u2028"},
+       {"\xE2\x80\xA9", "\\u2029"},
+       {"\xEF\xBB\xBF", "\\uFEFF"}}};
+  for (const auto& [active, escape] : kNamed) {
+    if (character == active) return std::string(escape);
+  }
+  const auto first = static_cast<unsigned char>(character.front());
+  if (first < 0x20 || first == 0x7F) return hex_escaped(first);
+  const auto last = static_cast<unsigned char>(character.back());
+  if (first == 0xC2 && last < 0xA0) return hex_escaped(last);  // U+0080 .. U+009F
+  return std::string(character);
+}
+
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_active = byte < 0x20 || byte == 0x7F || c == '"' || c == '\\';
-    out += is_active ? escaped(byte) : std::string(1, c);
+  while (!text.empty()) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text, 0), 1);
+    out += in_quotes_one(text.substr(0, length));
+    text.remove_prefix(length);
   }
   return out + "\"";
 }

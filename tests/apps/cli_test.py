@@ -3,36 +3,17 @@
 """The program as its users meet it: exit codes, messages, files, JSON. Usage: cli_test.py PROGRAM [unittest args]"""
 
 import collections
-import hashlib
 import json
 import os
 import pathlib
-import resource
 import shutil
 import struct
-import subprocess
-import sys
 import tempfile
 import unittest
 
-PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
-DATA = pathlib.Path(os.environ.get("HYPERMAP_DATA", SOURCE / "../shared/data"))
+from program import DATA, SOURCE, digest, run, tree_digest
+
 COMMANDS = "simulate detect map info config query export snapshot eval tune check".split()
-
-
-def run(*arguments, stdout=subprocess.PIPE, env=None, limit_s=300):
-    return subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=stdout, stderr=subprocess.PIPE,
-                          text=True, errors="replace", timeout=limit_s, env=env, check=False)
-
-
-def digest(path):
-    return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
-
-
-def tree_digest(folder):
-    parts = [f"{p.relative_to(folder)}:{digest(p)}" for p in sorted(folder.rglob("*")) if p.is_file()]
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
 class Usage(unittest.TestCase):
@@ -248,53 +229,6 @@ class Pipeline(unittest.TestCase):
         result = run("tune", "--input", self.dataset, "--frame", 5, "--output", output)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(list(output.glob("*.png")))
-
-
-class Hostile(unittest.TestCase):
-    """Every file of the hostile corpus through `check`, as its name says."""
-
-    KINDS = {"zip": "archive", "octree": "octree", "image": "image", "depth": "depth", "wkt": "semantic",
-             "trajectory": "trajectory", "intrinsics": "intrinsics", "detections": "detections"}
-
-    # The corpus leaves a choice here: these are repaired, which is a finding, instead of refused.
-    REPAIRED = ("err_inner_children_disagree.ot", "err_bbox_outside.json")
-
-    def setUp(self):
-        if not (DATA / "hostile").is_dir():
-            self.skipTest(f"test data not present: {DATA / 'hostile'}")
-
-    def judge(self, path, *arguments):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        result = run("check", *arguments, path, limit_s=20)
-        spent = resource.getrusage(resource.RUSAGE_CHILDREN)
-        self.assertLess(spent.ru_utime - before.ru_utime, 10.0, path)
-        expected = (0, 1) if path.name.startswith("ok_") or path.name in self.REPAIRED else (2,)
-        self.assertIn(result.returncode, expected, f"{path}: {result.stdout}{result.stderr}")
-        if path.name.startswith("err_"):
-            lines = [line for line in (result.stdout + result.stderr).splitlines() if line.strip()]
-            self.assertIn(path.name, "\n".join(lines))
-
-    def test_kinds_insisted_on(self):
-        for folder, kind in self.KINDS.items():
-            for path in sorted((DATA / "hostile" / folder).iterdir()):
-                with self.subTest(path.name):
-                    size = ["--size", "32x24"] if kind == "depth" else []
-                    self.judge(path, "--as", kind, *size)
-
-    def test_yaml(self):
-        meta = ("resolution", "thresh", "origin", "negate", "image", "occupancy", "missing_image",
-                "missing_origin")
-        for path in sorted((DATA / "hostile/yaml").iterdir()):
-            kind = "map" if any(word in path.name for word in meta) else "config"
-            with self.subTest(path.name):
-                self.judge(path, "--as", kind)
-
-    def test_the_kind_is_found_by_content(self):
-        for name in ("zip/ok_reference.hmap", "octree/ok_two.ot", "octree/ok_single.bt", "image/ok_p2.pgm",
-                     "wkt/ok_square_ccw.yaml", "trajectory/ok_two.txt", "intrinsics/ok_camera.json",
-                     "detections/ok_one.json", "yaml/ok_config.yaml"):
-            with self.subTest(name):
-                self.judge(DATA / "hostile" / name)
 
 
 class RealData(unittest.TestCase):

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of somebody else's that uses the installed package.
+// A program of somebody else's that uses the installed package, each of its libraries.
 #include <hypermap/io/map_archive.hpp>
 #include <hypermap/octree_semantic/semantic_mapper.hpp>
+#include <hypermap/viewer_offscreen/snapshot.hpp>
 
 int main() {
   const auto mapper = hypermap::SemanticMapper::create({});
-  return mapper && mapper->octree().empty() ? 0 : 1;
+  if (!mapper || !mapper->octree().empty()) return 1;
+  const auto saved = hypermap::write_archive({});
+  if (!saved) return 1;
+  // A machine without EGL says so; that it can be asked is what is tried here.
+  const auto picture = hypermap::render_snapshot({}, {.width_px = 64, .height_px = 48});
+  return picture || picture.error().code == hypermap::ErrorCode::kUnavailable ? 0 : 1;
 }

@@ -36,10 +36,16 @@ TEST(CanonicalClassName, MapsNamesOfCocoToThoseOfVoc) {
   EXPECT_EQ(canonical_class_name("cell_phone"), "cellphone");
 }
 
-TEST(ClassRegistry, RefusesNamesThatCannotBeShown) {
+TEST(ClassRegistry, KeepsWhateverADetectorSays) {
+  ClassRegistry registry;
+  const std::string active = "../../etc/passwd\n- evil: true\x1b[31m";
+  EXPECT_EQ(registry.name(registry.add(active).value()), active);
+}
+
+TEST(ClassRegistry, RefusesWhatIsNoText) {
   ClassRegistry registry;
   EXPECT_EQ(registry.add("").error().code, ErrorCode::kInvalidArgument);
-  EXPECT_EQ(registry.add("a\nb").error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(registry.add(std::string("a\0b", 3)).error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(registry.add("\xff").error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(registry.add(std::string(257, 'x')).error().code, ErrorCode::kLimit);
   EXPECT_TRUE(registry.add(std::string(256, 'x')).has_value());

@@ -26,6 +26,11 @@ TEST(Printable, EscapesControlCharactersAndInvalidUtf8) {
   EXPECT_EQ(printable("a\nb\x1b[31m\xff\xc3\xa9"), "a\\x0ab\\x1b[31m\\xff\xc3\xa9");
 }
 
+TEST(Printable, EscapesControlCharactersBeyondAscii) {
+  // U+009B is the control sequence introducer; U+00A0 is a blank.
+  EXPECT_EQ(printable("\xc2\x9b\xc2\xa0"), "\\xc2\\x9b\xc2\xa0");
+}
+
 TEST(Printable, RefusesOverlongFormsAndSurrogates) {
   EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");

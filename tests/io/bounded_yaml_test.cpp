@@ -275,6 +275,8 @@ TEST(BoundedYaml, WhatIsWrittenReadsAsTheSameTree) {
                             make_text("[a]"),
                             make_text("a,b"),
                             make_text("? x"),
+                            make_text("nel \xC2\x85 csi \xC2\x9B space \xC2\xA0"),
+                            make_text("lines \xE2\x80\xA8 \xE2\x80\xA9 mark \xEF\xBB\xBF"),
                             make_text("=")})},
                 {"truth", make_bool(true)},
                 {"nothing", {}},
@@ -293,6 +295,14 @@ TEST(BoundedYaml, WhatIsWrittenReadsAsTheSameTree) {
     EXPECT_EQ(back, tree) << text << write_yaml(back, style);
     EXPECT_EQ(write_yaml(back, style), text);
   }
+}
+
+TEST(BoundedYaml, CharactersThatEndLinesElsewhereAreEscaped) {
+  EXPECT_EQ(write_yaml(make_text("a\xC2\x85"
+                                 "b\xE2\x80\xA8"
+                                 "c\xEF\xBB\xBF"
+                                 "d\xC2\xA0")),
+            "\"a\\x85b\\u2028c\\uFEFFd\xC2\xA0\"\n");
 }
 
 TEST(BoundedYaml, BlocksAreWrittenWithTwoBlanksOfIndent) {

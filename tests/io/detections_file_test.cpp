@@ -162,6 +162,17 @@ TEST(DetectionsFile, ClassVectorsAreScaledAndOthersSpread) {
   EXPECT_EQ(second.class_scores[1].probability.value(), 0.7);
 }
 
+TEST(DetectionsFile, SpellingsOfAClassAreOneClass) {
+  const DetectionSet set =
+      parsed(frame(R"({"label": "tv", "score": 0.5, "bbox": [1, 2, 3, 4]},)"
+                   R"({"label": "Tv-Monitor", "score": 0.5, "bbox": [1, 2, 3, 4]})"));
+  EXPECT_THAT(distinct_classes(set.class_names), ElementsAre("tv"));
+  EXPECT_THAT(
+      refusal(frame(
+          R"({"label": "a", "score": 0.5, "bbox": [1, 2, 3, 4], "scores": {"tv": 0.5, "TV": 0.1}})")),
+      HasSubstr("another spelling"));
+}
+
 TEST(DetectionsFile, ResolvingChecksThePicturesSize) {
   ClassRegistry registry;
   const DetectionSet set = parsed(frame(kChair));

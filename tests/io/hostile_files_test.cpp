@@ -3,13 +3,11 @@
 // test.
 #include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/octomap_file.hpp"
-#include "support/temp_dir.hpp"
-#include "support/test_data.hpp"
+#include "support/hostile_index.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -18,27 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of files in the index's section `kind`: rows that begin with "| `name`".
-std::vector<std::string> indexed_files(const std::string& kind) {
-  std::ifstream index(test::shared_data("hostile/INDEX.md"));
-  std::vector<std::string> names;
-  bool in_section = false;
-  for (std::string line; std::getline(index, line);) {
-    if (line.starts_with("## ")) in_section = line == "## " + kind;
-    if (in_section && line.starts_with("| `"))
-      names.push_back(line.substr(3, line.find('`', 3) - 3));
-  }
-  return names;
-}
-
 /// Judges each file of a section by its name. `load` gives an error text, empty when it loads.
 template <class Load>
 void judge_section(const std::string& kind, std::size_t min_files, const Load& load) {
-  const std::vector<std::string> names = indexed_files(kind);
-  ASSERT_GE(names.size(), min_files);
-  for (const std::string& name : names) {
-    const std::string error = load(test::shared_data("hostile/" + kind + "/" + name));
-    if (name.starts_with("ok_")) {
+  const std::vector<test::HostileFile> files = test::hostile_files(kind);
+  ASSERT_GE(files.size(), min_files);
+  for (const test::HostileFile& file : files) {
+    const std::string name = file.path.filename();
+    const std::string error = load(file.path);
+    if (file.must_load) {
       EXPECT_EQ(error, "") << name;
     } else {
       EXPECT_NE(error, "") << name << " was accepted";
@@ -46,6 +32,11 @@ void judge_section(const std::string& kind, std::size_t min_files, const Load& l
       EXPECT_LT(error.size(), 1000U) << name;
     }
   }
+}
+
+/// A file of the corpus: "zip/ok_reference.hmap".
+fs::path hostile(const std::string& name) {
+  return test::shared_data("hostile/" + name);
 }
 
 TEST(HostileFiles, ArchivesGiveWhatTheIndexSays) {
@@ -59,12 +50,13 @@ TEST(HostileFiles, ArchivesGiveWhatTheIndexSays) {
 
 TEST(HostileFiles, GoodArchivesAreAllTheSameMapAndSurviveARoundTrip) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
-  const auto reference = load_archive(test::shared_data("hostile/zip/ok_reference.hmap"));
+  const auto reference = load_archive(hostile("zip/ok_reference.hmap"));
   ASSERT_TRUE(reference) << to_string(reference.error());
   ASSERT_EQ(reference->value.octomaps.size(), 1U);
-  for (const std::string& name : indexed_files("zip")) {
-    if (!name.starts_with("ok_")) continue;
-    const auto archive = load_archive(test::shared_data("hostile/zip/" + name));
+  for (const test::HostileFile& file : test::hostile_files("zip")) {
+    if (!file.must_load) continue;
+    const std::string name = file.path.filename();
+    const auto archive = load_archive(file.path);
     ASSERT_TRUE(archive) << to_string(archive.error());
     EXPECT_TRUE(archive->value == reference->value) << name;
     const auto saved = write_archive(archive->value);
@@ -89,7 +81,7 @@ TEST(HostileFiles, OctreesGiveWhatTheIndexSays) {
 TEST(HostileFiles, ErrorsSayWhatTheIndexAsksFor) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
   const auto octree_error = [](const std::string& name) {
-    const auto tree = read_octomap(test::shared_data("hostile/octree/" + name));
+    const auto tree = read_octomap(hostile("octree/" + name));
     return tree ? std::string("no error") : to_string(tree.error());
   };
   const std::vector<std::pair<std::string, std::string>> expected{
@@ -103,7 +95,7 @@ TEST(HostileFiles, ErrorsSayWhatTheIndexAsksFor) {
   for (const auto& [name, text] : expected)
     EXPECT_NE(octree_error(name).find(text), std::string::npos) << octree_error(name);
   const auto archive_error = [](const std::string& name) {
-    const auto archive = load_archive(test::shared_data("hostile/zip/" + name));
+    const auto archive = load_archive(hostile("zip/" + name));
     return archive ? std::string("no error") : to_string(archive.error());
   };
   const std::vector<std::pair<std::string, std::string>> zip_expected{

@@ -64,6 +64,7 @@ TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {
 TEST(LayerOptions, RefuseABandThatIsNone) {
   EXPECT_TRUE(validate(LayerOptions{}));
   EXPECT_FALSE(validate(LayerOptions{.min_height_m = 1.0, .max_height_m = 1.0}));
+  EXPECT_FALSE(validate(LayerOptions{.min_free_share = 0.0}));
   EXPECT_FALSE(validate(LayerOptions{.min_height_m = std::numeric_limits<double>::quiet_NaN()}));
 }
 

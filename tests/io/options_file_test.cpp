@@ -21,13 +21,13 @@ using test::TempDir;
 using test::write_text;
 using ::testing::HasSubstr;
 
-SemanticMapperOptions with_preset(PresetName name) {
-  SemanticMapperOptions options;
-  options.objects = preset(name);
+MapOptions with_preset(PresetName name) {
+  MapOptions options;
+  options.mapper.objects = preset(name);
   return options;
 }
 
-std::string value_of(const SemanticMapperOptions& options, const std::string& name) {
+std::string value_of(const MapOptions& options, const std::string& name) {
   for (const OptionDescription& option : describe_options(options)) {
     if (option.name == name) return option.value;
   }
@@ -60,15 +60,17 @@ TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
              "integration:\n  mode: exact\n"
              "segmentation:\n  foreground:\n    max_planes: 5\n"
              "publication: {min_existence: none}\n"
-             "transient_classes: [person, cat]\n");
+             "transient_classes: [person, cat]\n"
+             "projection: {max_height_m: 0.6}\n");
   const auto options = read_options(dir / "o.yaml", {});
   ASSERT_TRUE(options) << to_string(options.error());
-  SemanticMapperOptions expected;
-  expected.octree.resolution_m = 0.1;
-  expected.integration.mode = IntegrationMode::kExact;
-  expected.objects.segmentation.foreground.max_planes = 5;
-  expected.objects.publication.min_existence = std::nullopt;
-  expected.objects.transient_class_names = {"person", "cat"};
+  MapOptions expected;
+  expected.mapper.octree.resolution_m = 0.1;
+  expected.mapper.integration.mode = IntegrationMode::kExact;
+  expected.mapper.objects.segmentation.foreground.max_planes = 5;
+  expected.mapper.objects.publication.min_existence = std::nullopt;
+  expected.mapper.objects.transient_class_names = {"person", "cat"};
+  expected.layers.max_height_m = 0.6;
   EXPECT_EQ(*options, expected);
 }
 
@@ -77,8 +79,8 @@ TEST(OptionsFile, APresetIsTheBaseOfTheOtherKeys) {
   write_text(dir / "o.yaml", "segmentation: {max_range_m: 3}\npreset: smap\n");
   const auto options = read_options(dir / "o.yaml", {});
   ASSERT_TRUE(options) << to_string(options.error());
-  SemanticMapperOptions expected = with_preset(PresetName::kSmap);
-  expected.objects.segmentation.max_range_m = 3.0;
+  MapOptions expected = with_preset(PresetName::kSmap);
+  expected.mapper.objects.segmentation.max_range_m = 3.0;
   EXPECT_EQ(*options, expected);
 }
 
@@ -102,12 +104,13 @@ TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
   EXPECT_THAT(refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
   EXPECT_THAT(refusal("octree: 3\n"), HasSubstr("octree"));
+  EXPECT_THAT(refusal("projection: {min_height_m: 2}\n"), HasSubstr("max_height_m"));
 }
 
 TEST(OptionsFile, AnOptionIsSetByItsName) {
   const auto options = with_option({}, "octree.resolution_m", "0.02");
   ASSERT_TRUE(options) << to_string(options.error());
-  EXPECT_EQ(options->octree.resolution_m, 0.02);
+  EXPECT_EQ(options->mapper.octree.resolution_m, 0.02);
   EXPECT_THAT(to_string(with_option({}, "octree.resolution_m", "nan").error()),
               HasSubstr("octree.resolution_m"));
 }
@@ -144,7 +147,8 @@ TEST(OptionsFile, NoFieldOfTheOptionsIsForgotten) {
       {core + "footprint.hpp", "PointEvidenceOptions"},
       {core + "binned_depth_map.hpp", "BinnedDepthMapOptions"},
       {core + "absence.hpp", "AbsenceOptions"},
-      {core + "publication.hpp", "PublicationOptions"}};
+      {core + "publication.hpp", "PublicationOptions"},
+      {"io/include/hypermap/io/map_layers.hpp", "LayerOptions"}};
   const std::set<std::string> elsewhere{"sensor_model", "transient_classes"};
   const auto options = describe_options({});
   for (const auto& [header, name] : structs) {

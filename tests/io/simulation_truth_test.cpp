@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulation_truth.hpp"
 
+#include "hypermap/io/evaluated_objects.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -115,21 +117,6 @@ TEST(SimulationTruth, ThingsRarelySeenDoNotCount) {
   EXPECT_EQ(reason("bench", 200), "");
   EXPECT_THAT(reason("bench", 199), testing::HasSubstr("199"));
   EXPECT_THAT(reason("bin", 5000), testing::HasSubstr("no word"));
-}
-
-TEST(SimulationTruth, AMapLabelledByHandIsEvaluatedByItsShapes) {
-  const auto square = make_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  const auto far = make_polygon({{2, 0}, {3, 0}, {3, 1}, {2, 1}});
-  ASSERT_TRUE(square && far);
-  const auto layer = SemanticLayer::create({{.id = 0, .name = "chair", .parts = {*square}},
-                                            {.id = 1, .name = "sofa", .parts = {*square, *far}}});
-  ASSERT_TRUE(layer);
-  const auto evaluated = evaluated_objects(*layer);
-  EXPECT_EQ(evaluated[0].class_name, "chair");
-  EXPECT_EQ(evaluated[0].footprint, *square);
-  EXPECT_DOUBLE_EQ(evaluated[0].size_m, 1.0);
-  EXPECT_FALSE(evaluated[0].excluded);
-  EXPECT_NEAR(area_m2(evaluated[1].footprint), 3.0, 1e-12);  // hull of both parts
 }
 
 }  // namespace

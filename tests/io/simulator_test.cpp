@@ -2,6 +2,7 @@
 #include "hypermap/io/simulator.hpp"
 
 #include "hypermap/io/dataset_reader.hpp"
+#include "hypermap/io/evaluated_objects.hpp"
 #include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/scene_file.hpp"
 #include "hypermap/io/simulation_truth.hpp"

@@ -23,9 +23,10 @@ namespace hypermap {
 /// `canonical_class_name`; the first spelling is the one that is shown and saved.
 class ClassRegistry {
  public:
-  /// The id of `name`, which is added when it is new.
-  /// Errors: kInvalidArgument when the name is empty, no UTF-8 or holds control characters; kLimit
-  /// when it is longer than 256 bytes or when there would be more than 65,535 classes.
+  /// The id of `name`, which is added when it is new. Names come from detectors and may hold
+  /// control characters, slashes or quotes: whoever shows or writes one escapes it.
+  /// Errors: kInvalidArgument when the name is empty, no UTF-8 or holds NUL; kLimit when it is
+  /// longer than 256 bytes or when there would be more than 65,535 classes.
   [[nodiscard]] Result<ClassId> add(std::string_view name);
 
   /// The id of `name` or of another spelling of it, when known.

@@ -110,6 +110,9 @@ struct ResolvedDetections {
   std::size_t num_clipped = 0;
 };
 
+/// `class_names` without other spellings of a class that was named before ("Chair", "chair").
+[[nodiscard]] std::vector<std::string> distinct_classes(std::span<const std::string> class_names);
+
 /// Adds all `class_names` to `registry`, in order; the ids are in the same order.
 /// Errors: those of ClassRegistry::add; kInvalidArgument when two names are one class.
 [[nodiscard]] Result<std::vector<ClassId>> register_classes(

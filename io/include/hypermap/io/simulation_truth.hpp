@@ -10,7 +10,6 @@
 ///     excluded: reason                  only where the thing does not count in evaluations
 #pragma once
 
-#include "hypermap/core/map_evaluation.hpp"
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/simulator.hpp"
@@ -49,11 +48,5 @@ struct TrueOccupancyOptions {
 [[nodiscard]] Result<MapArchive> make_truth(const Simulator& simulator,
                                             const Scene& scene,
                                             std::span<const SimulatedTruth> truths);
-
-/// Objects of a semantic layer as evaluations take them: of a truth made here with its excluded
-/// things marked, or of a map labelled by hand (nothing excluded, size from the footprint).
-///
-/// A shape of several parts stands for its convex hull.
-[[nodiscard]] std::vector<EvaluatedObject> evaluated_objects(const SemanticLayer& layer);
 
 }  // namespace hypermap
