@@ -59,6 +59,29 @@ Eigen::Vector3d centre_of(const PointCell& cell, double edge_m) {
   return edge_m * (Eigen::Vector3d(cell.x, cell.y, cell.z).array() + 0.5);
 }
 
+/// The votes of the cell that the middle one of all votes lies in, cells in the order of their
+/// votes. Requires: total = the sum of the votes > 0, most = the largest number.
+std::uint32_t typical_votes(std::span<const PointVote> votes,
+                            std::uint32_t most,
+                            std::uint64_t total) {
+  constexpr std::uint32_t kMaxCounted = 4096;
+  if (most > kMaxCounted) {
+    std::vector<std::uint32_t> counts;
+    for (const PointVote& vote : votes) counts.push_back(vote.votes);
+    std::sort(counts.begin(), counts.end());
+    std::uint64_t below = 0;
+    std::size_t i = 0;
+    while (2 * (below += counts[i]) < total) ++i;
+    return counts[i];
+  }
+  std::vector<std::uint32_t> cells_with(most + 1, 0);
+  for (const PointVote& vote : votes) ++cells_with[vote.votes];
+  std::uint64_t below = 0;
+  std::uint32_t typical = 0;
+  while (2 * (below += std::uint64_t{typical} * cells_with[typical]) < total) ++typical;
+  return typical;
+}
+
 Result<void> check_edge(double edge_m, double first_edge_m) {
   double edge = first_edge_m;
   while (edge < edge_m) edge *= 2.0;
@@ -180,20 +203,13 @@ void PointEvidence::make_room() {
 /// The share asked for of what the cell of a typical vote has: half of all votes lie in cells with
 /// more. Strays are many cells but few votes.
 std::uint32_t PointEvidence::votes_needed() const {
-  std::vector<std::uint32_t> counts;
   std::uint64_t total = 0;
+  std::uint32_t most = 0;
   for (const PointVote& vote : state_.votes) {
-    counts.push_back(vote.votes);
     total += vote.votes;
+    most = std::max(most, vote.votes);
   }
-  std::sort(counts.begin(), counts.end());
-  std::uint64_t below = 0;
-  std::uint32_t typical = 1;
-  for (const std::uint32_t count : counts) {
-    typical = count;
-    below += count;
-    if (2 * below >= total) break;
-  }
+  const std::uint32_t typical = total == 0 ? 1 : typical_votes(state_.votes, most, total);
   const double needed = std::ceil(options_.min_vote_share * typical);
   const std::uint32_t least =
       options_.min_vote_share > 0.0 && state_.num_observations >= kNumToOutvoteOne ? 2U : 1U;

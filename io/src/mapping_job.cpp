@@ -2,28 +2,17 @@
 #include "hypermap/io/mapping_job.hpp"
 
 #include "frame_stream.hpp"
+#include "hypermap/core/stop_watch.hpp"
 #include "hypermap/io/options_file.hpp"
 #include "input_fingerprint.hpp"
 #include "upright.hpp"
 
 #include <sys/resource.h>
 
-#include <chrono>
 #include <utility>
 
 namespace hypermap {
 namespace {
-
-class StopWatch {
- public:
-  [[nodiscard]] double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::size_t peak_rss_bytes() {
   rusage usage{};

@@ -7,24 +7,11 @@
 #include "hypermap/core/stacking.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <utility>
 
 namespace hypermap {
 namespace {
-
-/// Seconds since the last call; for reports only.
-class StopWatch {
- public:
-  [[nodiscard]] double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Detections of things that stay.
 std::vector<Detection> lasting(std::vector<Detection> detections,
@@ -123,7 +110,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
   FrameReport report;
-  StopWatch watch;
+  StopWatch watch(clock_);
   HYPERMAP_TRY(check(frame));
   HYPERMAP_ASSIGN_OR_RETURN(auto stacked,
                             stack_detections(frame.detections, options_.objects.stacking));

@@ -17,7 +17,7 @@ Box widened(const Box& box, double by_m) {
   return {box.min_in_map.array() - by_m, box.max_in_map.array() + by_m};
 }
 
-/// Bodies of objects as they are before this frame, each made once.
+/// Bodies of objects, each made once as long as the object stays as it is.
 class BodyCache {
  public:
   BodyCache(const ObjectMap& objects, double near_m) : objects_(objects), near_m_(near_m) {}
@@ -104,10 +104,10 @@ std::optional<ObjectId> twin_of(ObjectId id, const AssociationRun& run, BodyCach
 }
 
 /// Objects that were touched by this frame are merged with those that they came to overlap.
-void merge_twins(AssociationRun& run) {
-  BodyCache bodies(run.objects, run.options.assignment.near_m);
+void merge_twins(AssociationRun& run, BodyCache& bodies) {
   std::set<ObjectId> open(run.report.created.begin(), run.report.created.end());
   open.insert(run.report.matched.begin(), run.report.matched.end());
+  for (const ObjectId id : open) bodies.forget(id);
   while (!open.empty()) {
     const ObjectId id = *open.begin();
     open.erase(open.begin());
@@ -138,7 +138,7 @@ void associate_by_assignment(AssociationRun& run) {
       ++run.report.num_repeated;
     }
   }
-  merge_twins(run);
+  merge_twins(run, bodies);
 }
 
 }  // namespace hypermap

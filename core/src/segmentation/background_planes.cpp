@@ -22,7 +22,63 @@ constexpr double kFreeHandicap = 0.75;
 constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
 
-using Points = std::vector<Eigen::Vector3f>;
+/// How far sensor noise moves a point along its ray.
+float noise_at(float depth_m, const ForegroundOptions& options) {
+  return static_cast<float>(options.noise_factor * axial_noise_m(static_cast<double>(depth_m)));
+}
+
+/// Which points may be of a plane. They lie on it up to `thickness_m` and the part across the plane
+/// of what noise moves them along their rays.
+struct PlaneTest {
+  Plane plane;
+  float thickness_m = 0.0F;
+  /// Of the tolerance that is meant, for a wider look.
+  float scale = 1.0F;
+
+  // In the order in which Eigen adds: a plane that is found by one is tested alike by the other.
+  [[nodiscard]] bool holds(float x, float y, float z, float noise_m) const {
+    const float along = plane.normal.x() * x + (plane.normal.y() * y + plane.normal.z() * z);
+    const float across = std::abs(along) / z;
+    return std::abs(along + plane.offset_m) <= scale * thickness_m + scale * noise_m * across;
+  }
+};
+
+/// Points side by side, so that a plane is tested against several of them at once.
+class Points {
+ public:
+  void add(const Eigen::Vector3f& point, float noise_m) {
+    x_.push_back(point.x());
+    y_.push_back(point.y());
+    z_.push_back(point.z());
+    noise_m_.push_back(noise_m);
+  }
+  [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] Eigen::Vector3f operator[](std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+  [[nodiscard]] bool lies_on(const PlaneTest& test, std::size_t i) const {
+    return test.holds(x_[i], y_[i], z_[i], noise_m_[i]);
+  }
+  /// How many of [begin, end) lie on the plane.
+  [[nodiscard]] std::size_t count(const PlaneTest& test, std::size_t begin, std::size_t end) const {
+    std::int32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += lies_on(test, i) ? 1 : 0;
+    return static_cast<std::size_t>(count);
+  }
+  void erase_on(const PlaneTest& test) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (lies_on(test, i)) continue;
+      for (auto* values : {&x_, &y_, &z_, &noise_m_}) (*values)[kept] = (*values)[i];
+      ++kept;
+    }
+    for (auto* values : {&x_, &y_, &z_, &noise_m_}) values->resize(kept);
+  }
+
+ private:
+  std::vector<float> x_;
+  std::vector<float> y_;
+  std::vector<float> z_;
+  std::vector<float> noise_m_;
+};
 
 /// Fixed pseudo random numbers (SplitMix64): the same window gives the same planes.
 class Dice {
@@ -40,20 +96,27 @@ class Dice {
 };
 
 /// Evenly chosen measured points outside the box.
-Points surroundings(const DepthWindow& window) {
-  std::vector<std::pair<int, int>> cells;
+Points surroundings(const DepthWindow& window, const ForegroundOptions& options) {
+  std::vector<std::uint32_t> cells;
   for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      if (!window.tolerant_box.contains(x, y) && window.depth_m[window.cell(x, y)] > 0.0F)
-        cells.emplace_back(x, y);
-    }
+    const auto look_at = [&](int begin, int end) {
+      for (std::size_t cell = window.cell(begin, y); cell < window.cell(end, y); ++cell) {
+        if (window.depth_m[cell] > 0.0F) cells.push_back(static_cast<std::uint32_t>(cell));
+      }
+    };
+    const PixelRect& box = window.tolerant_box;
+    const bool meets_box = y >= box.v_begin && y < box.v_end;
+    look_at(0, meets_box ? box.u_begin : window.width());
+    if (meets_box) look_at(box.u_end, window.width());
   }
   Points points;
   const std::size_t count = std::min(cells.size(), kMaxSamples);
-  points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto [x, y] = cells[i * cells.size() / count];
-    points.push_back(window.point_in_camera(x, y));
+    const std::size_t cell = cells[i * cells.size() / count];
+    const auto width = static_cast<std::size_t>(window.width());
+    points.add(
+        window.point_in_camera(static_cast<int>(cell % width), static_cast<int>(cell / width)),
+        noise_at(window.depth_m[cell], options));
   }
   return points;
 }
@@ -67,19 +130,19 @@ std::optional<Plane> plane_through(const Eigen::Vector3f& a,
   return Plane{normal / length, -normal.dot(a) / length};
 }
 
-std::size_t support(const Plane& plane, const Points& points, const ForegroundOptions& options) {
-  return static_cast<std::size_t>(std::count_if(
-      points.begin(), points.end(), [&](const auto& p) { return lies_on(plane, p, options); }));
+PlaneTest test_of(const Plane& plane, const ForegroundOptions& options) {
+  return {.plane = plane, .thickness_m = static_cast<float>(options.plane_thickness_m)};
 }
 
 /// Least squares through the points on `plane`.
 Plane refined(const Plane& plane, const Points& points, const ForegroundOptions& options) {
+  const PlaneTest test = test_of(plane, options);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   double count = 0.0;
-  for (const Eigen::Vector3f& point : points) {
-    if (!lies_on(plane, point, options)) continue;
-    const Eigen::Vector3d exact = point.cast<double>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points.lies_on(test, i)) continue;
+    const Eigen::Vector3d exact = points[i].cast<double>();
     mean += exact;
     moments += exact * exact.transpose();
     count += 1.0;
@@ -100,7 +163,7 @@ class Contest {
 
   /// `handicap` times its support is what counts.
   void consider(const Plane& plane, double handicap = 1.0) {
-    const double value = handicap * static_cast<double>(support(plane, points_, options_));
+    const double value = handicap * static_cast<double>(support_to_win(plane, handicap));
     if (value <= best_value_) return;
     best_ = plane;
     best_value_ = value;
@@ -122,6 +185,19 @@ class Contest {
   [[nodiscard]] const Plane& best() const { return best_; }
 
  private:
+  /// How many points lie on the plane; less when even all that are left would not make it the best.
+  [[nodiscard]] std::size_t support_to_win(const Plane& plane, double handicap) const {
+    constexpr std::size_t kAtOnce = 64;
+    const PlaneTest test = test_of(plane, options_);
+    std::size_t support = 0;
+    for (std::size_t i = 0; i < points_.size(); i += kAtOnce) {
+      const double most = handicap * static_cast<double>(support + points_.size() - i);
+      if (most <= best_value_) break;
+      support += points_.count(test, i, std::min(i + kAtOnce, points_.size()));
+    }
+    return support;
+  }
+
   const Points& points_;
   const ForegroundOptions& options_;
   Plane best_;
@@ -134,20 +210,18 @@ Plane best_plane(const Points& points,
                  const ForegroundOptions& options,
                  Dice& dice) {
   Contest contest(points, options);
-  const auto any_point = [&]() -> const Eigen::Vector3f& {
-    return points[dice.below(points.size())];
-  };
+  const auto any_point = [&]() -> Eigen::Vector3f { return points[dice.below(points.size())]; };
   for (int i = 0; i < kHorizontalTries; ++i) {
     contest.consider({up_in_camera, -up_in_camera.dot(any_point())});
   }
   for (int i = 0; i < kVerticalTries; ++i) {
-    const Eigen::Vector3f& a = any_point();
+    const Eigen::Vector3f a = any_point();
     const auto plane = plane_through(a, any_point(), a + up_in_camera);
     if (plane) contest.consider(*plane);
   }
   for (int i = 0; i < kFreeTries; ++i) {
-    const Eigen::Vector3f& a = any_point();
-    const Eigen::Vector3f& b = any_point();
+    const Eigen::Vector3f a = any_point();
+    const Eigen::Vector3f b = any_point();
     const auto plane = plane_through(a, b, any_point());
     if (plane) contest.consider(*plane, kFreeHandicap);
   }
@@ -157,37 +231,49 @@ Plane best_plane(const Points& points,
 
 }  // namespace
 
-bool lies_on(const Plane& plane,
-             const Eigen::Vector3f& point_in_camera,
-             const ForegroundOptions& options) {
-  // Noise moves a point along its ray; only the part across the plane counts.
-  const float across = std::abs(plane.normal.dot(point_in_camera)) / point_in_camera.z();
-  const auto noise_m = static_cast<float>(options.noise_factor *
-                                          axial_noise_m(static_cast<double>(point_in_camera.z())));
-  return std::abs(plane.distance_m(point_in_camera)) <=
-         static_cast<float>(options.plane_thickness_m) + noise_m * across;
-}
-
 std::vector<Plane> background_planes(const DepthWindow& window,
                                      const Eigen::Vector3f& up_in_camera,
                                      const ForegroundOptions& options) {
-  Points points = surroundings(window);
+  Points points = surroundings(window, options);
   const auto least = std::max(
       kLeastSupport,
       static_cast<std::size_t>(options.plane_min_share * static_cast<double>(points.size())));
-  // What is left of a plane at twice its thickness is its own noise, not another plane.
-  ForegroundOptions wide = options;
-  wide.plane_thickness_m *= 2.0;
-  wide.noise_factor *= 2.0;
   std::vector<Plane> planes;
   Dice dice;
   while (planes.size() < static_cast<std::size_t>(options.max_planes) && points.size() >= least) {
-    const Plane plane = best_plane(points, up_in_camera, options, dice);
-    if (support(plane, points, options) < least) break;
-    planes.push_back(plane);
-    std::erase_if(points, [&](const auto& point) { return lies_on(plane, point, wide); });
+    PlaneTest test = test_of(best_plane(points, up_in_camera, options, dice), options);
+    if (points.count(test, 0, points.size()) < least) break;
+    planes.push_back(test.plane);
+    // What is left of a plane at twice its thickness is its own noise, not another plane.
+    test.scale = 2.0F;
+    points.erase_on(test);
   }
   return planes;
+}
+
+std::vector<std::uint8_t> plane_of_cells(const DepthWindow& window,
+                                         const std::vector<Plane>& planes,
+                                         const ForegroundOptions& options) {
+  std::vector<std::uint8_t> kinds(window.size(), 0);
+  const auto width = static_cast<std::size_t>(window.width());
+  std::vector<float> noise_m(width);
+  std::vector<std::int32_t> kind(width);
+  for (int row = 0; row < window.height(); ++row) {
+    const float* depth_m = &window.depth_m[window.cell(0, row)];
+    const float slope_y = window.slope_y[static_cast<std::size_t>(row)];
+    for (std::size_t i = 0; i < width; ++i) noise_m[i] = noise_at(depth_m[i], options);
+    std::fill(kind.begin(), kind.end(), 0);
+    for (std::size_t number = planes.size(); number > 0; --number) {  // the first one counts
+      const PlaneTest test = test_of(planes[number - 1], options);
+      for (std::size_t i = 0; i < width; ++i) {
+        const float z = depth_m[i];  // 0 makes no number of the test, which then fails
+        const bool on = test.holds(window.slope_x[i] * z, slope_y * z, z, noise_m[i]);
+        kind[i] = on ? static_cast<std::int32_t>(number) : kind[i];
+      }
+    }
+    std::copy(kind.begin(), kind.end(), &kinds[window.cell(0, row)]);
+  }
+  return kinds;
 }
 
 }  // namespace hypermap

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 namespace hypermap {
@@ -21,11 +22,6 @@ struct Plane {
   }
 };
 
-/// Whether a measured point may be one of the plane, given the sensor's noise there.
-[[nodiscard]] bool lies_on(const Plane& plane,
-                           const Eigen::Vector3f& point_in_camera,
-                           const ForegroundOptions& options);
-
 /// The planes that hold most of what is outside the box, the largest first.
 ///
 /// RANSAC over horizontal planes through one point (the map's z axis is up), upright ones through
@@ -34,5 +30,11 @@ struct Plane {
 [[nodiscard]] std::vector<Plane> background_planes(const DepthWindow& window,
                                                    const Eigen::Vector3f& up_in_camera,
                                                    const ForegroundOptions& options);
+
+/// Per cell the first plane that its point may be one of, given the sensor's noise there, counted
+/// from 1; 0 on none.
+[[nodiscard]] std::vector<std::uint8_t> plane_of_cells(const DepthWindow& window,
+                                                       const std::vector<Plane>& planes,
+                                                       const ForegroundOptions& options);
 
 }  // namespace hypermap

@@ -42,9 +42,8 @@ inline constexpr std::uint32_t kNoComponent = 0xFFFFFFFFU;
 
 /// Joins cells of equal kind that are neighbours (across up to two pixels without measurement) and
 /// differ in depth by no more than the step of one surface. Numbered by their first cell.
-/// Cost: O(cells).
+/// Cost: O(cells), two passes in the picture's order.
 [[nodiscard]] DepthComponents connected_components(const DepthWindow& window,
-                                                   const std::vector<std::uint8_t>& kind_of_cell,
-                                                   const ForegroundOptions& options);
+                                                   const std::vector<std::uint8_t>& kind_of_cell);
 
 }  // namespace hypermap

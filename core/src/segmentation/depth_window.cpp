@@ -2,7 +2,10 @@
 #include "segmentation/depth_window.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace hypermap {
 namespace {
@@ -25,49 +28,145 @@ int block_for(const PixelRect& rect) {
   return block_px;
 }
 
-/// Reads depth; 0 where there is no measurement within range, or where a mask says no.
-class DepthReader {
+/// No measurement within range, or not of the mask: on the surface of no measured depth.
+constexpr float kNothing = -1e6F;
+
+/// Rows of a cut-out, with `kNothing` where there is nothing.
+class CleanRows {
  public:
-  DepthReader(const RgbdFrame& frame,
-              const Detection& detection,
-              const GeometricSegmentationOptions& options)
+  CleanRows(const RgbdFrame& frame,
+            const Detection& detection,
+            const PixelRect& rect,
+            const GeometricSegmentationOptions& options)
       : depth_m_(frame.depth_m),
         mask_(detection.mask ? &*detection.mask : nullptr),
-        nearest_(static_cast<float>(options.min_range_m)),
-        farthest_(static_cast<float>(options.max_range_m)) {}
-
-  [[nodiscard]] float at(int u, int v) const {
-    const float depth = depth_m_.at(u, v);
-    if (!(depth > 0.0F && depth >= nearest_ && depth <= farthest_)) return 0.0F;
-    return mask_ == nullptr || mask_->at(u, v) != 0 ? depth : 0.0F;
+        rect_(rect),
+        nearest_(std::max(static_cast<float>(options.min_range_m),
+                          std::numeric_limits<float>::denorm_min())),
+        farthest_(static_cast<float>(options.max_range_m)),
+        nothing_(static_cast<std::size_t>(rect.width()) + 2, kNothing) {
+    rows_.fill(nothing_);
+    held_.fill(-1);
   }
 
-  /// Mean over the 3 x 3 pixels within `rect` that are on the surface of (u, v).
-  [[nodiscard]] float smoothed_at(int u,
-                                  int v,
-                                  const PixelRect& rect,
-                                  const ForegroundOptions& options) const {
-    const float centre = at(u, v);
-    if (centre == 0.0F) return 0.0F;
-    const float step = allowed_step_m(centre, options);
-    float sum = 0.0F;
-    float count = 0.0F;
-    for (int nv = std::max(rect.v_begin, v - 1); nv <= std::min(rect.v_end - 1, v + 1); ++nv) {
-      for (int nu = std::max(rect.u_begin, u - 1); nu <= std::min(rect.u_end - 1, u + 1); ++nu) {
-        const float depth = at(nu, nv);
-        const bool same_surface = depth > 0.0F && std::abs(depth - centre) <= step;
-        sum += same_surface ? depth : 0.0F;
-        count += same_surface ? 1.0F : 0.0F;
-      }
-    }
-    return sum / count;
+  /// Row `v` of the picture with nothing before and behind it; nothing outside the cut-out. Valid
+  /// until a row that is not a neighbour of `v` is asked for.
+  [[nodiscard]] const std::vector<float>& row(int v) {
+    if (v < rect_.v_begin || v >= rect_.v_end) return nothing_;
+    const auto slot = static_cast<std::size_t>(v) % rows_.size();
+    if (held_[slot] != v) read(v, rows_[slot]);
+    held_[slot] = v;
+    return rows_[slot];
   }
 
  private:
+  void read(int v, std::vector<float>& into) const {
+    const std::size_t first = depth_m_.index(rect_.u_begin, v);
+    const auto depths = depth_m_.pixels().subspan(first, nothing_.size() - 2);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      const float far_enough = depths[i] >= nearest_ ? depths[i] : kNothing;
+      into[i + 1] = far_enough <= farthest_ ? far_enough : kNothing;
+    }
+    if (mask_ == nullptr) return;
+    const auto mask = mask_->pixels().subspan(first, depths.size());
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (mask[i] == 0) into[i + 1] = kNothing;
+    }
+  }
+
   const DepthImage& depth_m_;
   const MaskImage* mask_;
+  PixelRect rect_;
   float nearest_;
   float farthest_;
+  std::vector<float> nothing_;
+  std::array<std::vector<float>, 3> rows_;
+  std::array<int, 3> held_ = {};
+};
+
+/// `allowed_step_m` of each depth.
+void find_steps(std::span<const float> depths_m,
+                const ForegroundOptions& options,
+                std::span<float> into) {
+  for (std::size_t i = 0; i < depths_m.size(); ++i) into[i] = allowed_step_m(depths_m[i], options);
+}
+
+/// 1 for neighbours on the surface of their cells, else 0. A loop of its own without branches, so
+/// that a compiler does several cells at a time.
+void find_weights(std::span<const float> neighbours,
+                  std::span<const float> centres,
+                  std::span<const float> steps,
+                  std::span<float> into) {
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    into[i] = std::abs(neighbours[i] - centres[i]) <= steps[i] ? 1.0F : 0.0F;
+  }
+}
+
+void add_weighted(std::span<const float> neighbours,
+                  std::span<const float> weights,
+                  std::span<float> sums,
+                  std::span<float> counts) {
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] += weights[i] * neighbours[i];
+    counts[i] += weights[i];
+  }
+}
+
+/// Smooths a row of cells: the mean of what lies on the surface of each among its neighbours.
+class RowSmoother {
+ public:
+  RowSmoother(const DepthWindow& window, const ForegroundOptions& options)
+      : options_(options),
+        is_by_pixel_(window.block_px == 1),
+        centre_(window.slope_x.size()),
+        step_(centre_.size()),
+        sum_(centre_.size()),
+        count_(centre_.size()),
+        weight_(centre_.size()),
+        picked_(centre_.size()) {
+    for (int x = 0; x < window.width(); ++x) columns_.push_back(window.pixel_u(x));
+    for (int& column : columns_) column -= window.rect.u_begin;
+  }
+
+  /// The means of the row at `v`; 0 where the cell's own pixel is no measurement.
+  void smooth(CleanRows& rows, int v, std::span<float> into) {
+    const auto centre = pick(rows.row(v), 1);
+    std::copy(centre.begin(), centre.end(), centre_.begin());
+    find_steps(centre_, options_, step_);
+    std::fill(sum_.begin(), sum_.end(), 0.0F);
+    std::fill(count_.begin(), count_.end(), 0.0F);
+    for (int dv = -1; dv <= 1; ++dv) {
+      const std::vector<float>& row = rows.row(v + dv);
+      for (std::size_t offset = 0; offset <= 2; ++offset) {
+        const auto neighbours = pick(row, offset);
+        find_weights(neighbours, centre_, step_, weight_);
+        add_weighted(neighbours, weight_, sum_, count_);
+      }
+    }
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+      into[i] = centre_[i] > 0.0F ? sum_[i] / count_[i] : 0.0F;
+    }
+  }
+
+ private:
+  /// The pixels of the columns, `offset` - 1 to their right. Valid until the next call.
+  [[nodiscard]] std::span<const float> pick(const std::vector<float>& row, std::size_t offset) {
+    if (is_by_pixel_) return std::span(row).subspan(offset, centre_.size());
+    for (std::size_t i = 0; i < picked_.size(); ++i) {
+      picked_[i] = row[static_cast<std::size_t>(columns_[i]) + offset];
+    }
+    return picked_;
+  }
+
+  const ForegroundOptions& options_;
+  bool is_by_pixel_;
+  std::vector<int> columns_;  // within the cut-out
+  std::vector<float> centre_;
+  std::vector<float> step_;
+  std::vector<float> sum_;
+  std::vector<float> count_;
+  std::vector<float> weight_;
+  std::vector<float> picked_;
 };
 
 /// The cells whose middle pixel lies in `pixels`.
@@ -157,14 +256,17 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   window.box = cells_in(box, window);
   window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
   window.rivals = rivals_of(box_px, others, frame.camera, window);
-  const DepthReader reader(frame, detection, options);
-  window.depth_m.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  CleanRows rows(frame, detection, window.rect, options);
+  RowSmoother smoother(window, foreground);
+  window.depth_m.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      window.depth_m.push_back(
-          reader.smoothed_at(window.pixel_u(x), window.pixel_v(y), window.rect, foreground));
-    }
+    smoother.smooth(
+        rows,
+        window.pixel_v(y),
+        std::span(window.depth_m).subspan(window.cell(0, y), static_cast<std::size_t>(width)));
   }
+  window.step_m.resize(window.size());
+  find_steps(window.depth_m, foreground, window.step_m);
   return window;
 }
 

@@ -24,6 +24,7 @@ struct DepthWindow {
   PixelRect tolerant_box;         ///< The cells in the box with room for a detector's inaccuracy.
   std::vector<PixelRect> rivals;  ///< The cells in the boxes of other detections.
   std::vector<float> depth_m;     ///< Smoothed; 0 where nothing was measured within range.
+  std::vector<float> step_m;      ///< `allowed_step_m` of each depth.
   std::vector<float> slope_x;     ///< Per column, x / z of its ray.
   std::vector<float> slope_y;     ///< Per row, y / z of its ray.
 
@@ -37,6 +38,10 @@ struct DepthWindow {
   /// Position of the cell that holds a pixel of the picture. Requires: the pixel is in `rect`.
   [[nodiscard]] std::size_t cell_of_pixel(int u, int v) const {
     return cell((u - rect.u_begin) / block_px, (v - rect.v_begin) / block_px);
+  }
+  /// The first column of the picture to the right of that pixel's cell.
+  [[nodiscard]] int end_of_cell(int u) const {
+    return u - (u - rect.u_begin) % block_px + block_px;
   }
   /// The pixel in the middle of a cell.
   [[nodiscard]] int pixel_u(int x) const {

@@ -20,31 +20,13 @@ constexpr double kPatchMinOutline = 0.7;
 /// A cell with fewer neighbours of the thing hangs in the air between two surfaces.
 constexpr int kLeastNeighbours = 3;
 
-/// Per cell the plane that it lies on, counted from 1; 0 on none.
-std::vector<std::uint8_t> plane_of_cells(const DepthWindow& window,
-                                         const std::vector<Plane>& planes,
-                                         const ForegroundOptions& options) {
-  std::vector<std::uint8_t> kind(window.size(), 0);
-  for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      const std::size_t cell = window.cell(x, y);
-      if (window.depth_m[cell] == 0.0F) continue;
-      const Eigen::Vector3f point = window.point_in_camera(x, y);
-      const auto plane = std::find_if(
-          planes.begin(), planes.end(), [&](const Plane& p) { return lies_on(p, point, options); });
-      if (plane != planes.end()) kind[cell] = static_cast<std::uint8_t>(plane - planes.begin() + 1);
-    }
-  }
-  return kind;
-}
-
 /// A plane found outside may go on through the thing: the seats of two chairs are of one height.
 /// What lies on it inside the box, and is not joined with the outside, is no background unless it
 /// is seen through the thing.
 DepthComponents surfaces_of(const DepthWindow& window,
                             std::vector<std::uint8_t> plane_of_cell,
                             const ForegroundOptions& options) {
-  DepthComponents labelled = connected_components(window, plane_of_cell, options);
+  DepthComponents labelled = connected_components(window, plane_of_cell);
   const double least = kPatchShare * window.box.width() * window.box.height();
   std::vector<std::uint8_t> is_freed(labelled.components.size(), 0);
   for (std::size_t id = 0; id < is_freed.size(); ++id) {
@@ -58,7 +40,7 @@ DepthComponents surfaces_of(const DepthWindow& window,
     const std::uint32_t id = labelled.of_cell[cell];
     if (id != kNoComponent && is_freed[id] != 0) plane_of_cell[cell] = 0;
   }
-  return connected_components(window, plane_of_cell, options);
+  return connected_components(window, plane_of_cell);
 }
 
 /// 1 on cells of the box that belong to chosen surfaces and do not hang in the air.
@@ -89,22 +71,23 @@ std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
 std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
                                      const Detection& detection,
                                      const DepthWindow& window,
-                                     const std::vector<std::uint8_t>& is_thing,
-                                     const ForegroundOptions& options) {
+                                     const std::vector<std::uint8_t>& is_thing) {
   std::vector<std::uint32_t> pixels;
   const PixelRect box =
       detection.mask ? window.rect
                      : pixels_in(detection.box_px, frame.camera.width_px, frame.camera.height_px);
+  const auto take = [&](std::size_t cell, std::size_t pixel) {
+    if (detection.mask && detection.mask->pixels()[pixel] == 0) return;
+    const float depth_m = frame.depth_m.pixels()[pixel];
+    const bool on_surface = std::abs(depth_m - window.depth_m[cell]) <= window.step_m[cell];
+    if (is_measured(depth_m) && on_surface) pixels.push_back(static_cast<std::uint32_t>(pixel));
+  };
   for (int v = box.v_begin; v < box.v_end; ++v) {
-    for (int u = box.u_begin; u < box.u_end; ++u) {
+    for (int u = box.u_begin; u < box.u_end;) {  // cell by cell
       const std::size_t cell = window.cell_of_pixel(u, v);
-      if (is_thing[cell] == 0) continue;
-      if (detection.mask && detection.mask->at(u, v) == 0) continue;
-      const float surface_m = window.depth_m[cell];
-      const float depth_m = frame.depth_m.at(u, v);
-      if (!is_measured(depth_m)) continue;
-      if (std::abs(depth_m - surface_m) > allowed_step_m(surface_m, options)) continue;
-      pixels.push_back(static_cast<std::uint32_t>(frame.depth_m.index(u, v)));
+      const int end = std::min(box.u_end, window.end_of_cell(u));
+      for (; is_thing[cell] != 0 && u < end; ++u) take(cell, frame.depth_m.index(u, v));
+      u = end;
     }
   }
   return pixels;
@@ -128,13 +111,11 @@ std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
   }
   const auto most = static_cast<std::size_t>(options.max_points);
   double spacing_m = std::max(options.point_spacing_m, std::sqrt(area_m2 / options.max_points));
-  std::vector<Eigen::Vector3f> points = voxel_grid(all, spacing_m).centroids;
-  while (points.size() > most) {
-    const double excess = static_cast<double>(points.size()) / static_cast<double>(most);
+  for (std::size_t count = 0; (count = count_voxels(all, spacing_m)) > most;) {
+    const double excess = static_cast<double>(count) / static_cast<double>(most);
     spacing_m *= 1.05 * std::sqrt(excess);
-    points = voxel_grid(all, spacing_m).centroids;
   }
-  return points;
+  return voxel_grid(all, spacing_m).centroids;
 }
 
 /// Writes down the steps of this policy, when somebody looks.
@@ -201,7 +182,7 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   const std::vector<std::uint8_t> is_thing = cells_of_thing(window, labelled, chosen);
   notes.step("thing", 1, [&](std::size_t cell) { return is_thing[cell] != 0 ? 1 : kLabelAbsent; });
 
-  std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_thing, foreground);
+  std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_thing);
   if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels)) return nothing_left("thing");
   return describe(frame, std::move(pixels), points_of(window, is_thing, foreground), options);
 }

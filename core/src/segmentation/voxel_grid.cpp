@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxel_grid.hpp"
 
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -10,14 +9,20 @@ namespace {
 
 constexpr std::uint32_t kFree = 0xFFFFFFFFU;
 
+/// std::floor without a call into the C library; the same for all that fits.
+std::int64_t floor_of(double x) {
+  const auto towards_zero = static_cast<std::int64_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
+}
+
 /// Three 21-bit cell numbers in one word.
 std::uint64_t key_of(const Eigen::Vector3f& point, double inverse_leaf) {
   constexpr std::int64_t kHalf = std::int64_t{1} << 20U;
   constexpr std::uint64_t kMask = (std::uint64_t{1} << 21U) - 1U;
   std::uint64_t key = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double cell = std::floor(static_cast<double>(point[axis]) * inverse_leaf);
-    const auto shifted = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell) + kHalf);
+    const std::int64_t cell = floor_of(static_cast<double>(point[axis]) * inverse_leaf);
+    const auto shifted = static_cast<std::uint64_t>(cell + kHalf);
     key = (key << 21U) | (shifted & kMask);
   }
   return key;
@@ -35,6 +40,7 @@ class KeyNumbering {
     last_ = slot;
     return slot.number;
   }
+  [[nodiscard]] std::size_t size() const { return count_; }
 
  private:
   struct Slot {
@@ -44,7 +50,8 @@ class KeyNumbering {
 
   Slot& slot_of(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 32U) & mask;
+    // The upper bits of the product: only they depend on all of the key.
+    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 44U) & mask;
     while (slots_[at].number != kFree && slots_[at].key != key) at = (at + 1) & mask;
     return slots_[at];
   }
@@ -90,6 +97,14 @@ VoxelGrid voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_size_m
     grid.centroids.emplace_back((sums[voxel] / counts[voxel]).cast<float>());
   }
   return grid;
+}
+
+std::size_t count_voxels(std::span<const Eigen::Vector3f> points, double leaf_size_m) {
+  if (leaf_size_m <= 0.0) return points.size();
+  KeyNumbering numbering;
+  const double inverse_leaf = 1.0 / leaf_size_m;
+  for (const Eigen::Vector3f& point : points) numbering.number_of(key_of(point, inverse_leaf));
+  return numbering.size();
 }
 
 }  // namespace hypermap

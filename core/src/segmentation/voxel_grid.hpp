@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,5 +22,8 @@ struct VoxelGrid {
 /// Requires: finite points within 2^20 leaves of the origin; leaf_size_m >= 0, where 0 makes each
 /// point its own voxel. Cost: O(n), one hash table.
 [[nodiscard]] VoxelGrid voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_size_m);
+
+/// Only in how many voxels the points lie.
+[[nodiscard]] std::size_t count_voxels(std::span<const Eigen::Vector3f> points, double leaf_size_m);
 
 }  // namespace hypermap

@@ -11,6 +11,7 @@
 #include "hypermap/core/object_pipeline_options.hpp"
 #include "hypermap/core/result.hpp"
 #include "hypermap/core/rgbd_frame.hpp"
+#include "hypermap/core/stop_watch.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
 #include "hypermap/octree_semantic/object_visibility.hpp"
 #include "hypermap/octree_semantic/occlusion_scene.hpp"
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -39,7 +41,7 @@ struct SemanticMapperOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SemanticMapperOptions& options);
 
-/// Wall clock of one frame's stages. For reports only: no result depends on it.
+/// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
 struct StageSeconds {
   double segment = 0.0;
   double associate = 0.0;
@@ -80,6 +82,9 @@ class SemanticMapper {
   /// anything is changed; after kOutOfMemory objects may have learned what the octree has not.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
+  /// What the stages of a frame are timed by; the wall clock to begin with. Requires: not empty.
+  void set_clock(Clock clock) { clock_ = std::move(clock); }
+
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
   [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
@@ -102,6 +107,7 @@ class SemanticMapper {
   ObjectMap objects_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
+  Clock clock_ = wall_clock_s;
 };
 
 }  // namespace hypermap

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// CPU time of this process: what a figure means on a machine that others use as well.
+#pragma once
+
+#include <ctime>
+
+namespace hypermap::test {
+
+/// CPU time of all threads of this process so far.
+inline double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Runs `work` and returns the CPU time it took, of all threads.
+template <class Work>
+double cpu_time_of(Work&& work) {
+  const double before = cpu_seconds();
+  work();
+  return cpu_seconds() - before;
+}
+
+}  // namespace hypermap::test
