@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -31,6 +32,10 @@ struct Arguments {
   int num_threads = 0;
 };
 
+const std::map<std::string, IntegrationMode> kModes{{"exact", IntegrationMode::kExact},
+                                                    {"discretize", IntegrationMode::kDiscretize},
+                                                    {"projective", IntegrationMode::kProjective}};
+
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const Arguments& arguments) {
   MappingJob job = arguments.job;
@@ -48,8 +53,7 @@ Result<MappingJob> job_of(const Arguments& arguments) {
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
   if (arguments.mode) {
-    job.mapper.integration.mode =
-        *arguments.mode == "exact" ? IntegrationMode::kExact : IntegrationMode::kDiscretize;
+    job.mapper.integration.mode = kModes.at(*arguments.mode);
   }
   if (arguments.resolution_m) job.mapper.octree.resolution_m = *arguments.resolution_m;
   if (arguments.max_range_m) job.mapper.integration.max_range_m = *arguments.max_range_m;
@@ -122,8 +126,11 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->check(CLI::IsMember({"default", "smap", "hypermap"}))
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
-  command.add_option("--mode", arguments.mode, "rays: every one, or one per voxel (discretize)")
-      ->check(CLI::IsMember({"exact", "discretize"}));
+  command
+      .add_option("--mode",
+                  arguments.mode,
+                  "what frees space: every ray, one per voxel, or projection (default)")
+      ->check(CLI::IsMember({"exact", "discretize", "projective"}));
   command.add_option("--resolution", arguments.resolution_m, "edge of a voxel (default 0.05)")
       ->check(positive_length());
   command.add_option("--max-range", arguments.max_range_m, "farther depth only frees (default 5)")

@@ -52,14 +52,20 @@ std::array<int, 3> WindowGeometry::brick_corner(std::size_t brick) const noexcep
 
 void BitLayer::fit(std::size_t num_bricks) {
   if (num_bricks <= touched_.size()) return;
-  words_.resize(num_bricks * 8);
-  touched_.resize(num_bricks);
+  const std::size_t whole_groups = (num_bricks + 7) / 8 * 8;
+  words_.resize(whole_groups * 8);
+  touched_.resize(whole_groups);
 }
 
 void BitLayer::clear() noexcept {
-  for (std::size_t brick = 0; brick < touched_.size(); ++brick) {
-    if (touched_[brick] != 0) clear_brick(brick);
-  }
+  for_each_touched([this](std::size_t brick) { clear_brick(brick); });
+}
+
+void BitLayer::take(BitLayer& other) noexcept {
+  other.for_each_touched([&](std::size_t brick) {
+    unite_brick(brick, other.words(brick));
+    other.clear_brick(brick);
+  });
 }
 
 }  // namespace hypermap

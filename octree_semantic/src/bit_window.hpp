@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A bit for each voxel around the sensor, laid out in bricks: what one frame says of them.
+///
+/// The memory is bounded by how far a frame reaches, not by the map; bricks that no measurement
+/// touched cost a byte, of which eight are looked at in one go.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace hypermap {
@@ -40,6 +44,10 @@ class WindowGeometry {
   [[nodiscard]] int corner(std::size_t axis) const noexcept { return corner_[axis]; }
   [[nodiscard]] int edge(std::size_t axis) const noexcept {
     return static_cast<int>(num_bricks_[axis] * 8);
+  }
+  /// Bricks along an axis.
+  [[nodiscard]] std::size_t num_bricks(std::size_t axis) const noexcept {
+    return num_bricks_[axis];
   }
   /// Summand of axis `axis` for the voxel at `offset` from the window's corner.
   [[nodiscard]] const std::uint32_t* summands(std::size_t axis) const noexcept {
@@ -114,17 +122,29 @@ class BitLayer {
     touched_[brick] = 0;
   }
   void clear() noexcept;
+  /// Takes all bits of another layer of the same size and clears that.
+  void take(BitLayer& other) noexcept;
+  /// A byte for each of the bricks from 8 * `group` on: 0 where no bit is set.
+  [[nodiscard]] std::uint64_t touched_group(std::size_t group) const noexcept {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, touched_.data() + group * 8, sizeof(bytes));
+    return bytes;
+  }
+  [[nodiscard]] std::size_t num_groups() const noexcept { return touched_.size() / 8; }
   /// Calls `visit(brick)` for each touched brick, ascending.
   template <class Visitor>
   void for_each_touched(Visitor&& visit) const {
-    for (std::size_t brick = 0; brick < touched_.size(); ++brick) {
-      if (touched_[brick] != 0) visit(brick);
+    for (std::size_t group = 0; group < num_groups(); ++group) {
+      if (touched_group(group) == 0) continue;
+      for (std::size_t brick = group * 8; brick < group * 8 + 8; ++brick) {
+        if (touched_[brick] != 0) visit(brick);
+      }
     }
   }
 
  private:
   std::vector<std::uint64_t> words_;
-  std::vector<std::uint8_t> touched_;
+  std::vector<std::uint8_t> touched_;  // a multiple of 8
 };
 
 }  // namespace hypermap

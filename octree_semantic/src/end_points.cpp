@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "end_points.hpp"
 
+#include "cell_finder.hpp"
+#include "hypermap/octree_semantic/voxel_key.hpp"
+
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace hypermap {
 namespace {
 
-/// Beyond, coordinates are no whole numbers of voxels any more.
-constexpr double kMaxVoxels = 1e9;
+static_assert(kernels::kNoVoxel == kNoCell);
 
 /// Largest single-precision square whose root is not above the range.
 float largest_square_within(double range_m) {
@@ -21,11 +25,59 @@ float largest_square_within(double range_m) {
   return square;
 }
 
-bool is_countable(const PointF& point, double resolution_m) {
-  for (const float coordinate : point) {
-    if (!(std::abs(static_cast<double>(coordinate)) < kMaxVoxels * resolution_m)) return false;
+kernels::CellGrid cell_grid(const WindowGeometry& window,
+                            double resolution_m,
+                            const PointF& sensor) {
+  kernels::CellGrid grid;
+  grid.voxels_per_m = 1.0 / resolution_m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int corner = window.corner(i);
+    grid.corner[i] = static_cast<double>(corner - kOriginKey);
+    grid.first[i] = std::max(0, -corner);
+    grid.end[i] = std::min(window.edge(i), kKeysPerAxis - corner);
+    grid.sensor[i] = sensor[i];
   }
-  return true;
+  grid.stride[0] = static_cast<std::int32_t>(window.num_bricks(1) * window.num_bricks(2));
+  grid.stride[1] = static_cast<std::int32_t>(window.num_bricks(2));
+  return grid;
+}
+
+/// Whether part of a window lies outside the volume of the map.
+bool leaves_volume(const kernels::CellGrid& grid, const WindowGeometry& window) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (grid.first[i] > 0 || grid.end[i] < window.edge(i)) return true;
+  }
+  return false;
+}
+
+/// Calls `visit(i)` for each set bit, ascending.
+template <class Visitor>
+void for_each_set(std::span<const std::uint64_t> words, Visitor&& visit) {
+  for (std::size_t word = 0; word < words.size(); ++word) {
+    for (std::uint64_t rest = words[word]; rest != 0; rest &= rest - 1) {
+      visit(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
+    }
+  }
+}
+
+std::size_t count_set(std::span<const std::uint64_t> words) {
+  std::size_t count = 0;
+  for (const std::uint64_t word : words) count += static_cast<std::size_t>(std::popcount(word));
+  return count;
+}
+
+PointF centre_of(const WindowGeometry& window,
+                 std::size_t brick,
+                 std::size_t cell,
+                 double resolution_m) {
+  const std::array<int, 3> corner = window.brick_corner(brick);
+  PointF centre{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto along = static_cast<int>(gather_bits(cell >> i));
+    centre[i] = static_cast<float>((static_cast<double>(corner[i] + along - kOriginKey) + 0.5) *
+                                   resolution_m);
+  }
+  return centre;
 }
 
 }  // namespace
@@ -36,95 +88,134 @@ RangeLimit::RangeLimit(double max_range_m) noexcept
 EndPoints::EndPoints(double resolution_m,
                      const PointF& sensor,
                      const IntegrationOptions& options,
-                     MarkedWindow& hit,
-                     MarkedWindow* far,
-                     std::vector<PointF>& ray_ends)
+                     const WindowGeometry& window,
+                     const WindowGeometry* far_window)
     : resolution_m_(resolution_m),
       sensor_(sensor),
-      exact_(options.mode == IntegrationMode::kExact),
+      mode_(options.mode),
       range_(options.max_range_m),
-      outer_range_(options.max_range_m + (exact_ ? 0.0 : resolution_m)),
-      hit_(&hit),
-      far_(far),
-      ray_ends_(&ray_ends) {}
-
-void EndPoints::add(const PointChunk& chunk,
-                    std::span<std::uint32_t> cells,
-                    IntegrationReport& report) {
-  // Copies, so that nothing is read again after each mark.
-  const CellFinder finder(hit_->geometry, resolution_m_);
-  const BitMarker hit = hit_->bits.marker();
-  const RangeLimit range = range_;
-  const RangeLimit outer_range = outer_range_;
-  const PointF sensor = sensor_;
-  std::size_t num_within = 0;
-  std::size_t num_near = 0;
-  std::uint32_t last_marked = kNoCell;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const PointF point{chunk.x[i], chunk.y[i], chunk.z[i]};
-    const float squared = squared_norm(difference(point, sensor));
-    cells[i] = kNoCell;
-    if (!outer_range.contains(squared)) {
-      add_beyond(point, report);
-      continue;
-    }
-    const std::uint32_t cell = finder.find(point);
-    if (cell == kNoCell) {
-      ++report.num_outside_volume;
-      continue;
-    }
-    cells[i] = cell;
-    // Neighbouring pixels mostly end in one voxel: to mark it again would only wait for the memory.
-    if (cell != last_marked) hit.mark(cell);
-    last_marked = cell;
-    ++num_near;
-    num_within += range.contains(squared) ? 1U : 0U;
-    if (exact_) ray_ends_->push_back(point);
-  }
-  report.num_hits += num_within;
-  report.num_beyond_range += num_near - num_within;
+      window_(&window),
+      far_window_(far_window),
+      grid_(cell_grid(window, resolution_m, sensor)),
+      ends_may_leave_volume_(leaves_volume(grid_, window)) {
+  // Discretize: somewhat farther points end in voxels whose centre may lie within the range.
+  const bool by_voxel = mode_ == IntegrationMode::kDiscretize;
+  const RangeLimit outer(options.max_range_m + (by_voxel ? resolution_m : 0.0));
+  grid_.max_squared = range_.max_squared();
+  grid_.outer_max_squared = outer.max_squared();
+  if (far_window == nullptr) return;
+  far_grid_ = cell_grid(*far_window, resolution_m, sensor);
+  far_grid_.max_squared = std::numeric_limits<float>::max();
+  far_grid_.outer_max_squared = far_grid_.max_squared;
 }
 
-void EndPoints::add_beyond(const PointF& point, IntegrationReport& report) {
-  if (std::isnan(point[0])) return;  // not measured
-  const PointF end = shortened(point);
-  // A square that overflows leaves no direction.
-  if (!std::isfinite(squared_norm(difference(point, sensor_))) ||
-      !is_countable(end, resolution_m_) ||
-      CellFinder(hit_->geometry, resolution_m_).find(end) == kNoCell) {
-    ++report.num_outside_volume;
+void EndPoints::add(EndSink& sink, std::span<std::uint32_t> cells) const {
+  const std::size_t padded = sink.chunk.padded_size();
+  const std::size_t num_words = padded / kernels::kBlock;
+  sink.cells.resize(padded);
+  sink.starts.resize(num_words);
+  sink.far_bits.resize(num_words);
+  sink.lost_bits.resize(num_words);
+  const kernels::CellCounts counts = kernels::best_kernels().find_cells(
+      grid_,
+      sink.chunk.row(),
+      padded,
+      sink.cells.data(),
+      {sink.starts.data(), sink.far_bits.data(), sink.lost_bits.data()});
+  std::copy_n(sink.cells.begin(), cells.size(), cells.begin());
+  sink.report.num_hits += counts.num_within_range;
+  sink.report.num_beyond_range += counts.num_with_cell - counts.num_within_range;
+  mark(sink);
+  if (mode_ == IntegrationMode::kExact) add_rays(sink);
+  add_far(sink);
+  drop(sink);
+}
+
+void EndPoints::mark(EndSink& sink) const {
+  const BitMarker hit = sink.hit.marker();
+  const std::uint32_t* cells = sink.cells.data();
+  // Neighbouring pixels mostly end in one voxel: to mark it again would only wait for the memory.
+  for_each_set(sink.starts, [&](std::size_t i) { hit.mark(cells[i]); });
+}
+
+void EndPoints::add_rays(EndSink& sink) const {
+  for (std::size_t i = 0; i < sink.chunk.size; ++i) {
+    if (sink.cells[i] != kNoCell) sink.ray_ends.push_back(sink.chunk.point(i));
+  }
+}
+
+void EndPoints::add_far(EndSink& sink) const {
+  const std::size_t num_far = count_set(sink.far_bits);
+  if (num_far == 0) return;
+  if (ends_may_leave_volume_) {
+    const CellFinder finder(*window_, resolution_m_);
+    for_each_set(sink.far_bits, [&](std::size_t i) {
+      if (finder.find(shortened(sink.chunk.point(i))) != kNoCell) return;
+      const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+      sink.far_bits[i / 64] &= ~bit;
+      sink.lost_bits[i / 64] |= bit;
+    });
+  }
+  sink.report.num_beyond_range += count_set(sink.far_bits);
+  if (mode_ == IntegrationMode::kProjective) return;
+  if (far_window_ == nullptr) {
+    for_each_set(sink.far_bits,
+                 [&](std::size_t i) { sink.ray_ends.push_back(shortened(sink.chunk.point(i))); });
     return;
   }
-  ++report.num_beyond_range;
-  if (!exact_ && far_ != nullptr && is_countable(point, resolution_m_)) {
-    const std::uint32_t cell = CellFinder(far_->geometry, resolution_m_).find(point);
-    if (cell != kNoCell) {
-      far_->bits.marker().mark(cell);
-      return;
+  sink.far_cells.resize(sink.cells.size());
+  static_cast<void>(kernels::best_kernels().find_cells(
+      far_grid_,
+      sink.chunk.row(),
+      sink.cells.size(),
+      sink.far_cells.data(),
+      // Only the cells are of interest.
+      {sink.starts.data(), sink.starts.data(), sink.starts.data()}));
+  const BitMarker far = sink.far.marker();
+  std::uint32_t last_marked = kNoCell;
+  for_each_set(sink.far_bits, [&](std::size_t i) {
+    const std::uint32_t cell = sink.far_cells[i];
+    if (cell == kNoCell) {
+      sink.ray_ends.push_back(shortened(sink.chunk.point(i)));
+    } else if (cell != last_marked) {
+      far.mark(cell);
+      last_marked = cell;
     }
-  }
-  ray_ends_->push_back(end);
+  });
 }
 
-void EndPoints::finish() {
-  if (exact_) return;
+void EndPoints::drop(EndSink& sink) const {
+  for_each_set(sink.lost_bits, [&](std::size_t i) {
+    ++sink.report.num_outside_volume;
+    if (mode_ == IntegrationMode::kProjective) {
+      sink.dropped.push_back(static_cast<std::uint32_t>(sink.chunk.first + i));
+    }
+  });
+}
+
+void EndPoints::cast_from_voxels(EndSink& sink) const {
   // A voxel counts by its centre, as in OctoMap: beyond the range it is not hit after all.
-  hit_->bits.for_each_touched([this](std::size_t brick) {
-    std::uint64_t* words = hit_->bits.words(brick);
+  sink.hit.for_each_touched([&](std::size_t brick) {
+    std::uint64_t* words = sink.hit.words(brick);
     for_each_bit(words, [&](std::size_t cell) {
-      const PointF centre = centre_of(hit_->geometry, brick, cell);
+      const PointF centre = centre_of(*window_, brick, cell, resolution_m_);
       const bool within = range_.contains(squared_norm(difference(centre, sensor_)));
-      ray_ends_->push_back(within ? centre : shortened(centre));
+      sink.ray_ends.push_back(within ? centre : shortened(centre));
       if (!within) words[cell / 64] &= ~(std::uint64_t{1} << (cell % 64));
     });
   });
-  if (far_ == nullptr) return;
-  far_->bits.for_each_touched([this](std::size_t brick) {
-    for_each_bit(far_->bits.words(brick), [&](std::size_t cell) {
-      ray_ends_->push_back(shortened(centre_of(far_->geometry, brick, cell)));
+  if (far_window_ == nullptr) return;
+  sink.far.for_each_touched([&](std::size_t brick) {
+    for_each_bit(sink.far.words(brick), [&](std::size_t cell) {
+      sink.ray_ends.push_back(shortened(centre_of(*far_window_, brick, cell, resolution_m_)));
     });
-    far_->bits.clear_brick(brick);
+    sink.far.clear_brick(brick);
   });
+}
+
+PointF EndPoints::ray_end(const PointF& point) const noexcept {
+  const bool within = range_.contains(squared_norm(difference(point, sensor_)));
+  return within ? point : shortened(point);
 }
 
 PointF EndPoints::shortened(const PointF& point) const noexcept {
@@ -134,19 +225,6 @@ PointF EndPoints::shortened(const PointF& point) const noexcept {
     direction[i] = sensor_[i] + direction[i] / length * range_.range_m();
   }
   return direction;
-}
-
-PointF EndPoints::centre_of(const WindowGeometry& window,
-                            std::size_t brick,
-                            std::size_t cell) const noexcept {
-  const std::array<int, 3> corner = window.brick_corner(brick);
-  PointF centre{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto along = static_cast<int>(gather_bits(cell >> i));
-    centre[i] = static_cast<float>((static_cast<double>(corner[i] + along - kOriginKey) + 0.5) *
-                                   resolution_m_);
-  }
-  return centre;
 }
 
 }  // namespace hypermap

@@ -4,8 +4,9 @@
 #pragma once
 
 #include "bit_window.hpp"
-#include "cell_finder.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "kernels/kernels.hpp"
+#include "measured_points.hpp"
 #include "point_f.hpp"
 
 #include <array>
@@ -22,6 +23,7 @@ class RangeLimit {
  public:
   explicit RangeLimit(double max_range_m) noexcept;
   [[nodiscard]] float range_m() const noexcept { return range_m_; }
+  [[nodiscard]] float max_squared() const noexcept { return max_squared_; }
   /// False for NaN.
   [[nodiscard]] bool contains(float squared_distance) const noexcept {
     return squared_distance <= max_squared_;
@@ -32,59 +34,60 @@ class RangeLimit {
   float max_squared_;
 };
 
-/// Points of a frame, a few hundred at a time. A point that was not measured has x = NaN.
-struct PointChunk {
-  std::vector<float> x;
-  std::vector<float> y;
-  std::vector<float> z;
+/// What one thread found of a frame's measurements, and its working memory.
+struct EndSink {
+  BitLayer hit;                        ///< Voxels in which measurements end.
+  BitLayer far;                        ///< The same beyond the range, in a window of their own.
+  std::vector<PointF> ray_ends;        ///< Rays from the sensor.
+  std::vector<std::uint32_t> dropped;  ///< Measurements outside the volume: they count for nothing.
+  IntegrationReport report;
+  PointChunk chunk;
 
-  void resize(std::size_t size) {
-    x.resize(size);
-    y.resize(size);
-    z.resize(size);
-  }
-};
-
-/// A window and the bits that a frame sets in it.
-struct MarkedWindow {
-  WindowGeometry geometry;
-  BitLayer bits;
+  std::vector<std::uint32_t> cells;  // of the chunk; the others too
+  std::vector<std::uint32_t> far_cells;
+  std::vector<std::uint64_t> starts;
+  std::vector<std::uint64_t> far_bits;
+  std::vector<std::uint64_t> lost_bits;
 };
 
 /// Sorts the measurements of one frame into voxels and rays.
 class EndPoints {
  public:
-  /// `hit`: around the sensor, covers the range. `far`: covers all measurements, for those beyond
-  /// the range; null when that would be too large. All bits are clear, all outlives this.
+  /// `window`: around the sensor, covers the range. `far_window`: covers all measurements, for
+  /// those beyond the range in mode discretize; null when that would be too large. Both outlive
+  /// this.
   EndPoints(double resolution_m,
             const PointF& sensor,
             const IntegrationOptions& options,
-            MarkedWindow& hit,
-            MarkedWindow* far,
-            std::vector<PointF>& ray_ends);
+            const WindowGeometry& window,
+            const WindowGeometry* far_window);
 
-  /// Takes the points of a chunk; writes the voxel of each (kNoCell when none) to `cells`, which
-  /// has the chunk's size. Throws std::bad_alloc.
-  void add(const PointChunk& chunk, std::span<std::uint32_t> cells, IntegrationReport& report);
-  /// Call once after the last chunk. Mode discretize: makes one ray for each voxel.
-  void finish();
+  /// Takes the points of the sink's chunk; writes the voxel of each (kNoCell when none) to `cells`,
+  /// which has the chunk's size. Mode exact: a ray for each. Throws std::bad_alloc.
+  void add(EndSink& sink, std::span<std::uint32_t> cells) const;
+  /// Mode discretize, when all is added and all sinks are united in this one: one ray for each
+  /// voxel. Throws std::bad_alloc.
+  void cast_from_voxels(EndSink& sink) const;
+  /// Where the ray to a point ends: there, or at the range.
+  [[nodiscard]] PointF ray_end(const PointF& point) const noexcept;
 
  private:
-  void add_beyond(const PointF& point, IntegrationReport& report);
+  void mark(EndSink& sink) const;
+  void add_rays(EndSink& sink) const;
+  void add_far(EndSink& sink) const;
+  void drop(EndSink& sink) const;
   /// The point at the range toward `point`.
   [[nodiscard]] PointF shortened(const PointF& point) const noexcept;
-  [[nodiscard]] PointF centre_of(const WindowGeometry& window,
-                                 std::size_t brick,
-                                 std::size_t cell) const noexcept;
 
   double resolution_m_;
   PointF sensor_;
-  bool exact_;
+  IntegrationMode mode_;
   RangeLimit range_;
-  RangeLimit outer_range_;  // discretize: nearer points end in voxels that may lie within the range
-  MarkedWindow* hit_;
-  MarkedWindow* far_;
-  std::vector<PointF>* ray_ends_;
+  const WindowGeometry* window_;
+  const WindowGeometry* far_window_;
+  kernels::CellGrid grid_;
+  kernels::CellGrid far_grid_;
+  bool ends_may_leave_volume_;
 };
 
 }  // namespace hypermap

@@ -99,7 +99,7 @@ TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal("\noctree: {resolution_m: 0}\n"), HasSubstr("o.yaml:2: octree.resolution_m"));
   EXPECT_THAT(refusal("octree: {resolution_m: wide}\n"), HasSubstr("octree.resolution_m"));
   EXPECT_THAT(refusal("integration: {mode: fast}\n"),
-              HasSubstr("must be one of exact, discretize"));
+              HasSubstr("must be one of exact, discretize, projective"));
   EXPECT_THAT(refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
   EXPECT_THAT(refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
   EXPECT_THAT(refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));

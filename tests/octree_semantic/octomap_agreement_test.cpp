@@ -107,5 +107,35 @@ TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapInTheRealKitchen) {
   EXPECT_EQ(agreement.otherwise, 0U);
 }
 
+// Mode projective keeps nearly the voxels of insertPointCloud: what it looks through by the corners
+// of voxels is what rays pass, up to voxels that rays only clip. Free space is reported, not
+// pinned.
+
+TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoom) {
+  const Agreement agreement =
+      map_both(room_frames(8, 640), 0.05, 5.0, IntegrationMode::kProjective);
+  EXPECT_GE(agreement.occupied_iou(), 0.99);
+}
+
+TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoomAtTwoCentimetres) {
+  const Agreement agreement =
+      map_both(room_frames(3, 640), 0.02, 5.0, IntegrationMode::kProjective);
+  EXPECT_GE(agreement.occupied_iou(), 0.99);
+}
+
+TEST(OctomapAgreement, ProjectiveModeClearsUpToTheRangeOnly) {
+  const Agreement agreement =
+      map_both(room_frames(6, 320), 0.05, 2.5, IntegrationMode::kProjective);
+  EXPECT_GE(agreement.occupied_iou(), 0.99);
+  EXPECT_GE(agreement.free_iou(), 0.95);
+}
+
+TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRealKitchen) {
+  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
+  const Agreement agreement =
+      map_both(kitchen_frames(10, 20), 0.05, 5.0, IntegrationMode::kProjective);
+  EXPECT_GE(agreement.occupied_iou(), 0.97);
+}
+
 }  // namespace
 }  // namespace hypermap::test

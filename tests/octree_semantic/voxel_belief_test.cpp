@@ -15,7 +15,7 @@ namespace {
 
 const Eigen::Vector3d kSensor(0.05, 0.05, 0.05);
 const Eigen::Vector3f kPoint(1.05F, 0.05F, 0.05F);
-const IntegrationOptions kOptions{};
+const IntegrationOptions kOptions{.mode = IntegrationMode::kDiscretize};
 
 SemanticOctree empty_tree() {
   return SemanticOctree::create({.resolution_m = 0.1}).value();

@@ -24,21 +24,35 @@
 
 namespace hypermap {
 
-/// Which rays free space.
+/// What frees space. Measurements occupy the voxel in which they end in every mode.
 ///
-/// | mode | rays | occupied and free voxels |
+/// | mode | frees | occupied voxels |
 /// |---|---|---|
-/// | exact | every measurement | those of OctoMap's insertPointCloud |
-/// | discretize | one per voxel in which measurements end, to its centre | those of OctoMap's
+/// | exact | what the ray of each measurement passes | those of OctoMap's insertPointCloud |
+/// | discretize | what a ray to the centre of each end voxel passes | those of OctoMap's
 /// insertPointCloud with `discretize` |
-enum class IntegrationMode : std::uint8_t { kExact, kDiscretize };
+/// | projective | voxels of which the camera sees a corner before what it measured there; rays only
+/// where the picture is sparse | IoU with insertPointCloud 0.991 .. 0.999 |
+///
+/// Measured: CPU time of insertPointCloud over ours, one thread, labels included, 640 x 480 pixels,
+/// range 5 m; in brackets IoU of the occupied, then of the free voxels with insertPointCloud
+/// (`build/release/tests/bench/octree_bench`):
+///
+/// | mode | room 5 cm | kitchen 5 cm |
+/// |---|---|---|
+/// | exact | 6.9 (1, 1) | 4.5 (1, 1) |
+/// | discretize | 50 (0.992, 0.987) | 68 (0.985, 0.969) |
+/// | projective | 247 (0.999, 0.992) | 80 (0.997, 0.991) |
+///
+/// A cloud takes the first two only: it has no picture to project into.
+enum class IntegrationMode : std::uint8_t { kExact, kDiscretize, kProjective };
 
 struct IntegrationOptions {
-  IntegrationMode mode = IntegrationMode::kDiscretize;
+  IntegrationMode mode = IntegrationMode::kProjective;
   /// Farther measurements free the way up to here and occupy nothing; > 0, at most 100,000.
   /// Distance from the sensor, not depth.
   double max_range_m = 5.0;
-  /// Threads that mark rays, 1 .. 256. The result does not depend on it.
+  /// Threads that share the work of a frame, 1 .. 256. The result does not depend on it.
   int num_threads = 1;
   friend bool operator==(const IntegrationOptions&, const IntegrationOptions&) = default;
 };
@@ -96,6 +110,7 @@ class FrameIntegrator {
                                                     const IntegrationOptions& options);
 
   /// The same for points seen from one place. A point at the sensor itself is a hit there.
+  /// Mode projective is refused (kInvalidArgument, field `mode`).
   [[nodiscard]] Result<IntegrationReport> integrate_cloud(
       SemanticOctree& tree,
       const PointInMap& sensor,

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Working memory of an integrator and the steps of one integration.
+#pragma once
+
+#include "bit_window.hpp"
+#include "depth_pyramid.hpp"
+#include "end_points.hpp"
+#include "free_projection.hpp"
+#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "kernels/kernels.hpp"
+#include "label_evidence.hpp"
+#include "label_votes.hpp"
+#include "measured_points.hpp"
+#include "point_f.hpp"
+#include "workers.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// All memory is kept from frame to frame; it is bounded by the window that a frame reaches over.
+class IntegrationWorkspace {
+ public:
+  /// Errors: as FrameIntegrator::integrate, of what was not checked before. `picture` are the same
+  /// points when they come from a depth image, else null; mode projective needs it.
+  [[nodiscard]] Result<IntegrationReport> integrate(SemanticOctree& tree,
+                                                    const MeasuredPoints& points,
+                                                    const DepthPoints* picture,
+                                                    std::span<const PixelLabels> labels,
+                                                    const IntegrationOptions& options);
+
+ private:
+  /// A brick of the map that the frame changes.
+  struct Staged {
+    std::size_t window_brick = 0;
+    std::uint32_t position = 0;
+    bool changed = false;
+  };
+  /// What one thread needs of its own.
+  struct Slot {
+    EndSink ends;
+    BitLayer passed;  // voxels that rays went through
+    kernels::MergeCounts merged;
+  };
+
+  void prepare(const IntegrationOptions& options);
+  [[nodiscard]] const WindowGeometry* prepare_far(const KeyBox& everything);
+  void find_ends(const MeasuredPoints& points,
+                 const EndPoints& ends,
+                 IntegrationMode mode,
+                 IntegrationReport& report);
+  void cast_rays(double resolution_m, const PointF& sensor);
+  void project(const DepthPoints& picture,
+               const EndPoints& ends,
+               double resolution_m,
+               double max_range_m);
+  void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
+  void stage(SemanticOctree& tree);
+  void stage_brick(SemanticOctree& tree, std::size_t window_brick);
+  void stage_labels(Brick& brick, std::size_t window_brick) const;
+  void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
+  void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;
+  bool commit_labels(Brick& brick, std::size_t window_brick, const SemanticOctree& tree) noexcept;
+  void clear() noexcept;
+
+  [[nodiscard]] BitLayer& hit() noexcept { return slots_.front().ends.hit; }
+  [[nodiscard]] BitLayer& passed() noexcept { return slots_.front().passed; }
+  [[nodiscard]] std::vector<PointF>& ray_ends() noexcept { return slots_.front().ends.ray_ends; }
+
+  Workers workers_;
+  WindowGeometry window_;      // around the sensor
+  WindowGeometry far_window_;  // over all measurements
+  std::vector<Slot> slots_;    // one per worker; united in the first
+  std::vector<std::uint32_t> cell_of_measurement_;
+  DepthPyramid pyramid_;
+  FreeProjection projection_;
+  LabelVotes votes_;
+  LabelEvidence evidence_;
+  std::vector<Staged> staged_;
+};
+
+}  // namespace hypermap

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The inner loops of integration, on plain arrays: compiled once for each instruction set, chosen
+/// when the program runs. No Eigen or PCL type may stand here (their layout depends on the set),
+/// and nothing of the standard library that is a function: the linker would keep one copy for all.
+///
+/// All sets give the same bits: each operation is rounded by itself (no fused ones), divisions and
+/// roots are those of IEEE 754. `tests/octree_semantic/kernels_test.cpp` compares them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hypermap::kernels {
+
+/// Arrays of measurements are padded to whole multiples of this.
+inline constexpr std::size_t kBlock = 64;
+/// "No voxel".
+inline constexpr std::uint32_t kNoVoxel = 0xFFFF'FFFF;
+
+/// Rays of one row of a depth image in the map: pixel u looks along
+/// `per_column` * (u - centre_column) + `row`, per metre of depth.
+struct RowRays {
+  double per_column[3] = {};
+  double row[3] = {};
+  double sensor[3] = {};
+  double centre_column = 0.0;
+};
+struct RowCounts {
+  std::size_t num_not_measured = 0;  ///< Depth 0 or negative.
+  std::size_t num_not_finite = 0;
+};
+/// Points of a row; x is NaN where nothing was measured. All of the same, padded, length.
+struct PointRow {
+  float* x = nullptr;
+  float* y = nullptr;
+  float* z = nullptr;
+};
+
+/// Minimum, maximum and number of the measured depths per column, over some rows.
+struct ColumnSummary {
+  float* clean = nullptr;  ///< The row itself: 0 where nothing was measured.
+  float* min = nullptr;
+  float* max = nullptr;
+  float* num_measured = nullptr;
+};
+
+/// Cells of a window of bricks (as of WindowGeometry), and which distances count.
+struct CellGrid {
+  double voxels_per_m = 0.0;
+  double corner[3] = {};        ///< In voxels from the map's origin.
+  std::int32_t first[3] = {};   ///< Offsets from the corner within the volume,
+  std::int32_t end[3] = {};     ///< from first to the one before end.
+  std::int32_t stride[2] = {};  ///< Bricks from one to the next along x and y.
+  float sensor[3] = {};
+  float max_squared = 0.0F;        ///< Squared distances up to here are within the range,
+  float outer_max_squared = 0.0F;  ///< up to here are near: they get a cell. >= max_squared.
+};
+/// One bit for each measurement.
+struct CellBits {
+  std::uint64_t* starts = nullptr;  ///< Has a cell, and another one than the measurement before.
+  std::uint64_t* far = nullptr;     ///< Not near, at a finite distance.
+  std::uint64_t* lost = nullptr;    ///< Near, but outside the window; or its distance overflows.
+};
+struct CellCounts {
+  std::size_t num_with_cell = 0;
+  std::size_t num_within_range = 0;  ///< Of those with a cell.
+};
+
+/// A depth image and where the corners of voxels fall in it.
+struct CornerProjection {
+  const float* depth_m = nullptr;  ///< Row-major; 0 where nothing was measured.
+  std::int32_t width_px = 0;
+  float width = 0.0F;
+  float height = 0.0F;
+  /// Centre of the picture, plus half a pixel.
+  float u0 = 0.0F;
+  float v0 = 0.0F;
+  float max_squared_m2 = 0.0F;
+  float per_fx = 0.0F;  ///< 1 / focal length.
+  float per_fy = 0.0F;
+  /// From the first corner of a brick to each of its 512 in Morton order, in the camera's axes; x
+  /// and y times the focal lengths.
+  alignas(64) float x[512] = {};
+  alignas(64) float y[512] = {};
+  alignas(64) float z[512] = {};
+};
+
+/// Steps of log-odds and their limits.
+struct EvidenceSteps {
+  std::int16_t hit = 0;
+  std::int16_t miss = 0;
+  std::int16_t clamp_min = 0;
+  std::int16_t clamp_max = 0;
+  std::int16_t occupied_from = 0;
+};
+/// Occupancy of a brick: 8 words of bits each, 512 log-odds (aligned to 64 bytes).
+struct BrickArrays {
+  std::uint64_t* known = nullptr;
+  std::uint64_t* occupied = nullptr;
+  std::int16_t* log_odds = nullptr;
+};
+struct MergeCounts {
+  std::size_t num_hit = 0;
+  std::size_t num_passed = 0;  ///< And not hit.
+  bool changed = false;        ///< A voxel became occupied or ceased to be.
+};
+
+/// One instruction set's functions.
+struct Kernels {
+  const char* name;
+  /// Depth row of `size` pixels to points in the map. Fills `points` up to a multiple of kBlock.
+  RowCounts (*unproject_row)(const RowRays& rays,
+                             const float* depth_m,
+                             std::size_t size,
+                             const PointRow& points);
+  /// Adds a row to the summary of its columns.
+  void (*summarise_row)(const float* depth_m, std::size_t size, const ColumnSummary& summary);
+  /// The largest finite one of `size` depths, at least 0.
+  float (*farthest)(const float* depth_m, std::size_t size);
+  /// Cells of `size` points, a multiple of kBlock; kNoVoxel for those without.
+  CellCounts (*find_cells)(const CellGrid& grid,
+                           const PointRow& points,
+                           std::size_t size,
+                           std::uint32_t* cells,
+                           const CellBits& bits);
+  /// Bits of the corners of a brick that the camera sees: in the picture and nearer than what was
+  /// measured there. `first`: the brick's first corner in the camera's axes, x and y times the
+  /// focal lengths. `check_range`: only those within the range.
+  void (*see_corners)(const CornerProjection& projection,
+                      const float* first,
+                      bool check_range,
+                      std::uint64_t* seen);
+  /// Adds a hit to the voxels of `hit` and a miss to those of `passed` that are not hit, and
+  /// clamps. 8 words of bits each.
+  MergeCounts (*merge_brick)(const BrickArrays& brick,
+                             const std::uint64_t* hit,
+                             const std::uint64_t* passed,
+                             const EvidenceSteps& steps);
+};
+
+/// The best of those that this processor has.
+[[nodiscard]] const Kernels& best_kernels();
+/// One value at a time: the reference.
+[[nodiscard]] const Kernels& scalar_kernels();
+
+}  // namespace hypermap::kernels
