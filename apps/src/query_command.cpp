@@ -39,6 +39,7 @@ struct Answers {
 
 std::vector<QueryAnswer> as_answers(const std::vector<LayerAnswer>& found) {
   std::vector<QueryAnswer> answers;
+  answers.reserve(found.size());
   for (const LayerAnswer& one : found) {
     answers.push_back({.id = one.id,
                        .name = one.name,

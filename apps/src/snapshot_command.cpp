@@ -42,6 +42,7 @@ Result<SnapshotOptions> options_of(const Arguments& arguments) {
 
 std::vector<ObjectId> ids_of(const std::vector<QueryAnswer>& answers) {
   std::vector<ObjectId> ids;
+  ids.reserve(answers.size());
   for (const QueryAnswer& one : answers) ids.push_back({static_cast<std::uint32_t>(one.id)});
   return ids;
 }

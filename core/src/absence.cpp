@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/absence.hpp"
 
-#include "number_text.hpp"
+#include "out_of_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,10 +94,6 @@ bool is_to_be_removed(const Object& object, const AbsenceOptions& options) {
   return options.removal == RemovalRule::kExistence
              ? object.existence < options.min_existence
              : object_confidence(object, options.confidence) < options.min_confidence;
-}
-
-Unexpected out_of_range(const std::string& field, const std::string& rule, double value) {
-  return fail(ErrorCode::kInvalidArgument, rule + ", is " + number_text(value), field);
 }
 
 bool is_share(double value) {

@@ -2,7 +2,7 @@
 #include "hypermap/core/binned_depth_map.hpp"
 
 #include "hypermap/core/depth_cloud.hpp"
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

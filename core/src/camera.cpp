@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/camera.hpp"
 
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/class_belief.hpp"
 
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,7 +16,7 @@ LogOdds clamped(LogOdds l, const ClassBeliefOptions& options) {
   return std::clamp(l, options.min_log_odds, options.max_log_odds);
 }
 
-bool precedes(const ClassLogOdds& a, const ClassLogOdds& b) {
+bool has_lower_id(const ClassLogOdds& a, const ClassLogOdds& b) {
   return a.id < b.id;
 }
 
@@ -51,7 +51,7 @@ Result<ClassBelief> ClassBelief::from_entries(const ClassBeliefOptions& options,
                   "must be within the bounds, is " + number_text(l),
                   "belief[" + std::to_string(i) + "]");
     }
-    if (i > 0 && !precedes(entries[i - 1], entries[i])) {
+    if (i > 0 && !has_lower_id(entries[i - 1], entries[i])) {
       return fail(ErrorCode::kInvalidArgument,
                   "class ids must ascend, found " + std::to_string(entries[i].id.value),
                   "belief[" + std::to_string(i) + "]");
@@ -63,7 +63,7 @@ Result<ClassBelief> ClassBelief::from_entries(const ClassBeliefOptions& options,
 
 LogOdds& ClassBelief::entry(ClassId id) {
   const ClassLogOdds fresh{id, LogOdds{}};
-  auto it = std::lower_bound(entries_.begin(), entries_.end(), fresh, precedes);
+  auto it = std::lower_bound(entries_.begin(), entries_.end(), fresh, has_lower_id);
   if (it == entries_.end() || it->id != id) it = entries_.insert(it, fresh);
   return it->log_odds;
 }
@@ -103,7 +103,7 @@ void ClassBelief::saturate() {
 
 LogOdds ClassBelief::log_odds(ClassId id) const {
   const auto it =
-      std::lower_bound(entries_.begin(), entries_.end(), ClassLogOdds{id, LogOdds{}}, precedes);
+      std::lower_bound(entries_.begin(), entries_.end(), ClassLogOdds{id, LogOdds{}}, has_lower_id);
   return it == entries_.end() || it->id != id ? LogOdds{} : it->log_odds;
 }
 

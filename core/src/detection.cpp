@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/detection.hpp"
 
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -19,6 +19,14 @@ bool by_probability_then_low_id(const ClassEvidence& a, const ClassEvidence& b) 
 }
 
 }  // namespace
+
+double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept {
+  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
+  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
+  const double common = std::max(0.0, width) * std::max(0.0, height);
+  const double united = a.width_px() * a.height_px() + b.width_px() * b.height_px() - common;
+  return united > 0.0 ? common / united : 0.0;
+}
 
 std::optional<ClassEvidence> best_class(std::span<const ClassEvidence> scores) {
   if (scores.empty()) return std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/footprint.hpp"
 
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>

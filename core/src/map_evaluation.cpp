@@ -3,7 +3,7 @@
 
 #include "hypermap/core/assignment.hpp"
 #include "hypermap/core/class_registry.hpp"
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -13,17 +13,17 @@ namespace hypermap {
 namespace {
 
 namespace bg = boost::geometry;
-using BoostPoint = bg::model::d2::point_xy<double>;
+using FlatPoint = bg::model::d2::point_xy<double>;
 /// Counter-clockwise and open, as ours.
-using BoostPolygon = bg::model::polygon<BoostPoint, false, false>;
-using BoostMultiPolygon = bg::model::multi_polygon<BoostPolygon>;
+using FlatPolygon = bg::model::polygon<FlatPoint, false, false>;
+using BoostMultiPolygon = bg::model::multi_polygon<FlatPolygon>;
 
-void append(const Ring& ring, const Eigen::Vector2d& origin, BoostPolygon::ring_type& out) {
+void append(const Ring& ring, const Eigen::Vector2d& origin, FlatPolygon::ring_type& out) {
   for (const Eigen::Vector2d& p : ring) out.emplace_back(p.x() - origin.x(), p.y() - origin.y());
 }
 
-BoostPolygon to_boost(const Polygon& polygon, const Eigen::Vector2d& origin) {
-  BoostPolygon out;
+FlatPolygon to_boost(const Polygon& polygon, const Eigen::Vector2d& origin) {
+  FlatPolygon out;
   append(polygon.outer, origin, out.outer());
   for (const Ring& hole : polygon.holes) append(hole, origin, out.inners().emplace_back());
   return out;
@@ -33,7 +33,7 @@ bool rectangles_meet(const Rect& a, const Rect& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-std::optional<double> try_intersection_area(const BoostPolygon& a, const BoostPolygon& b) {
+std::optional<double> try_intersection_area(const FlatPolygon& a, const FlatPolygon& b) {
   try {
     BoostMultiPolygon common;
     bg::intersection(a, b, common);
@@ -46,7 +46,7 @@ std::optional<double> try_intersection_area(const BoostPolygon& a, const BoostPo
 double intersection_area_m2(const Polygon& a, const Polygon& b) {
   // Near the origin, where coordinates are exact enough for the overlay of Boost.
   const Eigen::Vector2d origin = a.outer.front();
-  const BoostPolygon first = to_boost(a, origin);
+  const FlatPolygon first = to_boost(a, origin);
   // The overlay gives up on rare degenerate contacts; shifted by a fraction of a micrometre they
   // are gone, and the area is the same for every purpose of a map.
   for (const double shift_m : {0.0, 1.3e-7, -2.1e-7}) {

@@ -2,7 +2,7 @@
 #include "ring_check.hpp"
 
 #include "exact_orientation.hpp"
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

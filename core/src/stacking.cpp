@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/stacking.hpp"
 
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -55,14 +55,6 @@ std::vector<ClassEvidence> normalised_cells(const Cells& cells, Combine combine)
   return out;
 }
 
-double overlap(const PixelBox& a, const PixelBox& b) {
-  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
-  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
-  const double common = std::max(0.0, width) * std::max(0.0, height);
-  const double united = a.width_px() * a.height_px() + b.width_px() * b.height_px() - common;
-  return united > 0.0 ? common / united : 0.0;
-}
-
 /// Detections of one thing, best score first; at most one of each detector.
 using Group = std::vector<const Detection*>;
 
@@ -84,7 +76,7 @@ std::vector<Group> group_by_overlap(std::span<const Detection> detections, doubl
     Group* best = nullptr;
     double best_overlap = 0.0;
     for (Group& group : groups) {
-      const double shared = overlap(group.front()->box_px, detection->box_px);
+      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
       if (shared < min_overlap || shared <= best_overlap) continue;
       if (has_detector(group, detection->detector)) continue;
       best = &group;

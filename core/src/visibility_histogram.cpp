@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/visibility_histogram.hpp"
 
-#include "number_text.hpp"
+#include "out_of_range.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -15,10 +15,6 @@ namespace hypermap {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-Unexpected out_of_range(const std::string& field, const std::string& rule, double value) {
-  return fail(ErrorCode::kInvalidArgument, rule + ", is " + number_text(value), field);
-}
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kMaxNames = 65'535;
-constexpr std::size_t kMaxNameBytes = 256;
+constexpr std::size_t kMaxClassNameBytes = 256;
 
 constexpr std::array<std::string_view, 80> kCocoNames{
     "person",        "bicycle",       "car",           "motorbike",
@@ -50,7 +50,7 @@ Result<void> check_name(const std::filesystem::path& path,
   if (name.empty()) {
     return name_error(path, line.number, ErrorCode::kMalformedFile, "must not be empty");
   }
-  if (name.size() > kMaxNameBytes) {
+  if (name.size() > kMaxClassNameBytes) {
     return name_error(path,
                       line.number,
                       ErrorCode::kLimit,
@@ -70,7 +70,7 @@ std::vector<std::string> coco_class_names() {
 
 Result<std::vector<std::string>> read_class_names(const std::filesystem::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text,
-                            read_file(path, kMaxNames * (kMaxNameBytes + 2)));
+                            read_file(path, kMaxNames * (kMaxClassNameBytes + 2)));
   std::vector<TextLine> lines = split_lines(text);
   while (!lines.empty() && trimmed(lines.back().text).empty()) lines.pop_back();
   if (lines.empty()) {

@@ -19,7 +19,7 @@ unsigned byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]);
 }
 
-Unexpected malformed(std::string what, std::string field) {
+Unexpected malformed_picture(std::string what, std::string field) {
   return fail(ErrorCode::kMalformedFile, std::move(what), std::move(field));
 }
 
@@ -52,7 +52,7 @@ Result<PictureHeader> read_jpeg_header(std::string_view bytes) {
     if (length < 2) break;
     at += 2 + length;
   }
-  return malformed("the JPEG has no frame header", "header");
+  return malformed_picture("the JPEG has no frame header", "header");
 }
 
 std::int64_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -63,13 +63,13 @@ std::int64_t little_endian(std::string_view bytes, std::size_t at, std::size_t c
 
 /// A BMP's raster must be there whole: OpenCV leaves missing rows as they are.
 Result<PictureHeader> read_bmp_header(std::string_view bytes) {
-  if (bytes.size() < 54) return malformed("the BMP header is cut", "header");
+  if (bytes.size() < 54) return malformed_picture("the BMP header is cut", "header");
   const std::int64_t width = little_endian(bytes, 18, 4);
   const std::int64_t height = std::llabs(little_endian(bytes, 22, 4));
   const std::int64_t bits = little_endian(bytes, 28, 2);
   const std::int64_t compression = little_endian(bytes, 30, 4);
   if (width <= 0 || width > 0x7FFFFFF || height <= 0 || height > 0x7FFFFFF) {
-    return malformed("a side is absurd", "size");
+    return malformed_picture("a side is absurd", "size");
   }
   if (compression != 0 || (bits != 8 && bits != 24 && bits != 32)) {
     return fail(ErrorCode::kUnsupported, "BMP of this compression or depth", "bits");
@@ -77,7 +77,7 @@ Result<PictureHeader> read_bmp_header(std::string_view bytes) {
   const std::int64_t row_bytes = (width * bits + 31) / 32 * 4;
   const std::int64_t raster = little_endian(bytes, 10, 4);
   if (raster < 54 || raster + row_bytes * height > static_cast<std::int64_t>(bytes.size())) {
-    return malformed("ends early", "raster");
+    return malformed_picture("ends early", "raster");
   }
   return PictureHeader{.format = PictureFormat::kBmp,
                        .width_px = static_cast<int>(width),
@@ -125,7 +125,7 @@ Result<PictureHeader> read_header(std::string_view bytes, PictureFormat format) 
     case PictureFormat::kBmp:
       return read_bmp_header(bytes);
   }
-  return malformed("unknown picture format", "format");
+  return malformed_picture("unknown picture format", "format");
 }
 
 Result<Picture> decode_with_opencv(std::string_view bytes,
@@ -134,7 +134,7 @@ Result<Picture> decode_with_opencv(std::string_view bytes,
   HYPERMAP_ASSIGN_OR_RETURN(const PictureHeader header, read_header(bytes, format));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
   if (format == PictureFormat::kJpeg && is_cut_jpeg(bytes))
-    return malformed("ends early", "raster");
+    return malformed_picture("ends early", "raster");
   if (bytes.size() > 0x7FFFFFFF) return fail(ErrorCode::kLimit, "has more than 2 GiB", "size");
   try {
     const cv::Mat input(1,
@@ -146,13 +146,13 @@ Result<Picture> decode_with_opencv(std::string_view bytes,
                      header.channels == 1 ? cv::IMREAD_GRAYSCALE
                                           : cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     if (mat.cols != header.width_px || mat.rows != header.height_px) {
-      return malformed("cannot be decoded to its declared size", "raster");
+      return malformed_picture("cannot be decoded to its declared size", "raster");
     }
     return from_mat(mat);
   } catch (const std::bad_alloc&) {
     return tl::make_unexpected(out_of_memory());
   } catch (const std::exception& exception) {
-    return malformed(std::string("cannot be decoded: ") + exception.what(), "raster");
+    return malformed_picture(std::string("cannot be decoded: ") + exception.what(), "raster");
   }
 }
 

@@ -12,26 +12,26 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 20> kKeys{"name",
-                                                 "intrinsics",
-                                                 "depth",
-                                                 "depth_scale",
-                                                 "invalid_depth",
-                                                 "color",
-                                                 "trajectory",
-                                                 "trajectory_format",
-                                                 "pair_by",
-                                                 "pose_direction",
-                                                 "camera_axes",
-                                                 "up_axis",
-                                                 "detections",
-                                                 "stamp_tolerance_s",
-                                                 "frame_rate_hz",
-                                                 "depth_intrinsics",
-                                                 "color_from_depth",
-                                                 "labels",
-                                                 "instances",
-                                                 "description"};
+constexpr std::array<std::string_view, 20> kDescriptionKeys{"name",
+                                                            "intrinsics",
+                                                            "depth",
+                                                            "depth_scale",
+                                                            "invalid_depth",
+                                                            "color",
+                                                            "trajectory",
+                                                            "trajectory_format",
+                                                            "pair_by",
+                                                            "pose_direction",
+                                                            "camera_axes",
+                                                            "up_axis",
+                                                            "detections",
+                                                            "stamp_tolerance_s",
+                                                            "frame_rate_hz",
+                                                            "depth_intrinsics",
+                                                            "color_from_depth",
+                                                            "labels",
+                                                            "instances",
+                                                            "description"};
 
 template <class Value>
 struct Choice {
@@ -39,11 +39,12 @@ struct Choice {
   Value value;
 };
 
-constexpr std::array<Choice<TrajectoryFormat>, 5> kFormats{{{"tum", TrajectoryFormat::kTum},
-                                                            {"log", TrajectoryFormat::kLog},
-                                                            {"matrix", TrajectoryFormat::kMatrix},
-                                                            {"7scenes", TrajectoryFormat::kMatrix},
-                                                            {"open3d", TrajectoryFormat::kLog}}};
+constexpr std::array<Choice<TrajectoryFormat>, 5> kTrajectoryFormats{
+    {{"tum", TrajectoryFormat::kTum},
+     {"log", TrajectoryFormat::kLog},
+     {"matrix", TrajectoryFormat::kMatrix},
+     {"7scenes", TrajectoryFormat::kMatrix},
+     {"open3d", TrajectoryFormat::kLog}}};
 constexpr std::array<Choice<PosePairing>, 3> kPairings{{{"stamp", PosePairing::kStamp},
                                                         {"number", PosePairing::kNumber},
                                                         {"order", PosePairing::kOrder}}};
@@ -187,8 +188,9 @@ PosePairing usual_pairing(TrajectoryFormat format) {
 
 Result<void> read_trajectory_keys(const YamlNode& root, DatasetDescription& out) {
   HYPERMAP_ASSIGN_OR_RETURN(out.trajectory, required_path(root, "trajectory"));
-  HYPERMAP_ASSIGN_OR_RETURN(out.trajectory_format,
-                            choose(root, "trajectory_format", kFormats, TrajectoryFormat::kTum));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      out.trajectory_format,
+      choose(root, "trajectory_format", kTrajectoryFormats, TrajectoryFormat::kTum));
   HYPERMAP_ASSIGN_OR_RETURN(
       out.pair_by, choose(root, "pair_by", kPairings, usual_pairing(out.trajectory_format)));
   HYPERMAP_ASSIGN_OR_RETURN(
@@ -237,7 +239,7 @@ Result<Loaded<DatasetDescription>> read_dataset_description(const std::filesyste
       number_or(root, "stamp_tolerance_s", out.stamp_tolerance_s, 0.0, 3600.0));
   HYPERMAP_ASSIGN_OR_RETURN(out.frame_rate_hz,
                             number_or(root, "frame_rate_hz", out.frame_rate_hz, 1e-3, 1e4));
-  return Loaded<DatasetDescription>{std::move(out), root.unknown_keys(kKeys)};
+  return Loaded<DatasetDescription>{std::move(out), root.unknown_keys(kDescriptionKeys)};
 }
 
 }  // namespace hypermap

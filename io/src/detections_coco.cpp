@@ -2,6 +2,7 @@
 #include "detections_parsing.hpp"
 #include "hypermap/io/byte_source.hpp"
 #include "text_file.hpp"
+#include "value_limits.hpp"
 
 #include <array>
 #include <limits>
@@ -10,8 +11,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kMaxSide = 65'535;
 
 /// What the numbers of a results list stand for.
 struct CocoTables {
@@ -53,8 +52,8 @@ Result<void> parse_image(const JsonNode& node, CocoTables& tables) {
   const auto width = node.find("width");
   const auto height = node.find("height");
   if (!width || !height) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxSide));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxSide));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxPictureSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxPictureSidePx));
   frame.width_px = static_cast<int>(w);
   frame.height_px = static_cast<int>(h);
   return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detections_parsing.hpp"
 #include "text_file.hpp"
+#include "value_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,6 @@
 namespace hypermap {
 namespace {
 
-constexpr int kMaxSide = 65'535;
-constexpr double kMaxCoordinate = 1e6;
 constexpr std::array<std::string_view, 4> kLabelKeys{"label", "class", "category", "name"};
 constexpr std::array<std::string_view, 7> kFrameKeys{
     "image", "timestamp", "width", "height", "detections", "index", "detector"};
@@ -121,8 +120,8 @@ Result<FrameDetections> parse_frame_head(const JsonNode& root) {
     return root.error(ErrorCode::kMalformedFile, "must have width and height or neither");
   }
   if (width) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxSide));
-    HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxSide));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxPictureSidePx));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxPictureSidePx));
     frame.width_px = static_cast<int>(w);
     frame.height_px = static_cast<int>(h);
   }

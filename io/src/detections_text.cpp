@@ -2,6 +2,7 @@
 #include "detections_parsing.hpp"
 #include "hypermap/io/onnx_detector.hpp"
 #include "text_file.hpp"
+#include "value_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr double kMaxCoordinate = 1e6;
 
 struct TextDetection {
   NamedDetection detection;
@@ -21,7 +20,7 @@ Unexpected line_error(std::string what, std::string field) {
   return fail(ErrorCode::kMalformedFile, std::move(what), std::move(field));
 }
 
-Result<std::vector<double>> parse_numbers(std::string_view line) {
+Result<std::vector<double>> parse_line(std::string_view line) {
   std::vector<double> numbers;
   for (const std::string_view word : split_words(line)) {
     const auto value = parse_double(word);
@@ -81,7 +80,7 @@ Result<TextDetection> plain_detection(const std::vector<double>& n,
 }
 
 Result<TextDetection> parse_line(std::string_view line, const DetectionReadOptions& options) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<double> n, parse_numbers(line));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<double> n, parse_line(line));
   if (n.size() != 5 && n.size() != 6) {
     return line_error("must have 5 or 6 numbers, has " + std::to_string(n.size()), "line");
   }

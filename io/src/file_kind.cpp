@@ -16,17 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 11> kNames{"archive",
-                                                  "octree",
-                                                  "map",
-                                                  "image",
-                                                  "depth",
-                                                  "semantic",
-                                                  "trajectory",
-                                                  "intrinsics",
-                                                  "detections",
-                                                  "config",
-                                                  "dataset"};
+constexpr std::array<std::string_view, 11> kFileKindNames{"archive",
+                                                          "octree",
+                                                          "map",
+                                                          "image",
+                                                          "depth",
+                                                          "semantic",
+                                                          "trajectory",
+                                                          "intrinsics",
+                                                          "detections",
+                                                          "config",
+                                                          "dataset"};
 
 struct Hint {
   std::string_view text;
@@ -174,18 +174,18 @@ std::optional<FileKind> by_content(std::string_view bytes) {
 }  // namespace
 
 std::span<const std::string_view> file_kind_names() {
-  return kNames;
+  return kFileKindNames;
 }
 
 std::string_view name_of(FileKind kind) {
-  return kNames[static_cast<std::size_t>(kind)];
+  return kFileKindNames[static_cast<std::size_t>(kind)];
 }
 
 Result<FileKind> file_kind(std::string_view name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found != kNames.end()) return static_cast<FileKind>(found - kNames.begin());
+  const auto found = std::find(kFileKindNames.begin(), kFileKindNames.end(), name);
+  if (found != kFileKindNames.end()) return static_cast<FileKind>(found - kFileKindNames.begin());
   std::string names;
-  for (const std::string_view known : kNames)
+  for (const std::string_view known : kFileKindNames)
     names += (names.empty() ? "" : ", ") + std::string(known);
   return fail(
       ErrorCode::kInvalidArgument, "must be one of " + names + ", is " + printable(name), "kind");

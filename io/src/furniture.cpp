@@ -46,7 +46,7 @@ constexpr std::array kShapes{
     Shape{"umbrella", &build_umbrella, {0.95, 1.00, 0.85}, {120, 40, 130}, {236, 196, 60}},
 };
 
-constexpr auto kNames = [] {
+constexpr auto kFurnitureNames = [] {
   std::array<std::string_view, kShapes.size()> names;
   std::ranges::transform(kShapes, names.begin(), &Shape::name);
   return names;
@@ -54,7 +54,7 @@ constexpr auto kNames = [] {
 
 Unexpected unknown_shape(std::string_view name) {
   std::string what = "no shape of that name is known: " + printable(name) + ", expected one of";
-  for (const std::string_view known : kNames) what.append(" ").append(known);
+  for (const std::string_view known : kFurnitureNames) what.append(" ").append(known);
   return fail(ErrorCode::kNotFound, std::move(what), "shape");
 }
 
@@ -86,7 +86,7 @@ TriangleMesh fitted(TriangleMesh mesh, const Eigen::Vector3d& size_m) {
 }  // namespace
 
 std::span<const std::string_view> furniture_shapes() {
-  return kNames;
+  return kFurnitureNames;
 }
 
 Result<TriangleMesh> build_furniture(const FurnitureSpec& spec) {

@@ -30,19 +30,19 @@ constexpr std::array<std::string_view, 3> kTransformKeys{
     "frame_id", "child_frame_id", "transform_pose"};
 constexpr std::array<std::string_view, 5> kExtensionKeys{
     "format", "version", "name", "frame_id", "file"};
-constexpr std::array kFormats{
+constexpr std::array kLayerFormats{
     kOctomapFormat, kObjectsFormat, kClassesFormat, kClassGridFormat, kProvenanceFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;
-constexpr std::size_t kMaxTextBytes = 256;
+constexpr std::size_t kMaxFieldBytes = 256;
 
 Result<std::string> text_at(const YamlNode& map, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, map.at(key));
   HYPERMAP_ASSIGN_OR_RETURN(std::string text, node.as_string());
-  if (text.empty() || text.size() > kMaxTextBytes)
+  if (text.empty() || text.size() > kMaxFieldBytes)
     return tl::make_unexpected(node.error("has " + std::to_string(text.size()) +
                                           " bytes, expected 1 to " +
-                                          std::to_string(kMaxTextBytes)));
+                                          std::to_string(kMaxFieldBytes)));
   return text;
 }
 
@@ -143,7 +143,7 @@ class ConfigParser {
 
   Result<void> take_extension(const YamlNode& node) {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string format, text_at(node, "format"));
-    if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
+    if (std::find(kLayerFormats.begin(), kLayerFormats.end(), format) == kLayerFormats.end()) {
       findings_.push_back({.error = node.error("unknown format '" + printable(format, 40) +
                                                "' is kept as it is, unread")});
       config_.foreign_extensions.push_back(node.value());

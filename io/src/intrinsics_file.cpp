@@ -5,6 +5,7 @@
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/byte_source.hpp"
 #include "text_file.hpp"
+#include "value_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,6 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
-constexpr int kMaxSide = 65'535;
 
 Finding warning(Error error) {
   return {Severity::kWarning, std::move(error)};
@@ -29,7 +29,7 @@ Result<void> positive(double value, const char* field) {
 }
 
 Result<void> centred(double value, std::optional<int> side, const char* field) {
-  const double half = 0.5 * side.value_or(kMaxSide);
+  const double half = 0.5 * side.value_or(kMaxPictureSidePx);
   if (std::isfinite(value) && value >= -half && value <= 3.0 * half) return {};
   return fail(
       ErrorCode::kMalformedFile,
@@ -48,7 +48,7 @@ Result<void> check(const Intrinsics& k) {
 
 Result<int> side(const JsonNode& root, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode node, root.require(key));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.integer(1, kMaxSide));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.integer(1, kMaxPictureSidePx));
   return static_cast<int>(value);
 }
 
@@ -127,11 +127,11 @@ std::optional<YamlNode> first_of(const YamlNode& root, std::span<const std::stri
 /// The calibration file says `image_width`, the message `width`.
 Result<int> yaml_side(const YamlNode& root, std::string_view file_key, std::string_view key) {
   if (const auto node = root.find(key)) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto value, node->as_int(1, kMaxSide));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto value, node->as_int(1, kMaxPictureSidePx));
     return static_cast<int>(value);
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, root.at(file_key));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.as_int(1, kMaxSide));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.as_int(1, kMaxPictureSidePx));
   return static_cast<int>(value);
 }
 
@@ -169,7 +169,7 @@ Result<Loaded<Intrinsics>> parse_camera_info(std::string_view text, const std::s
   return Loaded<Intrinsics>{k, distortion(root)};
 }
 
-Result<std::vector<double>> parse_numbers(std::string_view text) {
+Result<std::vector<double>> parse_matrix_numbers(std::string_view text) {
   std::vector<double> numbers;
   for (const TextLine& line : split_lines(text)) {
     for (const std::string_view word : split_words(line.text)) {
@@ -189,7 +189,7 @@ Result<std::vector<double>> parse_numbers(std::string_view text) {
 }
 
 Result<Loaded<Intrinsics>> parse_matrix(std::string_view text) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<double> m, parse_numbers(text));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<double> m, parse_matrix_numbers(text));
   if (m.size() != 9 && m.size() != 16) {
     return fail(ErrorCode::kMalformedFile,
                 "must be a 3x3 or 4x4 matrix, has " + std::to_string(m.size()) + " numbers",

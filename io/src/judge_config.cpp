@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
+constexpr std::size_t kMaxConfigBytes = std::size_t{16} << 20U;
 
 /// Files that the configuration names and that are not there.
 void note_absent(const fs::path& file,
@@ -68,7 +68,7 @@ bool is_options_file(std::string_view text) {
 }  // namespace
 
 Result<Verdict> judge_config(const fs::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxTextBytes));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxConfigBytes));
   if (is_options_file(text)) {
     HYPERMAP_TRY(read_options(path, {}));
     return Verdict{"options", {}};

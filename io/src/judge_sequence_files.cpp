@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxTextBytes = std::size_t{256} << 20U;
+constexpr std::size_t kMaxSequenceTextBytes = std::size_t{256} << 20U;
 
-std::string counted(std::size_t count, const std::string& what) {
+std::string number_of(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
@@ -35,8 +35,8 @@ std::size_t num_columns(std::string_view text) {
 
 Result<Verdict> judge_frames(const DatasetReader& reader) {
   const DatasetSummary& summary = reader.summary();
-  Verdict out{summary.layout + ", " + counted(reader.size(), "frame") + ", " +
-                  counted(summary.num_detections, "detection"),
+  Verdict out{summary.layout + ", " + number_of(reader.size(), "frame") + ", " +
+                  number_of(summary.num_detections, "detection"),
               summary.findings};
   for (const std::string& name : summary.unpaired) {
     out.findings.push_back(
@@ -56,23 +56,23 @@ Result<Verdict> judge_depth(const fs::path& path, PictureSize expected) {
   const auto valid =
       std::count_if(depth.pixels().begin(), depth.pixels().end(), [](float z) { return z > 0.0F; });
   return Verdict{std::to_string(depth.width_px()) + " x " + std::to_string(depth.height_px()) +
-                     ", " + counted(static_cast<std::size_t>(valid), "measured pixel"),
+                     ", " + number_of(static_cast<std::size_t>(valid), "measured pixel"),
                  {}};
 }
 
 Result<Verdict> judge_trajectory(const fs::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxTextBytes));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxSequenceTextBytes));
   const std::size_t columns = num_columns(text);
   if (columns == 3) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_log_trajectory(path));
-    return Verdict{counted(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+    return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
   }
   if (columns == 4) {
     HYPERMAP_TRY(read_pose_matrix(path));
-    return Verdict{counted(1, "pose"), {}};
+    return Verdict{number_of(1, "pose"), {}};
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_tum_trajectory(path));
-  return Verdict{counted(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+  return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
 }
 
 Result<Verdict> judge_intrinsics(const fs::path& path, PictureSize expected) {
@@ -91,8 +91,8 @@ Result<Verdict> judge_intrinsics(const fs::path& path, PictureSize expected) {
 
 Result<Verdict> judge_detections(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(path));
-  return Verdict{counted(loaded.value.num_detections(), "detection") + " in " +
-                     counted(loaded.value.frames.size(), "frame"),
+  return Verdict{number_of(loaded.value.num_detections(), "detection") + " in " +
+                     number_of(loaded.value.frames.size(), "frame"),
                  std::move(loaded.findings)};
 }
 

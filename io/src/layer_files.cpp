@@ -13,7 +13,7 @@
 namespace hypermap {
 namespace {
 
-void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+void append_findings(std::vector<Finding>& findings, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
@@ -107,7 +107,7 @@ Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
       .findings = std::move(metadata.findings)};
   for (Finding& finding : grid->findings)
     finding.error = with_source(std::move(finding.error), source);
-  append(loaded.findings, std::move(grid->findings));
+  append_findings(loaded.findings, std::move(grid->findings));
   return loaded;
 }
 

@@ -12,7 +12,7 @@
 namespace hypermap {
 namespace {
 
-void append(std::vector<OpaqueFile>& files, std::vector<OpaqueFile> more) {
+void append_files(std::vector<OpaqueFile>& files, std::vector<OpaqueFile> more) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
 }
 
@@ -25,12 +25,12 @@ Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
   for (const Layer& layer : archive.hypermap.layers()) {
     config.layers.push_back({.class_name = std::string(class_of(layer)), .info = layer.info});
     HYPERMAP_ASSIGN_OR_RETURN(auto layer_files, write_layer(layer));
-    append(files, std::move(layer_files));
+    append_files(files, std::move(layer_files));
   }
   HYPERMAP_ASSIGN_OR_RETURN(WrittenExtensions extensions, write_extensions(archive));
   config.extensions = std::move(extensions.entries);
-  append(files, std::move(extensions.files));
-  append(files, archive.opaque_files);
+  append_files(files, std::move(extensions.files));
+  append_files(files, archive.opaque_files);
   files.insert(files.begin(),
                {.name = std::string(kConfigName), .bytes = write_hypermap_config(config)});
   return files;

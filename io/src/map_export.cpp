@@ -9,7 +9,7 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kFormats{
+constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormats{
     {{"ros-map", ExportFormat::kRosMap},
      {"class-grids", ExportFormat::kClassGrids},
      {"octomap", ExportFormat::kOctomap},
@@ -27,7 +27,7 @@ std::string joined(std::span<const std::string> names) {
 
 Result<ExportFormat> parse_export_format(std::string_view name) {
   std::string known;
-  for (const auto& [known_name, format] : kFormats) {
+  for (const auto& [known_name, format] : kExportFormats) {
     if (known_name == name) return format;
     known += (known.empty() ? "" : ", ") + std::string(known_name);
   }

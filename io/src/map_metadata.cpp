@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/bounded_yaml.hpp"
 #include "hypermap/io/map_server.hpp"
+#include "value_keys.hpp"
+#include "value_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +10,8 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 7> kKeys = {
+constexpr std::array<std::string_view, 7> kMapMetadataKeys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
-constexpr double kMaxCoordinate = 1e6;
 
 Result<double> number_at(const YamlNode& root, std::string_view key, double min, double max) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, root.at(key));
@@ -70,22 +71,14 @@ Result<MapMetadata> parse(const YamlNode& root) {
   return metadata;
 }
 
-ValueTree keys_beyond(const ValueTree& tree) {
-  std::vector<ValueTree::Entry> entries;
-  for (const ValueTree::Entry& entry : tree.entries) {
-    if (std::find(kKeys.begin(), kKeys.end(), entry.first) == kKeys.end()) entries.push_back(entry);
-  }
-  return entries.empty() ? ValueTree{} : make_map(std::move(entries));
-}
-
 }  // namespace
 
 Result<Loaded<MapMetadata>> parse_map_metadata(std::string_view yaml, const SourceName& source) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(yaml, source));
   const YamlNode root = document.root();
   HYPERMAP_ASSIGN_OR_RETURN(MapMetadata metadata, parse(root));
-  metadata.extra = keys_beyond(document.value);
-  return Loaded<MapMetadata>{std::move(metadata), root.unknown_keys(kKeys)};
+  metadata.extra = other_keys(document.value, kMapMetadataKeys);
+  return Loaded<MapMetadata>{std::move(metadata), root.unknown_keys(kMapMetadataKeys)};
 }
 
 }  // namespace hypermap

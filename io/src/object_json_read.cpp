@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/object_json.hpp"
 #include "json_fields.hpp"
+#include "value_limits.hpp"
 
 #include <cmath>
 #include <exception>
@@ -12,7 +13,6 @@
 namespace hypermap {
 namespace {
 
-constexpr double kMaxCoordinate = 1e6;
 constexpr int kNumVisibilities = 5;
 
 Result<LogOdds> log_odds_at(const JsonNode& object, std::string_view key) {
@@ -109,7 +109,7 @@ Result<Enum> enum_of(const JsonNode& node, int num_values) {
   return static_cast<Enum>(value);
 }
 
-Result<LedgerEntry> parse_entry(const JsonNode& node) {
+Result<LedgerEntry> parse_ledger_entry(const JsonNode& node) {
   HYPERMAP_TRY(expect_array(node, 10));
   LedgerEntry entry;
   HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index, integer_of<std::uint64_t>(node.at(0)));
@@ -125,7 +125,7 @@ Result<LedgerEntry> parse_entry(const JsonNode& node) {
   return entry;
 }
 
-Result<LedgerSummary> parse_summary(const JsonNode& node) {
+Result<LedgerSummary> parse_ledger_summary(const JsonNode& node) {
   HYPERMAP_TRY(expect_array(node, 8));
   LedgerSummary summary;
   HYPERMAP_ASSIGN_OR_RETURN(summary.kind, enum_of<LedgerKind>(node.at(0), 2));
@@ -144,10 +144,10 @@ Result<ObjectLedger> parse_ledger(const JsonNode& node) {
   ObjectLedgerState state;
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode first, node.require("first"));
   if (!first.is(JsonKind::kNull)) {
-    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_entry(first));
+    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_ledger_entry(first));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_entry));
-  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_summary));
+  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_ledger_entry));
+  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_ledger_summary));
   HYPERMAP_ASSIGN_OR_RETURN(state.num_unsummarised,
                             integer_at<std::uint64_t>(node, "num_unsummarised"));
   return judged(node, ObjectLedger::from_state(std::move(state)));

@@ -100,7 +100,7 @@ std::string with_header(const OctomapTree& tree, const OctomapNodeBytes& nodes, 
          nodes.bytes;
 }
 
-Unexpected no_memory() {
+Unexpected no_memory_for_tree() {
   return fail(ErrorCode::kOutOfMemory, "no memory for the tree", "octree");
 }
 
@@ -115,7 +115,7 @@ Result<Loaded<OctomapTree>> parse_octomap(std::string_view bytes,
     finding.error = with_source(std::move(finding.error), source);
   return loaded;
 } catch (const std::exception&) {
-  return no_memory();
+  return no_memory_for_tree();
 }
 
 Result<Loaded<OctomapTree>> read_octomap(const std::filesystem::path& path,
@@ -128,7 +128,7 @@ Result<std::string> write_octomap(const OctomapTree& tree) try {
   HYPERMAP_TRY(validate(tree));
   return with_header(tree, write_full_nodes(tree), false);
 } catch (const std::exception&) {
-  return no_memory();
+  return no_memory_for_tree();
 }
 
 Result<std::string> write_octomap_binary(const OctomapTree& tree) try {
@@ -140,7 +140,7 @@ Result<std::string> write_octomap_binary(const OctomapTree& tree) try {
     return fail(ErrorCode::kInvalidArgument, "a tree of one leaf has no .bt form", "octree");
   return with_header(plain, write_binary_nodes(plain), true);
 } catch (const std::exception&) {
-  return no_memory();
+  return no_memory_for_tree();
 }
 
 }  // namespace hypermap

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "octomap_header.hpp"
 
+#include "text_file.hpp"
+
 #include <array>
 #include <charconv>
 #include <set>
@@ -15,13 +17,6 @@ constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 17;
 constexpr std::size_t kMaxIdBytes = 256;
 constexpr double kMinResolution = 1e-6;
 constexpr double kMaxResolution = 1e3;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 Result<std::uint64_t> parse_size(std::string_view text) {
   std::uint64_t size = 0;

@@ -22,6 +22,10 @@ namespace hypermap {
 static_assert(std::endian::native == std::endian::little, "OctoMap files are little endian");
 
 inline constexpr int kOctomapDepth = 16;
+/// What 16 bits of 0.001 can hold.
+inline constexpr float kMaxLogOdds = 32.767F;
+/// OctoMap's "no colour".
+inline constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};
 
 /// Requires: at + sizeof(T) <= bytes.size().
 template <class T>

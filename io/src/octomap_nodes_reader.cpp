@@ -14,8 +14,6 @@
 namespace hypermap {
 namespace {
 
-constexpr float kMaxLogOdds = 32.767F;  // what 16 bits of 0.001 can hold
-
 /// Hands out bytes and counts nodes, so that every error can name one.
 class NodeCursor {
  public:

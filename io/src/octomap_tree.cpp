@@ -11,9 +11,7 @@
 namespace hypermap {
 namespace {
 
-constexpr float kMaxLogOdds = 32.767F;
-constexpr int kBrickDepth = 13;                         // a leaf of 8 x 8 x 8 voxels
-constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};  // OctoMap's "no colour"
+constexpr int kBrickDepth = 13;  // a leaf of 8 x 8 x 8 voxels
 constexpr Rgb8 kUnlabelled{.r = 160, .g = 160, .b = 160};
 
 /// Log-odds, colour and label of a leaf: what siblings must share to become one.

@@ -11,8 +11,6 @@
 namespace hypermap {
 namespace {
 
-constexpr Rgb8 kNoColor{.r = 255, .g = 255, .b = 255};
-
 bool contains(const OctomapCube& cube, const OctomapLeaf& leaf) {
   const unsigned shift = 3U * static_cast<unsigned>(kOctomapDepth - cube.depth);
   return cube.depth < leaf.depth && cube.code >> shift == leaf.key.morton() >> shift;

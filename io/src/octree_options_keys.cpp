@@ -11,7 +11,7 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 2> kKeys{"sensor_model", "max_class_log_odds"};
+constexpr std::array<std::string_view, 2> kOctreeKeys{"sensor_model", "max_class_log_odds"};
 
 struct ProbabilityKey {
   std::string_view name;
@@ -62,7 +62,7 @@ std::vector<ValueTree::Entry> octree_option_keys(const OctreeOptions& options) {
 }
 
 ValueTree without_octree_options(const ValueTree& extra) {
-  return other_keys(extra, kKeys);
+  return other_keys(extra, kOctreeKeys);
 }
 
 }  // namespace hypermap

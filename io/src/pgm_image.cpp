@@ -11,7 +11,7 @@
 namespace hypermap {
 namespace {
 
-Unexpected malformed(std::string what, std::string field) {
+Unexpected malformed_pgm(std::string what, std::string field) {
   return fail(ErrorCode::kMalformedFile, std::move(what), std::move(field));
 }
 
@@ -22,14 +22,14 @@ std::size_t least_bytes(const PgmHeader& header, std::size_t num_pixels) {
 }
 
 Result<std::uint16_t> next_sample(PgmText& text, const PgmHeader& header) {
-  if (!text.skip_blanks()) return malformed("a comment never ends", "raster");
+  if (!text.skip_blanks()) return malformed_pgm("a comment never ends", "raster");
   const std::string_view at = text.rest();
   if (const auto sample = text.number(header.max_value)) {
     return static_cast<std::uint16_t>(*sample);
   }
-  return malformed("sample is " + shown_token(at) + ", expected a number from 0 to maxval " +
-                       std::to_string(header.max_value),
-                   "raster");
+  return malformed_pgm("sample is " + shown_token(at) + ", expected a number from 0 to maxval " +
+                           std::to_string(header.max_value),
+                       "raster");
 }
 
 template <class Sample>
@@ -40,7 +40,8 @@ Result<void> read_text(const PgmHeader& header, std::span<Sample> samples) {
     sample = static_cast<Sample>(value);
   }
   if (!text.skip_blanks() || !text.rest().empty()) {
-    return malformed("more follows after the last sample: " + shown_token(text.rest()), "raster");
+    return malformed_pgm("more follows after the last sample: " + shown_token(text.rest()),
+                         "raster");
   }
   return {};
 }
@@ -55,15 +56,15 @@ template <class Sample>
 Result<void> read_binary(const PgmHeader& header, std::span<Sample> samples) {
   constexpr bool kIsWide = sizeof(Sample) == 2;
   if (!has_honest_length(header.raster, samples.size() * (kIsWide ? 2 : 1))) {
-    return malformed("bytes follow after the last sample", "raster");
+    return malformed_pgm("bytes follow after the last sample", "raster");
   }
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(header.raster[i]); };
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const unsigned value = kIsWide ? (unsigned{byte(2 * i)} << 8U) | byte(2 * i + 1) : byte(i);
     if (value > static_cast<unsigned>(header.max_value)) {
-      return malformed("sample " + std::to_string(value) + " is above maxval " +
-                           std::to_string(header.max_value),
-                       "raster");
+      return malformed_pgm("sample " + std::to_string(value) + " is above maxval " +
+                               std::to_string(header.max_value),
+                           "raster");
     }
     samples[i] = static_cast<Sample>(value);
   }
@@ -78,7 +79,7 @@ Result<std::vector<Sample>> read_raster(const PgmHeader& header, std::size_t num
   return samples;
 }
 
-Result<Picture> decode(std::string_view bytes, const PictureLimits& limits) {
+Result<Picture> decode_pgm(std::string_view bytes, const PictureLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const PgmHeader header, read_pgm_header(bytes));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
   Picture picture{.width_px = header.width_px,
@@ -86,9 +87,9 @@ Result<Picture> decode(std::string_view bytes, const PictureLimits& limits) {
                   .bits = header.max_value > 255 ? 16 : 8,
                   .max_value = header.max_value};
   if (header.raster.size() < least_bytes(header, picture.num_pixels())) {
-    return malformed("ends early: " + std::to_string(header.raster.size()) + " bytes for " +
-                         std::to_string(picture.num_pixels()) + " samples",
-                     "raster");
+    return malformed_pgm("ends early: " + std::to_string(header.raster.size()) + " bytes for " +
+                             std::to_string(picture.num_pixels()) + " samples",
+                         "raster");
   }
   if (picture.bits == 16) {
     HYPERMAP_ASSIGN_OR_RETURN(picture.samples16,
@@ -106,7 +107,7 @@ Result<Picture> decode_pgm(std::string_view bytes,
                            const SourceName& source,
                            const PictureLimits& limits) {
   try {
-    auto picture = decode(bytes, limits);
+    auto picture = decode_pgm(bytes, limits);
     if (!picture) return tl::make_unexpected(with_source(picture.error(), source));
     return picture;
   } catch (const std::bad_alloc&) {

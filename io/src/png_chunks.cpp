@@ -18,7 +18,7 @@ struct Chunk {
   std::string_view content;
 };
 
-Unexpected malformed(std::string what, std::string_view field) {
+Unexpected malformed_chunk(std::string what, std::string_view field) {
   return fail(ErrorCode::kMalformedFile, std::move(what), std::string(field));
 }
 
@@ -43,18 +43,18 @@ std::uint32_t crc_of(std::string_view bytes) {
 
 /// The chunk at the front, with its CRC checked.
 Result<Chunk> read_chunk(std::string_view bytes) {
-  if (bytes.size() < kFrameBytes) return malformed("the file ends before IEND", "chunk");
+  if (bytes.size() < kFrameBytes) return malformed_chunk("the file ends before IEND", "chunk");
   const std::uint32_t length = big_endian(bytes, 0);
   const std::string_view type = bytes.substr(4, 4);
-  if (!is_type(type)) return malformed("is no chunk type: " + printable(type), "chunk");
+  if (!is_type(type)) return malformed_chunk("is no chunk type: " + printable(type), "chunk");
   if (length > 0x7FFFFFFFU || length > bytes.size() - kFrameBytes) {
-    return malformed("declares " + std::to_string(length) + " bytes, " +
-                         std::to_string(bytes.size() - kFrameBytes) + " are there",
-                     type);
+    return malformed_chunk("declares " + std::to_string(length) + " bytes, " +
+                               std::to_string(bytes.size() - kFrameBytes) + " are there",
+                           type);
   }
   if (crc_of(bytes.substr(4, std::size_t{4} + length)) !=
       big_endian(bytes, std::size_t{8} + length)) {
-    return malformed("the CRC is wrong", type);
+    return malformed_chunk("the CRC is wrong", type);
   }
   return Chunk{type, bytes.substr(8, length)};
 }
@@ -74,9 +74,11 @@ bool is_allowed_depth(PngColor color, int bits) {
 }
 
 Result<PngHeader> parse_header(const Chunk& chunk) {
-  if (chunk.type != "IHDR") return malformed("the first chunk is " + printable(chunk.type), "IHDR");
+  if (chunk.type != "IHDR")
+    return malformed_chunk("the first chunk is " + printable(chunk.type), "IHDR");
   if (chunk.content.size() != kHeaderBytes) {
-    return malformed("has " + std::to_string(chunk.content.size()) + " bytes, expected 13", "IHDR");
+    return malformed_chunk("has " + std::to_string(chunk.content.size()) + " bytes, expected 13",
+                           "IHDR");
   }
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(chunk.content[i]); };
   const PngHeader header{.width_px = big_endian(chunk.content, 0),
@@ -85,15 +87,15 @@ Result<PngHeader> parse_header(const Chunk& chunk) {
                          .color = static_cast<PngColor>(byte(9)),
                          .interlaced = byte(12) == 1};
   if (!is_allowed_depth(header.color, header.bits)) {
-    return malformed("bit depth " + std::to_string(header.bits) + " with colour type " +
-                         std::to_string(byte(9)) + " is not allowed",
-                     "IHDR");
+    return malformed_chunk("bit depth " + std::to_string(header.bits) + " with colour type " +
+                               std::to_string(byte(9)) + " is not allowed",
+                           "IHDR");
   }
   if (byte(10) != 0 || byte(11) != 0 || byte(12) > 1) {
-    return malformed("compression, filter or interlace method is not known", "IHDR");
+    return malformed_chunk("compression, filter or interlace method is not known", "IHDR");
   }
   if (header.width_px > 0x7FFFFFFF || header.height_px > 0x7FFFFFFF) {
-    return malformed("a side is above 2147483647", "IHDR");
+    return malformed_chunk("a side is above 2147483647", "IHDR");
   }
   return header;
 }
@@ -105,7 +107,7 @@ class Collector {
 
   [[nodiscard]] Result<void> take(const Chunk& chunk) {
     const bool is_data = chunk.type == "IDAT";
-    if (is_data && data_is_over_) return malformed("stands apart from the others", "IDAT");
+    if (is_data && data_is_over_) return malformed_chunk("stands apart from the others", "IDAT");
     data_is_over_ = !is_data && !layout_.data.empty();
     if (is_data) {
       layout_.data.push_back(chunk.content);
@@ -114,7 +116,7 @@ class Collector {
     if (chunk.type == "PLTE") return take_palette(chunk);
     if (chunk.type == "tRNS") return take_transparency(chunk);
     const bool is_critical = chunk.type[0] >= 'A' && chunk.type[0] <= 'Z';
-    if (chunk.type == "IHDR") return malformed("stands twice", "IHDR");
+    if (chunk.type == "IHDR") return malformed_chunk("stands twice", "IHDR");
     if (is_critical)
       return fail(ErrorCode::kUnsupported, "chunk is not known", std::string(chunk.type));
     return {};
@@ -122,9 +124,9 @@ class Collector {
 
   [[nodiscard]] Result<PngLayout> finish() {
     if (layout_.header.color == PngColor::kPalette && layout_.palette.empty()) {
-      return malformed("is missing", "PLTE");
+      return malformed_chunk("is missing", "PLTE");
     }
-    if (layout_.data.empty()) return malformed("is missing", "IDAT");
+    if (layout_.data.empty()) return malformed_chunk("is missing", "IDAT");
     return std::move(layout_);
   }
 
@@ -132,19 +134,20 @@ class Collector {
   [[nodiscard]] Result<void> take_palette(const Chunk& chunk) {
     const PngColor color = layout_.header.color;
     if (color == PngColor::kGray || color == PngColor::kGrayAlpha) {
-      return malformed("stands in a grey picture", "PLTE");
+      return malformed_chunk("stands in a grey picture", "PLTE");
     }
     if (!layout_.palette.empty() || !layout_.data.empty() || !layout_.transparency.empty()) {
-      return malformed("stands twice or too late", "PLTE");
+      return malformed_chunk("stands twice or too late", "PLTE");
     }
     const std::size_t most = color == PngColor::kPalette
                                  ? std::size_t{1} << static_cast<unsigned>(layout_.header.bits)
                                  : 256;
     const std::size_t size = chunk.content.size();
     if (size == 0 || size % 3 != 0 || size / 3 > most) {
-      return malformed("has " + std::to_string(size) + " bytes, expected 3 for each of 1 to " +
-                           std::to_string(most) + " colours",
-                       "PLTE");
+      return malformed_chunk("has " + std::to_string(size) +
+                                 " bytes, expected 3 for each of 1 to " + std::to_string(most) +
+                                 " colours",
+                             "PLTE");
     }
     layout_.palette = chunk.content;
     return {};
@@ -152,14 +155,14 @@ class Collector {
 
   [[nodiscard]] Result<void> take_transparency(const Chunk& chunk) {
     if (!layout_.transparency.empty() || !layout_.data.empty()) {
-      return malformed("stands twice or too late", "tRNS");
+      return malformed_chunk("stands twice or too late", "tRNS");
     }
     const std::size_t size = chunk.content.size();
     const PngColor color = layout_.header.color;
     const bool fits =
         (color == PngColor::kGray && size == 2) || (color == PngColor::kRgb && size == 6) ||
         (color == PngColor::kPalette && size > 0 && size <= layout_.palette.size() / 3);
-    if (!fits) return malformed("does not fit the colour type", "tRNS");
+    if (!fits) return malformed_chunk("does not fit the colour type", "tRNS");
     layout_.transparency = chunk.content;
     return {};
   }
@@ -196,7 +199,7 @@ PictureHeader to_picture_header(const PngHeader& header) {
 
 Result<PngHeader> read_png_header(std::string_view bytes) {
   if (!bytes.starts_with(kPngSignature))
-    return malformed("the PNG signature is damaged", "signature");
+    return malformed_chunk("the PNG signature is damaged", "signature");
   HYPERMAP_ASSIGN_OR_RETURN(const Chunk first, read_chunk(bytes.substr(kPngSignature.size())));
   return parse_header(first);
 }
@@ -211,7 +214,8 @@ Result<PngLayout> read_png_layout(std::string_view bytes) {
     if (chunk.type == "IEND") break;
     HYPERMAP_TRY(collector.take(chunk));
   }
-  if (!bytes.empty()) return malformed(std::to_string(bytes.size()) + " bytes follow", "IEND");
+  if (!bytes.empty())
+    return malformed_chunk(std::to_string(bytes.size()) + " bytes follow", "IEND");
   return collector.finish();
 }
 

@@ -13,7 +13,7 @@
 namespace hypermap {
 namespace {
 
-Unexpected malformed(std::string what) {
+Unexpected malformed_rows(std::string what) {
   return fail(ErrorCode::kMalformedFile, std::move(what), "IDAT");
 }
 
@@ -83,7 +83,7 @@ Result<std::span<const std::uint8_t>> PngRows::next() {
   std::copy(current_.begin() + 1, current_.end(), previous_.begin());
   HYPERMAP_TRY(inflate_exactly(current_));
   const std::uint8_t filter = current_.front();
-  if (filter > 4) return malformed("filter type " + std::to_string(filter) + " is not known");
+  if (filter > 4) return malformed_rows("filter type " + std::to_string(filter) + " is not known");
   const std::span<std::uint8_t> row = std::span(current_).subspan(1);
   undo_filter(filter, row, previous_, pixel_bytes_);
   return row;
@@ -92,7 +92,7 @@ Result<std::span<const std::uint8_t>> PngRows::next() {
 Result<void> PngRows::inflate_exactly(std::span<std::uint8_t> target) {
   z_stream& z = stream_->z;
   while (!target.empty()) {
-    if (ended_) return malformed("holds too few pixels");
+    if (ended_) return malformed_rows("holds too few pixels");
     const bool has_more = stream_->next_part < parts_.size();
     if (z.avail_in == 0 && has_more) {
       const std::string_view part = parts_[stream_->next_part++];
@@ -107,11 +107,12 @@ Result<void> PngRows::inflate_exactly(std::span<std::uint8_t> target) {
     const int status = inflate(&z, Z_NO_FLUSH);
     if (status == Z_MEM_ERROR) throw std::bad_alloc();
     if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR) {
-      return malformed(std::string("is damaged: ") + (z.msg != nullptr ? z.msg : "no zlib stream"));
+      return malformed_rows(std::string("is damaged: ") +
+                            (z.msg != nullptr ? z.msg : "no zlib stream"));
     }
     ended_ = status == Z_STREAM_END;
     const std::size_t produced = portion - z.avail_out;
-    if (produced == 0 && !ended_ && !has_more) return malformed("holds too few pixels");
+    if (produced == 0 && !ended_ && !has_more) return malformed_rows("holds too few pixels");
     target = target.subspan(produced);
   }
   return {};
@@ -123,14 +124,14 @@ Result<void> PngRows::finish() {
   // One byte more must not come; asking for it lets zlib check the stream's end.
   while (!ended_) {
     const auto got = inflate_exactly(more);
-    if (got) return malformed("holds more pixels than declared");
+    if (got) return malformed_rows("holds more pixels than declared");
     if (!ended_) return tl::make_unexpected(got.error());
   }
   const bool is_all = z.avail_in == 0 &&
                       std::all_of(parts_.begin() + static_cast<std::ptrdiff_t>(stream_->next_part),
                                   parts_.end(),
                                   [](std::string_view part) { return part.empty(); });
-  if (!is_all) return malformed("bytes follow after the compressed pixels");
+  if (!is_all) return malformed_rows("bytes follow after the compressed pixels");
   return {};
 }
 

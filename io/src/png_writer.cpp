@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/png_image.hpp"
 #include "png_chunks.hpp"
+#include "value_limits.hpp"
 
 #include <zlib.h>
 
@@ -9,8 +10,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kMaxSide = 65'535;
 
 void append_big_endian(std::string& bytes, std::uint32_t value) {
   for (unsigned shift = 32; shift > 0; shift -= 8) {
@@ -112,7 +111,7 @@ std::string compressed_rows(const Image<Pixel>& image, PngEffort effort) {
 template <class Pixel>
 Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color, PngEffort effort) {
   if (image.empty()) return fail(ErrorCode::kInvalidArgument, "an empty image has no PNG", "image");
-  if (image.width_px() > kMaxSide || image.height_px() > kMaxSide) {
+  if (image.width_px() > kMaxPictureSidePx || image.height_px() > kMaxPictureSidePx) {
     return fail(ErrorCode::kLimit, "a side is over 65535 pixels", "image");
   }
   try {

@@ -18,7 +18,7 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeys{
+constexpr std::array<std::string_view, 5> kProvenanceKeys{
     "tool", "input", "input_hash", "options", "map_from_input"};
 constexpr double kRigidTolerance = 1e-6;
 
@@ -62,7 +62,7 @@ ValueTree tree_of(const MapFromInput& transform) {
   return make_list(std::move(rows));
 }
 
-Result<std::string> text_at(const YamlNode& root, std::string_view key) {
+Result<std::string> string_at(const YamlNode& root, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, root.at(key));
   return node.as_string();
 }
@@ -79,18 +79,18 @@ Result<Loaded<Provenance>> parse_provenance(std::string_view bytes, const Source
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(bytes, source));
   const YamlNode root = document.root();
   HYPERMAP_TRY(root.as_map());
-  Loaded<Provenance> loaded{.value = {}, .findings = root.unknown_keys(kKeys)};
+  Loaded<Provenance> loaded{.value = {}, .findings = root.unknown_keys(kProvenanceKeys)};
   Provenance& provenance = loaded.value;
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.tool, text_at(root, "tool"));
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.input, text_at(root, "input"));
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.input_hash, text_at(root, "input_hash"));
+  HYPERMAP_ASSIGN_OR_RETURN(provenance.tool, string_at(root, "tool"));
+  HYPERMAP_ASSIGN_OR_RETURN(provenance.input, string_at(root, "input"));
+  HYPERMAP_ASSIGN_OR_RETURN(provenance.input_hash, string_at(root, "input_hash"));
   if (const auto options = root.find("options")) {
     if (!options->is_null()) HYPERMAP_TRY(options->as_map());
     provenance.options = options->value();
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode transform, root.at("map_from_input"));
   HYPERMAP_ASSIGN_OR_RETURN(provenance.map_from_input, parse_transform(transform));
-  provenance.extra = other_keys(root.value(), kKeys);
+  provenance.extra = other_keys(root.value(), kProvenanceKeys);
   return loaded;
 }
 

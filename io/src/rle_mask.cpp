@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detections_parsing.hpp"
 #include "hypermap/io/detections_file.hpp"
+#include "value_limits.hpp"
 
 #include <cassert>
 #include <limits>
@@ -8,8 +9,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kMaxSide = 65'535;
 
 Result<std::vector<std::uint32_t>> parse_runs(const JsonNode& node) {
   if (node.is(JsonKind::kString)) {
@@ -32,8 +31,8 @@ Result<std::vector<std::uint32_t>> parse_runs(const JsonNode& node) {
 Result<std::pair<int, int>> parse_size(const JsonNode& node, const DetectionLimits& limits) {
   HYPERMAP_TRY(node.expect(JsonKind::kArray));
   if (node.size() != 2) return node.error(ErrorCode::kMalformedFile, "must be [height, width]");
-  HYPERMAP_ASSIGN_OR_RETURN(const auto height, node.at(0).integer(1, kMaxSide));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto width, node.at(1).integer(1, kMaxSide));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto height, node.at(0).integer(1, kMaxPictureSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto width, node.at(1).integer(1, kMaxPictureSidePx));
   if (static_cast<std::uint64_t>(width * height) > limits.max_picture_pixels) {
     return node.error(ErrorCode::kLimit,
                       "at most " + std::to_string(limits.max_picture_pixels) + " pixels are read");

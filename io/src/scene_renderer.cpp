@@ -56,17 +56,17 @@ struct RayGrid {
 };
 
 /// What a pixel shows, and how it is lit so far.
-struct SurfacePoint {
+struct VisiblePoint {
   Vector3f in_map = Vector3f::Zero();
   Vector3f normal = Vector3f::UnitZ();  ///< Towards the camera.
   Vector3f color = Vector3f::Zero();
   float light = 0.0F;
   bool is_lit = false;  ///< False where nothing was hit, and on what shines by itself.
 };
-using SurfacePoints = std::array<SurfacePoint, EmbreeScene::kPacket>;
+using SurfacePoints = std::array<VisiblePoint, EmbreeScene::kPacket>;
 
 /// Light of a lamp that nothing is in the way of: a window over distance, and the angle.
-float open_light(const Vector3f& lamp, const SurfacePoint& point) {
+float open_light(const Vector3f& lamp, const VisiblePoint& point) {
   const Vector3f to_lamp = lamp - point.in_map;
   const float distance = to_lamp.norm();
   if (!point.is_lit || distance >= kLampReachM) return 0.0F;
@@ -114,11 +114,11 @@ struct SceneRenderer::Impl {
 
   void render_row(const RayGrid& rays, int v, RenderedView& view) const;
   /// Fills depth, incidence and instance of a pixel, and says what is there.
-  [[nodiscard]] SurfacePoint measure(
+  [[nodiscard]] VisiblePoint measure(
       const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const;
 };
 
-SurfacePoint SceneRenderer::Impl::measure(
+VisiblePoint SceneRenderer::Impl::measure(
     const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const {
   const Surface& surface = surfaces[hit.mesh];
   const auto& [a, b, c] = surface.mesh.triangles[hit.triangle];
@@ -133,7 +133,7 @@ SurfacePoint SceneRenderer::Impl::measure(
   view.depth_m.at(u, v) = static_cast<float>(depth);
   view.incidence_cos.at(u, v) = static_cast<float>(std::abs(slope) / direction.norm());
   view.instances.at(u, v) = ObjectId{hit.mesh};
-  SurfacePoint point;
+  VisiblePoint point;
   point.in_map = (rays.origin + depth * direction).cast<float>();
   point.normal = (slope > 0.0 ? Vector3d(-normal) : normal).cast<float>();
   const SurfaceMaterial& material =

@@ -2,6 +2,7 @@
 #include "hypermap/io/semantic_yaml.hpp"
 
 #include "hypermap/io/byte_source.hpp"
+#include "value_keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,8 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeys = {"name", "shape", "tags", "confidence", "id"};
+constexpr std::array<std::string_view, 5> kObjectKeys = {
+    "name", "shape", "tags", "confidence", "id"};
 /// Also what a simulation's truth says of a thing (simulation_truth.hpp), kept like an unknown key.
 constexpr std::array<std::string_view, 8> kExpectedKeys = {
     "name", "shape", "tags", "confidence", "id", "thing", "box", "excluded"};
@@ -86,15 +88,7 @@ Result<std::vector<double>> confidence_at(const YamlNode& node, std::size_t num_
   return confidences;
 }
 
-ValueTree keys_beyond(const ValueTree& tree) {
-  std::vector<ValueTree::Entry> entries;
-  for (const ValueTree::Entry& entry : tree.entries) {
-    if (std::find(kKeys.begin(), kKeys.end(), entry.first) == kKeys.end()) entries.push_back(entry);
-  }
-  return entries.empty() ? ValueTree{} : make_map(std::move(entries));
-}
-
-Result<Entry> parse_entry(const YamlNode& node, const WktLimits& limits, Repairs& repairs) {
+Result<Entry> parse_object_entry(const YamlNode& node, const WktLimits& limits, Repairs& repairs) {
   Entry entry;
   SemanticObject& object = entry.object;
   HYPERMAP_ASSIGN_OR_RETURN(object.name, name_at(node));
@@ -112,7 +106,7 @@ Result<Entry> parse_entry(const YamlNode& node, const WktLimits& limits, Repairs
   repairs.missing_commas += shape.missing_commas;
   object.parts = std::move(shape.parts);
   if (object.shape_text == write_wkt(object.parts)) object.shape_text.clear();
-  object.extra = keys_beyond(node.value());
+  object.extra = other_keys(node.value(), kObjectKeys);
   return entry;
 }
 
@@ -172,7 +166,7 @@ Result<Collected> collect(const std::vector<YamlNode>& items,
   Collected out;
   Repairs repairs;
   for (const YamlNode& node : items) {
-    auto entry = parse_entry(node, options.wkt, repairs);
+    auto entry = parse_object_entry(node, options.wkt, repairs);
     if (!entry) {
       Error error = with_name(std::move(entry).error(), node);
       if (!options.skip_bad) return tl::make_unexpected(std::move(error));

@@ -47,7 +47,7 @@ int poisson(double mean, CounterRng& random) {
 }
 
 /// Sorted, inside 0 .. limit and not thinner than two pixels.
-std::array<double, 2> clipped(double low, double high, double limit) {
+std::array<double, 2> clipped_to_picture(double low, double high, double limit) {
   if (low > high) std::swap(low, high);
   low = std::clamp(low, 0.0, limit);
   high = std::clamp(high, 0.0, limit);
@@ -56,9 +56,9 @@ std::array<double, 2> clipped(double low, double high, double limit) {
   return {low, low + kSmallestSidePx};
 }
 
-PixelBox clipped(const PixelBox& box, double width_px, double height_px) {
-  const auto [left, right] = clipped(box.u_min_px, box.u_max_px, width_px);
-  const auto [top, bottom] = clipped(box.v_min_px, box.v_max_px, height_px);
+PixelBox clipped_to_picture(const PixelBox& box, double width_px, double height_px) {
+  const auto [left, right] = clipped_to_picture(box.u_min_px, box.u_max_px, width_px);
+  const auto [top, bottom] = clipped_to_picture(box.v_min_px, box.v_max_px, height_px);
   return {left, top, right, bottom};
 }
 
@@ -207,9 +207,9 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
     if (random.chance(options_.miss_rate)) return std::nullopt;
     weight = random.uniform(options_.min_score, options_.max_score);
     if (random.chance(options_.wrong_class_rate)) named = wrong_class(*truth, random);
-    detection.box_px = clipped(jittered(object.box_px, options_.box_jitter, random),
-                               instances.width_px(),
-                               instances.height_px());
+    detection.box_px = clipped_to_picture(jittered(object.box_px, options_.box_jitter, random),
+                                          instances.width_px(),
+                                          instances.height_px());
   }
   detection.score = Probability(weight);
   detection.class_scores = class_vector(named, weight);
@@ -231,7 +231,8 @@ Detection SimulatedDetector::false_alarm(const Image<ObjectId>& instances,
   const double height_px = instances.height_px();
   const double weight = random.uniform(options_.min_score, options_.max_score);
   Detection detection;
-  detection.box_px = clipped(random_box(width_px, height_px, random), width_px, height_px);
+  detection.box_px =
+      clipped_to_picture(random_box(width_px, height_px, random), width_px, height_px);
   detection.class_scores =
       class_vector(random.below(static_cast<std::uint32_t>(known_.size())), weight);
   detection.score = Probability(weight);

@@ -87,7 +87,7 @@ std::vector<LevelPoint> level_points(std::span<const SurfacePoint> points,
 }
 
 /// A run of level points no thicker than a plane.
-struct Layer {
+struct HeightLayer {
   std::size_t first = 0;
   std::size_t end = 0;
   [[nodiscard]] std::size_t size() const { return end - first; }
@@ -95,31 +95,31 @@ struct Layer {
 
 /// For each point the run that begins with it; the fullest one, or the lowest full peak.
 template <class Accept>
-Layer search_layers(const std::vector<LevelPoint>& level,
-                    double thickness_m,
-                    const Accept& accept) {
-  Layer best;
+HeightLayer search_layers(const std::vector<LevelPoint>& level,
+                          double thickness_m,
+                          const Accept& accept) {
+  HeightLayer best;
   std::size_t end = 0;
   for (std::size_t first = 0; first < level.size(); ++first) {
     while (end < level.size() && level[end].height_m <= level[first].height_m + thickness_m) ++end;
-    const Layer layer{first, end};
+    const HeightLayer layer{first, end};
     if (!accept(layer, best)) continue;
     best = layer;
   }
   return best;
 }
 
-Layer fullest_layer(const std::vector<LevelPoint>& level, double thickness_m) {
-  return search_layers(level, thickness_m, [](const Layer& layer, const Layer& best) {
+HeightLayer fullest_layer(const std::vector<LevelPoint>& level, double thickness_m) {
+  return search_layers(level, thickness_m, [](const HeightLayer& layer, const HeightLayer& best) {
     return layer.size() > best.size();
   });
 }
 
 /// The lowest layer with enough points, moved up to where it is fullest.
-Layer lowest_full_layer(const std::vector<LevelPoint>& level,
-                        double thickness_m,
-                        std::size_t min_size) {
-  return search_layers(level, thickness_m, [&](const Layer& layer, const Layer& best) {
+HeightLayer lowest_full_layer(const std::vector<LevelPoint>& level,
+                              double thickness_m,
+                              std::size_t min_size) {
+  return search_layers(level, thickness_m, [&](const HeightLayer& layer, const HeightLayer& best) {
     if (layer.size() < min_size) return false;
     if (best.size() == 0) return true;
     const bool overlaps = layer.first < best.end;
@@ -130,7 +130,7 @@ Layer lowest_full_layer(const std::vector<LevelPoint>& level,
 /// Normal of the plane through a layer's points by least squares, on the side of `up`.
 Eigen::Vector3d fitted_normal(std::span<const SurfacePoint> points,
                               const std::vector<LevelPoint>& level,
-                              const Layer& layer,
+                              const HeightLayer& layer,
                               const Eigen::Vector3d& up) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (std::size_t i = layer.first; i < layer.end; ++i) mean += points[level[i].index].position;
@@ -145,7 +145,7 @@ Eigen::Vector3d fitted_normal(std::span<const SurfacePoint> points,
   return normal.dot(up) < 0.0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-double median_height(const std::vector<LevelPoint>& level, const Layer& layer) {
+double median_height(const std::vector<LevelPoint>& level, const HeightLayer& layer) {
   return level[layer.first + layer.size() / 2].height_m;
 }
 
@@ -239,7 +239,7 @@ Result<FloorEstimate> find_floor(std::span<const SurfacePoint> points,
   constexpr int kRefinements = 4;
   for (int i = 0; i < kRefinements; ++i) {  // the fullest plane, often a table, is as level
     const auto level = level_points(points, up);
-    const Layer layer = fullest_layer(level, options.thickness_m);
+    const HeightLayer layer = fullest_layer(level, options.thickness_m);
     if (layer.size() < 3) break;
     up = fitted_normal(points, level, layer, up);
   }
@@ -247,7 +247,7 @@ Result<FloorEstimate> find_floor(std::span<const SurfacePoint> points,
     const auto level = level_points(points, up);
     const auto enough = static_cast<std::size_t>(
         std::ceil(options.min_level_share * static_cast<double>(level.size())));
-    const Layer floor =
+    const HeightLayer floor =
         lowest_full_layer(level, options.thickness_m, std::max<std::size_t>(enough, 3));
     if (level.size() < kMinLevelPoints || floor.size() == 0) {
       return fail(ErrorCode::kNotFound, "no plane holds enough of the level points", "floor");

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 9> kOtherGeometries = {"POINT",
                                                               "CURVEPOLYGON",
                                                               "SRID"};
 
-bool is_blank(char c) {
+bool is_wkt_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 bool is_letter(char c) {
@@ -141,7 +141,7 @@ class WktParser {
     double value = 0.0;
     const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     const auto used = static_cast<std::size_t>(end.ptr - rest.data());
-    const bool ends = used == rest.size() || is_blank(rest[used]) || rest[used] == ',' ||
+    const bool ends = used == rest.size() || is_wkt_blank(rest[used]) || rest[used] == ',' ||
                       rest[used] == ')' || rest[used] == '(';
     if (end.ec != std::errc() || !ends || !std::isfinite(value)) {
       return refuse(ErrorCode::kMalformedFile, "is " + shown() + ", expected a finite number");
@@ -151,7 +151,7 @@ class WktParser {
   }
 
   void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && is_wkt_blank(text_[at_])) ++at_;
   }
   [[nodiscard]] bool take(char wanted) {
     skip_blanks();

@@ -14,26 +14,15 @@ namespace {
 
 constexpr std::array<int, 3> kStrides{8, 16, 32};
 
-double area(const PixelBox& box) {
-  return box.width_px() * box.height_px();
-}
-
-double overlap(const PixelBox& a, const PixelBox& b) {
-  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
-  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
-  if (!(width > 0.0 && height > 0.0)) return 0.0;
-  return width * height / (area(a) + area(b) - width * height);
-}
-
 /// Where a row's cell lies: its stride and its upper left corner in cells.
-struct Cell {
+struct OutputCell {
   int stride_px = 0;
   int column = 0;
   int row = 0;
 };
 
-std::vector<Cell> cells_of(int input_side_px) {
-  std::vector<Cell> cells;
+std::vector<OutputCell> cells_of(int input_side_px) {
+  std::vector<OutputCell> cells;
   cells.reserve(num_yolox_rows(input_side_px));
   for (const int stride : kStrides) {
     const int side = input_side_px / stride;
@@ -44,7 +33,7 @@ std::vector<Cell> cells_of(int input_side_px) {
   return cells;
 }
 
-PixelBox box_of(std::span<const float> row, const Cell& cell, double scale) {
+PixelBox box_of(std::span<const float> row, const OutputCell& cell, double scale) {
   const double stride = cell.stride_px;
   const double u = (static_cast<double>(row[0]) + cell.column) * stride / scale;
   const double v = (static_cast<double>(row[1]) + cell.row) * stride / scale;
@@ -72,7 +61,7 @@ std::size_t num_yolox_rows(int input_side_px) {
 Result<std::vector<YoloxCandidate>> decode_yolox(std::span<const float> rows,
                                                  const YoloxDecoding& decoding) {
   const std::size_t length = 5 + decoding.num_classes;
-  const std::vector<Cell> cells = cells_of(decoding.input_side_px);
+  const std::vector<OutputCell> cells = cells_of(decoding.input_side_px);
   assert(rows.size() == cells.size() * length);
   std::vector<YoloxCandidate> out;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -104,7 +93,7 @@ std::vector<YoloxCandidate> suppress_overlaps(std::span<const YoloxCandidate> ca
   for (const YoloxCandidate& candidate : candidates) {
     const bool is_hidden = std::any_of(kept.begin(), kept.end(), [&](const YoloxCandidate& better) {
       return better.best_class == candidate.best_class &&
-             overlap(better.box_px, candidate.box_px) > max_overlap;
+             intersection_over_union(better.box_px, candidate.box_px) > max_overlap;
     });
     if (!is_hidden) kept.push_back(candidate);
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxCommentBytes = 0xffff;
 constexpr std::uint64_t kMaxDirectoryBytes = std::uint64_t{16} << 20;
 
-Unexpected malformed(std::string what) {
+Unexpected malformed_directory(std::string what) {
   return fail(ErrorCode::kMalformedFile, std::move(what));
 }
 
@@ -33,11 +33,12 @@ Result<std::size_t> find_end(std::string_view tail) {
   for (std::size_t at = 0; at + kEndBytes <= tail.size(); ++at) {
     if (get32(tail, at) != kEndSignature) continue;
     if (at + kEndBytes + get16(tail, at + 20) != tail.size()) continue;
-    if (found != std::string_view::npos) return malformed("has two end records");
+    if (found != std::string_view::npos) return malformed_directory("has two end records");
     found = at;
   }
   if (found == std::string_view::npos)
-    return malformed("not a map archive: no zip end record at its end (cut, or bytes after it)");
+    return malformed_directory(
+        "not a map archive: no zip end record at its end (cut, or bytes after it)");
   return found;
 }
 
@@ -45,11 +46,11 @@ Result<std::size_t> find_end(std::string_view tail) {
 Result<void> check_extra(std::string_view extra, std::string_view name) {
   while (!extra.empty()) {
     if (extra.size() < 4 || extra.size() - 4 < get16(extra, 2))
-      return malformed("damaged extra field");
+      return malformed_directory("damaged extra field");
     const std::string_view data = extra.substr(4, get16(extra, 2));
     if (get16(extra, 0) == kExtraZip64) return zip64();
     if (get16(extra, 0) == kExtraUnicodeName && (data.size() < 5 || data.substr(5) != name))
-      return malformed("extra field gives the member another name");
+      return malformed_directory("extra field gives the member another name");
     extra.remove_prefix(4 + data.size());
   }
   return {};
@@ -71,7 +72,7 @@ Result<void> check_kind(std::uint16_t made_by, std::uint32_t attributes, bool is
   if (system != kUnix && system != kMacOs) return {};
   const std::uint32_t kind = attributes >> 16U & 0170000U;
   if (kind == 0 || kind == (is_folder ? 0040000U : 0100000U)) return {};
-  return malformed("is a link, a device or another special file, expected a plain file");
+  return malformed_directory("is a link, a device or another special file, expected a plain file");
 }
 
 Result<void> check_method(const Entry& entry, std::uint16_t method) {
@@ -81,19 +82,21 @@ Result<void> check_method(const Entry& entry, std::uint16_t method) {
                     " is not supported, expected 0 (stored) or 8 (deflated)");
   const ZipMember& member = entry.member;
   if (method == kStored && member.num_bytes != member.num_packed_bytes)
-    return malformed("is stored, yet its two sizes differ");
-  if (entry.is_folder && member.num_bytes != 0) return malformed("is a folder with content");
+    return malformed_directory("is stored, yet its two sizes differ");
+  if (entry.is_folder && member.num_bytes != 0)
+    return malformed_directory("is a folder with content");
   return {};
 }
 
 /// One central header at the front of `rest`, which is shortened by it.
 Result<Entry> take_entry(std::string_view& rest) {
   if (rest.size() < kCentralBytes || get32(rest, 0) != kCentralSignature)
-    return malformed("central directory: no header where one is expected");
+    return malformed_directory("central directory: no header where one is expected");
   const std::size_t name_bytes = get16(rest, 28);
   const std::size_t extra_bytes = get16(rest, 30);
   const std::size_t all = kCentralBytes + name_bytes + extra_bytes + get16(rest, 32);
-  if (rest.size() < all) return malformed("central directory: header reaches beyond its end");
+  if (rest.size() < all)
+    return malformed_directory("central directory: header reaches beyond its end");
   const std::string_view name = rest.substr(kCentralBytes, name_bytes);
 
   const std::uint16_t method = get16(rest, 10);
@@ -107,7 +110,7 @@ Result<Entry> take_entry(std::string_view& rest) {
               .is_folder = name.ends_with('/')};
   const auto judge = [&]() -> Result<void> {
     HYPERMAP_TRY(check_member_name(name));
-    if (get16(rest, 34) != 0) return malformed("lies on another disk");
+    if (get16(rest, 34) != 0) return malformed_directory("lies on another disk");
     if (get32(rest, 24) == kZip64Marker32 || get32(rest, 20) == kZip64Marker32 ||
         get32(rest, 42) == kZip64Marker32)
       return zip64();
@@ -130,25 +133,26 @@ Result<std::uint64_t> judge_local(const ByteSource& source,
   ZipMember& member = entry.member;
   if (entry.header_offset > directory_offset ||
       directory_offset - entry.header_offset < kLocalBytes)
-    return malformed("local header lies beyond the members");
+    return malformed_directory("local header lies beyond the members");
   HYPERMAP_ASSIGN_OR_RETURN(const std::string header,
                             source.read_at(entry.header_offset, kLocalBytes));
-  if (get32(header, 0) != kLocalSignature) return malformed("no local header where one is said");
+  if (get32(header, 0) != kLocalSignature)
+    return malformed_directory("no local header where one is said");
   const std::size_t name_bytes = get16(header, 26);
   const std::size_t extra_bytes = get16(header, 28);
   const std::uint64_t data_offset = entry.header_offset + kLocalBytes + name_bytes + extra_bytes;
   if (data_offset > directory_offset || directory_offset - data_offset < member.num_packed_bytes)
-    return malformed("data reach into the central directory");
+    return malformed_directory("data reach into the central directory");
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string names,
       source.read_at(entry.header_offset + kLocalBytes, name_bytes + extra_bytes));
   if (names.compare(0, name_bytes, member.name) != 0)
-    return malformed("local header names another member: '" +
-                     printable(names.substr(0, name_bytes)) + "'");
+    return malformed_directory("local header names another member: '" +
+                               printable(names.substr(0, name_bytes)) + "'");
   HYPERMAP_TRY(check_extra(std::string_view(names).substr(name_bytes), member.name));
   if (get16(header, 6) != entry.flags || (get16(header, 8) == kDeflated) != member.deflated ||
       (get16(header, 8) != kDeflated && get16(header, 8) != kStored))
-    return malformed("local and central header differ in flags or method");
+    return malformed_directory("local and central header differ in flags or method");
 
   const bool has_descriptor = (entry.flags & kFlagDescriptor) != 0;
   const auto agrees = [&](std::string_view bytes, std::size_t at) {
@@ -158,7 +162,7 @@ Result<std::uint64_t> judge_local(const ByteSource& source,
   const bool left_open =
       has_descriptor && get32(header, 14) == 0 && get32(header, 18) == 0 && get32(header, 22) == 0;
   if (!left_open && !agrees(header, 14))
-    return malformed("local and central header differ in size or CRC-32");
+    return malformed_directory("local and central header differ in size or CRC-32");
   member.data_offset = data_offset;
   const std::uint64_t data_end = data_offset + member.num_packed_bytes;
   if (!has_descriptor) return data_end;
@@ -169,7 +173,7 @@ Result<std::uint64_t> judge_local(const ByteSource& source,
   if (room >= 16 && get32(descriptor, 0) == kDescriptorSignature && agrees(descriptor, 4))
     return data_end + 16;
   if (room >= 12 && agrees(descriptor, 0)) return data_end + 12;
-  return malformed("data descriptor and central header differ in size or CRC-32");
+  return malformed_directory("data descriptor and central header differ in size or CRC-32");
 }
 
 }  // namespace
@@ -194,13 +198,13 @@ Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& lim
       end.directory_bytes == kZip64Marker32)
     return zip64();
   if (get16(tail, at + 4) != 0 || get16(tail, at + 6) != 0 || get16(tail, at + 8) != num_entries)
-    return malformed("archive in several parts");
+    return malformed_directory("archive in several parts");
   if (end.num_entries > limits.max_entries)
     return fail(ErrorCode::kLimit,
                 std::to_string(end.num_entries) + " entries, the limit is " +
                     std::to_string(limits.max_entries));
   if (end.directory_offset + end.directory_bytes != end_offset)
-    return malformed("central directory does not end where the end record begins");
+    return malformed_directory("central directory does not end where the end record begins");
   if (end.directory_bytes > kMaxDirectoryBytes)
     return fail(ErrorCode::kLimit,
                 "central directory of " + std::to_string(end.directory_bytes) +
@@ -225,7 +229,7 @@ Result<std::vector<Entry>> read_directory(const ByteSource& source,
     total_bytes += entry.member.num_bytes;
     entries.push_back(std::move(entry));
   }
-  if (!rest.empty()) return malformed("central directory holds more than it says");
+  if (!rest.empty()) return malformed_directory("central directory holds more than it says");
   if (total_bytes > limits.max_total_bytes)
     return fail(ErrorCode::kLimit,
                 "members of together " + std::to_string(total_bytes) + " bytes, the limit is " +
@@ -245,16 +249,17 @@ Result<void> read_local_headers(const ByteSource& source,
   std::uint64_t filled_up_to = 0;
   for (Entry* entry : by_offset) {
     if (entry->header_offset < filled_up_to)
-      return in_entry(malformed("overlaps another entry"), entry->member.name);
+      return in_entry(malformed_directory("overlaps another entry"), entry->member.name);
     if (entry->header_offset > filled_up_to)
-      return in_entry(malformed("bytes before it belong to no entry"), entry->member.name);
+      return in_entry(malformed_directory("bytes before it belong to no entry"),
+                      entry->member.name);
     auto judged = judge_local(source, end.directory_offset, *entry);
     if (!judged)
       return in_entry(tl::make_unexpected(std::move(judged).error()), entry->member.name);
     filled_up_to = *judged;
   }
   if (filled_up_to != end.directory_offset)
-    return malformed("bytes before the central directory belong to no entry");
+    return malformed_directory("bytes before the central directory belong to no entry");
   return {};
 }
 

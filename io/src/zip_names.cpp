@@ -10,7 +10,7 @@
 namespace hypermap {
 namespace {
 
-constexpr std::size_t kMaxNameBytes = 255;
+constexpr std::size_t kMaxEntryNameBytes = 255;
 
 bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
@@ -30,7 +30,7 @@ std::string_view fault_of_part(std::string_view part) {
 
 std::string_view fault_of(std::string_view name) {
   if (name.empty()) return "is empty";
-  if (name.size() > kMaxNameBytes) return "is longer than 255 bytes";
+  if (name.size() > kMaxEntryNameBytes) return "is longer than 255 bytes";
   if (std::any_of(name.begin(), name.end(), is_control)) return "has a control character";
   if (first_bad_utf8(name) < name.size()) return "is not UTF-8";
   if (name.find('\\') != std::string_view::npos) return "has a backslash";

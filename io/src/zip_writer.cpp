@@ -83,7 +83,7 @@ Result<std::optional<std::string>> pack_member(ZipMember member,
   return std::optional<std::string>(std::move(packed));
 }
 
-Unexpected no_memory() {
+Unexpected no_memory_for_archive() {
   return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
 }
 
@@ -118,7 +118,7 @@ Result<void> ZipWriter::add(std::string_view name, std::string_view content) try
   members_.push_back(std::move(member));
   return {};
 } catch (const std::exception&) {
-  return no_memory();
+  return no_memory_for_archive();
 }
 
 Result<std::string> ZipWriter::finish() try {
@@ -136,7 +136,7 @@ Result<std::string> ZipWriter::finish() try {
                     std::to_string(limits_.max_archive_bytes));
   return archive;
 } catch (const std::exception&) {
-  return no_memory();
+  return no_memory_for_archive();
 }
 
 }  // namespace hypermap

@@ -18,9 +18,9 @@ using testing_support::only;
 using testing_support::scores;
 using testing_support::surface_of;
 
-constexpr ClassId kChair{0};
-constexpr ClassId kCup{1};
-constexpr ClassId kOven{2};
+constexpr ClassId kChairClass{0};
+constexpr ClassId kCupClass{1};
+constexpr ClassId kOvenClass{2};
 constexpr ClassId kFridge{3};
 constexpr ClassId kTv{4};
 
@@ -39,12 +39,12 @@ const Box kChairBox = box_at({0, 0, 0.45}, {0.5, 0.5, 0.9});
 TEST(Learning, ANewObjectHasWhatTheSourcesGiveIt) {
   // [hypermap] 3.4.5: existence 1. [smap] Eq. (3.18): ln(0.8/0.2) - ln(0.1/0.9) = 3.5835189 for
   // one of ten classes. [smap] Eq. (3.21): ln(0.8/0.2) = 1.3862944.
-  const Object object = first_seen(seen(kChairBox, kChair), {});
+  const Object object = first_seen(seen(kChairBox, kChairClass), {});
   EXPECT_DOUBLE_EQ(object.existence.value(), 1.0);
-  EXPECT_NEAR(object.belief.log_odds(kChair).value(), 3.5835189, 1e-7);
+  EXPECT_NEAR(object.belief.log_odds(kChairClass).value(), 3.5835189, 1e-7);
   EXPECT_NEAR(object.box_confidence.value(), 1.3862944, 1e-7);
   EXPECT_EQ(object.num_observations, 1U);
-  EXPECT_EQ(object.ledger.state().first->class_id, kChair);
+  EXPECT_EQ(object.ledger.state().first->class_id, kChairClass);
 }
 
 TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
@@ -52,9 +52,9 @@ TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
   // l_c = 2 ln 4 = 2.7725887, g = 1 / (1 + 16) = 0.0588235: x moves by 0.17 g = 0.01.
   AssociationOptions options;
   options.box_from_points = false;
-  Object object = first_seen(seen(kChairBox, kChair), options);
+  Object object = first_seen(seen(kChairBox, kChairClass), options);
   EXPECT_NEAR(object.box.min_in_map.x(), -0.25, 1e-6);
-  learn(object, seen(box_at({0.17, 0, 0.45}, {0.5, 0.5, 0.9}), kChair, 1), options);
+  learn(object, seen(box_at({0.17, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass, 1), options);
   EXPECT_NEAR(object.box.min_in_map.x(), -0.24, 1e-6);
   EXPECT_NEAR(object.centroid_in_map.x(), 0.01, 1e-6);
 }
@@ -62,16 +62,16 @@ TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
 TEST(Learning, ACertainBoxDoesNotFreezeTheObject) {
   AssociationOptions options;
   options.box_from_points = false;
-  Object object = first_seen(seen(kChairBox, kChair), options);
-  Observation moved = seen(box_at({1, 0, 0.45}, {0.5, 0.5, 0.9}), kChair);
+  Object object = first_seen(seen(kChairBox, kChairClass), options);
+  Observation moved = seen(box_at({1, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass);
   moved.segment.box_confidence = Probability(1.0);
   for (int i = 0; i < 200; ++i) learn(object, moved, options);
   EXPECT_NEAR(object.centroid_in_map.x(), 1.0, 0.01);
 }
 
 TEST(Learning, ExistenceIsCapped) {
-  Object object = first_seen(seen(kChairBox, kChair), {});
-  for (int i = 0; i < 50; ++i) learn(object, seen(kChairBox, kChair), {});
+  Object object = first_seen(seen(kChairBox, kChairClass), {});
+  for (int i = 0; i < 50; ++i) learn(object, seen(kChairBox, kChairClass), {});
   EXPECT_DOUBLE_EQ(object.existence.value(), 20.0);
 }
 
@@ -87,7 +87,7 @@ TEST_P(EveryPolicy, AThingSeenAgainIsOneObject) {
   ObjectMap map;
   for (std::uint64_t frame = 0; frame < 5; ++frame) {
     const auto report =
-        associate(map, std::array{seen(kChairBox, kChair, frame)}, with(GetParam()));
+        associate(map, std::array{seen(kChairBox, kChairClass, frame)}, with(GetParam()));
     ASSERT_EQ(report.object_of_observation, std::vector{ObjectId{1}});
     EXPECT_EQ(report.created.size(), frame == 0 ? 1U : 0U);
     EXPECT_EQ(report.matched.size(), frame == 0 ? 0U : 1U);
@@ -98,8 +98,8 @@ TEST_P(EveryPolicy, AThingSeenAgainIsOneObject) {
 
 TEST_P(EveryPolicy, ThingsFarApartAreTwoObjects) {
   ObjectMap map;
-  const std::array both{seen(kChairBox, kChair),
-                        seen(box_at({3, 0, 0.45}, {0.5, 0.5, 0.9}), kChair)};
+  const std::array both{seen(kChairBox, kChairClass),
+                        seen(box_at({3, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)};
   (void)associate(map, both, with(GetParam()));
   (void)associate(map, both, with(GetParam()));
   EXPECT_EQ(map.size(), 2U);
@@ -107,9 +107,9 @@ TEST_P(EveryPolicy, ThingsFarApartAreTwoObjects) {
 
 TEST_P(EveryPolicy, TransientClassesTouchNothing) {
   AssociationOptions options = with(GetParam());
-  options.transient_classes = {kChair};
+  options.transient_classes = {kChairClass};
   ObjectMap map;
-  const auto report = associate(map, std::array{seen(kChairBox, kChair)}, options);
+  const auto report = associate(map, std::array{seen(kChairBox, kChairClass)}, options);
   EXPECT_TRUE(map.empty());
   EXPECT_EQ(report.num_transient, 1U);
   EXPECT_EQ(report.object_of_observation, std::vector{kNoObject});
@@ -135,9 +135,9 @@ TEST(OverlapPolicy, AJaccardIndexOfATwentiethIsTooLittle) {
   for (const auto& [shift, num_objects] : {std::pair{0.3, 1U}, std::pair{0.4, 2U}}) {
     ObjectMap map;
     const auto options = with(AssociationPolicy::kOverlap);
-    (void)associate(map, std::array{seen(kChairBox, kChair)}, options);
+    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
     (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChair)}, options);
+        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
     EXPECT_EQ(map.size(), num_objects) << shift;
   }
 }
@@ -147,12 +147,12 @@ TEST(OverlapPolicy, SeveralMatchesAreCombined) {
   ObjectMap map;
   const auto options = with(AssociationPolicy::kOverlap);
   (void)associate(map,
-                  std::array{seen(box_at({-0.2, 0, 0.2}, {0.4, 0.4, 0.4}), kChair),
-                             seen(box_at({0.2, 0, 0.2}, {0.36, 0.4, 0.4}), kChair)},
+                  std::array{seen(box_at({-0.2, 0, 0.2}, {0.4, 0.4, 0.4}), kChairClass),
+                             seen(box_at({0.2, 0, 0.2}, {0.36, 0.4, 0.4}), kChairClass)},
                   options);
   ASSERT_EQ(map.size(), 2U);
   const auto report =
-      associate(map, std::array{seen(box_at({0, 0, 0.2}, {0.8, 0.4, 0.4}), kChair)}, options);
+      associate(map, std::array{seen(box_at({0, 0, 0.2}, {0.8, 0.4, 0.4}), kChairClass)}, options);
   ASSERT_EQ(map.size(), 1U);
   EXPECT_EQ(report.merged, (std::vector{ObjectMerge{ObjectId{2}, ObjectId{1}}}));
   EXPECT_DOUBLE_EQ(map.at(ObjectId{1}).existence.value(), 3.0);
@@ -161,8 +161,8 @@ TEST(OverlapPolicy, SeveralMatchesAreCombined) {
 TEST(OverlapPolicy, AnotherClassIsAnotherObject) {
   ObjectMap map;
   const auto options = with(AssociationPolicy::kOverlap);
-  (void)associate(map, std::array{seen(kChairBox, kChair)}, options);
-  (void)associate(map, std::array{seen(kChairBox, kCup)}, options);
+  (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
+  (void)associate(map, std::array{seen(kChairBox, kCupClass)}, options);
   EXPECT_EQ(map.size(), 2U);
 }
 
@@ -171,9 +171,9 @@ TEST(RadiusPolicy, TheSquareReachesHalfAMetre) {
   for (const auto& [shift, num_objects] : {std::pair{0.7, 1U}, std::pair{0.8, 2U}}) {
     ObjectMap map;
     const auto options = with(AssociationPolicy::kRadius);
-    (void)associate(map, std::array{seen(kChairBox, kChair)}, options);
+    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
     (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChair)}, options);
+        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
     EXPECT_EQ(map.size(), num_objects) << shift;
   }
 }
@@ -183,9 +183,9 @@ TEST(SmapPolicy, CandidatesAreNearerThanTheProductOfErrorAndFactor) {
   for (const auto& [shift, num_objects] : {std::pair{0.09, 1U}, std::pair{0.11, 2U}}) {
     ObjectMap map;
     const auto options = with(AssociationPolicy::kSmap);
-    (void)associate(map, std::array{seen(kChairBox, kChair)}, options);
+    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
     (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChair)}, options);
+        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
     EXPECT_EQ(map.size(), num_objects) << shift;
   }
 }
@@ -203,8 +203,8 @@ TEST(SmapPolicy, ConeAndNeighbourhoodLimitTheCandidates) {
         std::pair{AssociationScope{.neighbourhood = std::vector<ObjectId>{}}, 2U},
         std::pair{AssociationScope{.neighbourhood = std::vector{ObjectId{1}}}, 1U}}) {
     ObjectMap map;
-    (void)associate(map, std::array{seen(kChairBox, kChair)}, options, scope);
-    (void)associate(map, std::array{seen(kChairBox, kChair)}, options, scope);
+    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
+    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
     EXPECT_EQ(map.size(), num_objects);
   }
 }
@@ -214,11 +214,11 @@ TEST(AssignmentPolicy, ACabinetWithoutANameOfItsOwnIsOneObject) {
   const Box cabinet = box_at({1, 1, 0.3}, {0.8, 0.45, 0.6});
   ObjectMap map;
   std::uint64_t frame = 0;
-  for (const ClassId id : {kOven, kFridge, kTv, kOven, kFridge, kOven}) {
+  for (const ClassId id : {kOvenClass, kFridge, kTv, kOvenClass, kFridge, kOvenClass}) {
     (void)associate(map, std::array{seen(cabinet, id, frame++)}, {});
   }
   ASSERT_EQ(map.size(), 1U);
-  EXPECT_EQ(best_class(map.objects()[0])->id, kOven);
+  EXPECT_EQ(best_class(map.objects()[0])->id, kOvenClass);
 }
 
 TEST(AssignmentPolicy, CupsTenCentimetresApartStayTwo) {
@@ -227,9 +227,10 @@ TEST(AssignmentPolicy, CupsTenCentimetresApartStayTwo) {
   ObjectMap map;
   for (std::uint64_t frame = 0; frame < 10; ++frame) {
     if (frame % 3 == 1) {  // one is missed
-      (void)associate(map, std::array{seen(right, kCup, frame)}, {});
+      (void)associate(map, std::array{seen(right, kCupClass, frame)}, {});
     } else {
-      (void)associate(map, std::array{seen(right, kCup, frame), seen(left, kCup, frame)}, {});
+      (void)associate(
+          map, std::array{seen(right, kCupClass, frame), seen(left, kCupClass, frame)}, {});
     }
   }
   EXPECT_EQ(map.size(), 2U);
@@ -240,7 +241,8 @@ TEST(AssignmentPolicy, ACupIsNoPartOfTheTableItStandsOn) {
   const Box cup = box_at({0.2, 0.1, 0.79}, {0.08, 0.08, 0.1});
   ObjectMap map;
   for (std::uint64_t frame = 0; frame < 3; ++frame) {
-    (void)associate(map, std::array{seen(table, kOven, frame), seen(cup, kCup, frame)}, {});
+    (void)associate(
+        map, std::array{seen(table, kOvenClass, frame), seen(cup, kCupClass, frame)}, {});
   }
   EXPECT_EQ(map.size(), 2U);
 }
@@ -253,7 +255,7 @@ TEST(AssignmentPolicy, FrontAndBackOfAThingAreOneObject) {
   ObjectMap map;
   std::uint64_t frame = 0;
   for (const auto& part : {front, top, back, front, back}) {
-    (void)associate(map, std::array{observed(part, scores(kChair, 0.8), frame++)}, {});
+    (void)associate(map, std::array{observed(part, scores(kChairClass, 0.8), frame++)}, {});
   }
   EXPECT_EQ(map.size(), 1U);
 }
@@ -264,20 +266,20 @@ TEST(AssignmentPolicy, PartsThatGrowTogetherAreMerged) {
   const auto left = only(all, [](const auto& p) { return p.x() < -0.3F; });
   const auto right = only(all, [](const auto& p) { return p.x() > 0.3F; });
   ObjectMap map;
-  (void)associate(map, std::array{observed(left, scores(kChair, 0.8), 0)}, {});
-  (void)associate(map, std::array{observed(right, scores(kChair, 0.8), 1)}, {});
+  (void)associate(map, std::array{observed(left, scores(kChairClass, 0.8), 0)}, {});
+  (void)associate(map, std::array{observed(right, scores(kChairClass, 0.8), 1)}, {});
   ASSERT_EQ(map.size(), 2U);
   for (std::uint64_t frame = 2; frame < 5; ++frame) {
-    (void)associate(map, std::array{observed(all, scores(kChair, 0.8), frame)}, {});
+    (void)associate(map, std::array{observed(all, scores(kChairClass, 0.8), frame)}, {});
   }
   EXPECT_EQ(map.size(), 1U);
 }
 
 TEST(AssignmentPolicy, TwoDetectionsOfOneThingInAFrameTeachOnce) {
   ObjectMap map;
-  (void)associate(map, std::array{seen(kChairBox, kChair)}, {});
+  (void)associate(map, std::array{seen(kChairBox, kChairClass)}, {});
   const auto report =
-      associate(map, std::array{seen(kChairBox, kChair, 1), seen(kChairBox, kTv, 1)}, {});
+      associate(map, std::array{seen(kChairBox, kChairClass, 1), seen(kChairBox, kTv, 1)}, {});
   EXPECT_EQ(map.size(), 1U);
   EXPECT_EQ(report.num_repeated, 1U);
   EXPECT_EQ(report.object_of_observation, (std::vector{ObjectId{1}, ObjectId{1}}));

@@ -13,9 +13,9 @@ using testing_support::observed;
 using testing_support::scores;
 using testing_support::surface_of;
 
-constexpr ClassId kCup{3};
+constexpr ClassId kObservedClass{3};
 
-Object object_of(const Box& box, ClassId id = kCup) {
+Object object_of(const Box& box, ClassId id = kObservedClass) {
   return first_seen(observed(surface_of(box), scores(id, 0.8)), {});
 }
 
@@ -23,7 +23,8 @@ TEST(Object, ConfidenceIsTheWeightedSumOfThreeTerms) {
   // [smap] Eq. (3.27), table D.2: tp1 = 0.9, tp2 = 0.6, tp3 = 2/3:
   // (4 * 0.9 + 0.6 + 0.6666667) / 6 = 0.8111111; multiplied: 2/3 (4 * 0.9 + 0.6) / 5 = 0.56.
   Object object;
-  object.belief = ClassBelief::from_entries({}, {{kCup, LogOdds::of(Probability(0.9))}}).value();
+  object.belief =
+      ClassBelief::from_entries({}, {{kObservedClass, LogOdds::of(Probability(0.9))}}).value();
   object.box_confidence = LogOdds::of(Probability(0.6));
   std::vector<LogOdds> bins(18);
   bins[0] = bins[1] = LogOdds(2.0);
@@ -65,11 +66,12 @@ TEST(Object, MergedObjectsAddUpAndTheOlderIdStays) {
 
 TEST(Object, TwoObservationsDoNotOutweighSixtyWhenMerged) {
   const Box box = box_at({0, 0, 0.2}, {0.4, 0.4, 0.4});
-  Object often = object_of(box, kCup);
-  for (int i = 0; i < 59; ++i) learn(often, observed(surface_of(box), scores(kCup, 0.9)), {});
+  Object often = object_of(box, kObservedClass);
+  for (int i = 0; i < 59; ++i)
+    learn(often, observed(surface_of(box), scores(kObservedClass, 0.9)), {});
   Object seldom = object_of(box, ClassId{5});
   learn(seldom, observed(surface_of(box), scores(ClassId{5}, 0.99)), {});
-  EXPECT_EQ(best_class(merged(seldom, often, LogOdds(20.0)))->id, kCup);
+  EXPECT_EQ(best_class(merged(seldom, often, LogOdds(20.0)))->id, kObservedClass);
 }
 
 }  // namespace

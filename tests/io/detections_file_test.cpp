@@ -22,13 +22,13 @@ std::string frame(const std::string& detections) {
   return R"({"image": "a.png", "width": 640, "height": 480, "detections": [)" + detections + "]}";
 }
 
-DetectionSet parsed(const std::string& text, const DetectionReadOptions& options = {}) {
+DetectionSet parsed_detections(const std::string& text, const DetectionReadOptions& options = {}) {
   auto loaded = parse_detections(text, "d.json", options);
   EXPECT_TRUE(loaded) << to_string(loaded.error());
   return loaded ? std::move(loaded->value) : DetectionSet{};
 }
 
-std::string refusal(const std::string& text, const DetectionReadOptions& options = {}) {
+std::string detections_refusal(const std::string& text, const DetectionReadOptions& options = {}) {
   const auto loaded = parse_detections(text, "d.json", options);
   return loaded ? "was accepted" : to_string(loaded.error());
 }
@@ -36,7 +36,7 @@ std::string refusal(const std::string& text, const DetectionReadOptions& options
 const std::string kChair = R"({"label": "chair", "score": 0.9, "bbox": [10, 20, 110, 220]})";
 
 TEST(DetectionsFile, AFrameGivesImageBoxAndScore) {
-  const DetectionSet set = parsed(frame(kChair));
+  const DetectionSet set = parsed_detections(frame(kChair));
   ASSERT_THAT(set.frames, SizeIs(1));
   EXPECT_EQ(set.frames[0].image, "a.png");
   ASSERT_THAT(set.frames[0].detections, SizeIs(1));
@@ -48,7 +48,7 @@ TEST(DetectionsFile, AFrameGivesImageBoxAndScore) {
 }
 
 TEST(DetectionsFile, LinesAreFramesAndStampsAreExact) {
-  const DetectionSet set = parsed(
+  const DetectionSet set = parsed_detections(
       "{\"timestamp\": 1341841278.842700001, \"detections\": []}\n\n"
       "{\"timestamp\": \"1.5\", \"detections\": [{\"class\": \"cup\", \"score\": 1,"
       " \"bbox_xywh\": [1, 2, 3, 4]}]}\n");
@@ -59,8 +59,9 @@ TEST(DetectionsFile, LinesAreFramesAndStampsAreExact) {
 }
 
 TEST(DetectionsFile, AnErrorInALineNamesTheLine) {
-  EXPECT_THAT(refusal(frame(kChair) + "\n" + frame(R"({"label": "x", "score": 2})") + "\n"),
-              HasSubstr("d.json:2: $.detections[0].score: must be in 0 .. 1, is 2"));
+  EXPECT_THAT(
+      detections_refusal(frame(kChair) + "\n" + frame(R"({"label": "x", "score": 2})") + "\n"),
+      HasSubstr("d.json:2: $.detections[0].score: must be in 0 .. 1, is 2"));
 }
 
 TEST(DetectionsFile, ABoxBeyondThePictureIsClippedAndCounted) {
@@ -75,7 +76,7 @@ TEST(DetectionsFile, ABoxBeyondThePictureIsClippedAndCounted) {
 
 TEST(DetectionsFile, BoxesWithoutSenseAreRefused) {
   const auto refused = [](const std::string& box) {
-    return refusal(frame(R"({"label": "a", "score": 1, "bbox": )" + box + "}"));
+    return detections_refusal(frame(R"({"label": "a", "score": 1, "bbox": )" + box + "}"));
   };
   EXPECT_THAT(refused("[1, 2, 3]"), HasSubstr("must have 4 numbers, has 3"));
   EXPECT_THAT(refused("[10, 10, 10, 20]"), HasSubstr("must have an area"));
@@ -89,18 +90,19 @@ TEST(DetectionsFile, LabelsArePlainTextWithinLimits) {
   const auto with_label = [](const std::string& label) {
     return frame(R"({"label": ")" + label + R"(", "score": 1, "bbox": [1, 2, 3, 4]})");
   };
-  EXPECT_EQ(parsed(with_label("../../etc\\n- evil: true")).class_names[0],
+  EXPECT_EQ(parsed_detections(with_label("../../etc\\n- evil: true")).class_names[0],
             "../../etc\n- evil: true");
-  EXPECT_THAT(refusal(with_label("")), HasSubstr("must not be empty"));
-  EXPECT_THAT(refusal(with_label("a\\u0000b")), HasSubstr("NUL"));
-  EXPECT_THAT(refusal(with_label(std::string(257, 'a'))), HasSubstr("at most 256 bytes"));
+  EXPECT_THAT(detections_refusal(with_label("")), HasSubstr("must not be empty"));
+  EXPECT_THAT(detections_refusal(with_label("a\\u0000b")), HasSubstr("NUL"));
+  EXPECT_THAT(detections_refusal(with_label(std::string(257, 'a'))),
+              HasSubstr("at most 256 bytes"));
 }
 
 TEST(DetectionsFile, AFrameHoldsAThousandDetectionsAndNoMore) {
   std::string many = kChair;
   for (int i = 1; i < 1000; ++i) many += "," + kChair;
-  EXPECT_EQ(parsed(frame(many)).num_detections(), 1000U);
-  EXPECT_THAT(refusal(frame(many + "," + kChair)), HasSubstr("at most 1000 detections"));
+  EXPECT_EQ(parsed_detections(frame(many)).num_detections(), 1000U);
+  EXPECT_THAT(detections_refusal(frame(many + "," + kChair)), HasSubstr("at most 1000 detections"));
 }
 
 TEST(DetectionsFile, MasksAreColumnMajorRuns) {
@@ -117,7 +119,7 @@ TEST(DetectionsFile, MasksAreColumnMajorRuns) {
 
 TEST(DetectionsFile, AMaskMustFillThePicture) {
   const auto with_mask = [](const std::string& mask) {
-    return refusal(
+    return detections_refusal(
         R"({"image": "a", "width": 2, "height": 3, "detections": [{"label": "a", "score": 1,)"
         R"( "bbox": [0, 0, 1, 1], "mask": )" +
         mask + "}]}");
@@ -136,13 +138,13 @@ TEST(DetectionsFile, CompressedRunsOfCocoAreRead) {
   const std::string text =
       R"({"image": "a", "width": 2, "height": 5, "detections": [{"label": "a", "score": 1,)"
       R"( "bbox": [0, 0, 1, 1], "mask": {"size": [5, 2], "counts": "1321"}}]})";
-  EXPECT_EQ(parsed(text).frames[0].detections[0].mask->runs,
+  EXPECT_EQ(parsed_detections(text).frames[0].detections[0].mask->runs,
             (std::vector<std::uint32_t>{1, 3, 2, 4}));
 }
 
 TEST(DetectionsFile, ClassVectorsAreScaledAndOthersSpread) {
   ClassRegistry registry;
-  const DetectionSet set = parsed(frame(
+  const DetectionSet set = parsed_detections(frame(
       R"({"label": "chair", "score": 0.8, "bbox": [1, 2, 3, 4], "scores": {"chair": 0.6, "sofa": 0.2}},)"
       R"({"label": "sofa", "score": 0.7, "bbox": [1, 2, 3, 4]},)"
       R"({"label": "cup", "score": 0.5, "bbox": [1, 2, 3, 4]})"));
@@ -175,7 +177,7 @@ TEST(DetectionsFile, SpellingsOfAClassAreOneClass) {
 
 TEST(DetectionsFile, ResolvingChecksThePicturesSize) {
   ClassRegistry registry;
-  const DetectionSet set = parsed(frame(kChair));
+  const DetectionSet set = parsed_detections(frame(kChair));
   const auto known = register_classes(set.class_names, registry).value();
   EXPECT_THAT(to_string(resolve(set.frames[0], registry, known, {}, 320, 240).error()),
               HasSubstr("640 x 480, expected 320 x 240"));
@@ -186,17 +188,17 @@ TEST(DetectionsFile, WrittenLinesReadBackTheSame) {
       R"({"image": "a/b.png", "timestamp": 1.000000001, "width": 2, "height": 3, "detections": [)"
       R"({"label": "x \"y\"", "score": 0.1, "bbox": [0, 0.3333333333333333, 1, 2],)"
       R"( "scores": {"x \"y\"": 0.1, "z": 1e-10}, "mask": {"size": [3, 2], "counts": [1, 3, 2]}}]})";
-  const DetectionSet set = parsed(text);
+  const DetectionSet set = parsed_detections(text);
   EXPECT_EQ(to_json_line(set.frames[0]), text + "\n");
-  EXPECT_EQ(parsed(to_json_line(set.frames[0])).frames, set.frames);
+  EXPECT_EQ(parsed_detections(to_json_line(set.frames[0])).frames, set.frames);
 }
 
 TEST(DetectionsFile, WrittenCocoResultsReadBackTheSame) {
-  DetectionSet set = parsed(frame(
+  DetectionSet set = parsed_detections(frame(
       R"({"label": "cup", "score": 0.25, "bbox": [1, 2, 3, 5], "scores": {"chair": 0.1, "cup": 0.25}})"));
   const auto text = to_coco_results(set.frames, set.class_names);
   ASSERT_TRUE(text);
-  const DetectionSet again = parsed(*text);
+  const DetectionSet again = parsed_detections(*text);
   ASSERT_THAT(again.frames, SizeIs(1));
   EXPECT_EQ(again.frames[0].image, "a.png");
   EXPECT_EQ(again.frames[0].detections, set.frames[0].detections);
@@ -205,7 +207,7 @@ TEST(DetectionsFile, WrittenCocoResultsReadBackTheSame) {
 }
 
 TEST(DetectionsFile, CocoNumbersAreNamedByTheirTables) {
-  const DetectionSet set = parsed(
+  const DetectionSet set = parsed_detections(
       R"({"images": [{"id": 7, "file_name": "b.jpg", "width": 10, "height": 10}, {"id": 8, "file_name": "c.jpg"}],)"
       R"( "categories": [{"id": 3, "name": "tv"}, {"id": 1, "name": "cup"}],)"
       R"( "annotations": [{"id": 1, "image_id": 7, "category_id": 3, "bbox": [1, 1, 4, 4], "score": 0.5}]})");
@@ -214,7 +216,8 @@ TEST(DetectionsFile, CocoNumbersAreNamedByTheirTables) {
   EXPECT_EQ(set.frames[0].detections[0].label, "tv");
   EXPECT_THAT(set.frames[1].detections, SizeIs(0));
   EXPECT_THAT(set.class_names, ElementsAre("cup", "tv"));
-  EXPECT_THAT(refusal(R"([{"image_id": 7, "category_id": 3, "bbox": [1, 1, 4, 4], "score": 0.5}])"),
+  EXPECT_THAT(detections_refusal(
+                  R"([{"image_id": 7, "category_id": 3, "bbox": [1, 1, 4, 4], "score": 0.5}])"),
               HasSubstr("$[0].category_id: must be one of the categories, is 3"));
 }
 

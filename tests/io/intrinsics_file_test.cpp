@@ -22,7 +22,7 @@ Result<Loaded<Intrinsics>> read(const std::string& text) {
   return read_intrinsics(dir / "k");
 }
 
-std::string refusal(const std::string& text) {
+std::string intrinsics_refusal(const std::string& text) {
   const auto loaded = read(text);
   return loaded ? "was accepted" : to_string(loaded.error());
 }
@@ -76,7 +76,7 @@ TEST(IntrinsicsFile, FieldsOutOfRangeAreNamed) {
                                {"depth_scale", "1000"}}) {
       text += (text.size() > 1 ? ", \"" : "\"") + k + "\": " + (k == key ? value : v);
     }
-    return refusal(text + "}");
+    return intrinsics_refusal(text + "}");
   };
   EXPECT_EQ(with("", ""), "was accepted");
   EXPECT_THAT(with("fx", "0"), HasSubstr("fx: must be > 0, is 0"));
@@ -90,10 +90,12 @@ TEST(IntrinsicsFile, FieldsOutOfRangeAreNamed) {
   EXPECT_THAT(with("cx", "961"), HasSubstr("cx: must be inside the picture"));
   EXPECT_EQ(with("cx", "960"), "was accepted");
   EXPECT_THAT(with("depth_scale", "0"), HasSubstr("depth_scale: must be > 0"));
-  EXPECT_THAT(refusal(R"({"width": 640, "height": 480, "fx": 525})"), HasSubstr("\"fy\""));
-  EXPECT_THAT(refusal(""), HasSubstr("is empty"));
-  EXPECT_THAT(refusal("525 0 319.5\n0 526 239.5\n0 0\n"), HasSubstr("has 8 numbers"));
-  EXPECT_THAT(refusal("525 0 319.5\n1 526 239.5\n0 0 1\n"), HasSubstr("must have the form"));
+  EXPECT_THAT(intrinsics_refusal(R"({"width": 640, "height": 480, "fx": 525})"),
+              HasSubstr("\"fy\""));
+  EXPECT_THAT(intrinsics_refusal(""), HasSubstr("is empty"));
+  EXPECT_THAT(intrinsics_refusal("525 0 319.5\n0 526 239.5\n0 0\n"), HasSubstr("has 8 numbers"));
+  EXPECT_THAT(intrinsics_refusal("525 0 319.5\n1 526 239.5\n0 0 1\n"),
+              HasSubstr("must have the form"));
 }
 
 TEST(IntrinsicsFile, DistortionIsAFindingUnlessItIsZero) {

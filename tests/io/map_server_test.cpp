@@ -21,22 +21,21 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const SourceName kSource{.file = "map.yaml"};
+const SourceName kMapSource{.file = "map.yaml"};
 const std::string kGood =
     "image: a.pgm\nresolution: 0.05\norigin: [-1, -2, 0.5]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
-std::string refused(const std::string& yaml) {
-  const auto metadata = parse_map_metadata(yaml, kSource);
+std::string refused_map(const std::string& yaml) {
+  const auto metadata = parse_map_metadata(yaml, kMapSource);
   EXPECT_FALSE(metadata) << yaml;
   return metadata ? "" : to_string(metadata.error());
 }
 
 Picture gray(std::vector<std::uint8_t> samples, int channels = 1) {
-  return {.width_px = static_cast<int>(samples.size()) / channels,
-          .height_px = 1,
-          .channels = channels,
-          .samples8 = std::move(samples)};
+  const int width_px = static_cast<int>(samples.size()) / channels;
+  return {
+      .width_px = width_px, .height_px = 1, .channels = channels, .samples8 = std::move(samples)};
 }
 
 std::vector<int> cells(const Picture& picture, const MapMetadata& metadata, MapDialect dialect) {
@@ -46,7 +45,8 @@ std::vector<int> cells(const Picture& picture, const MapMetadata& metadata, MapD
 }
 
 TEST(MapServer, TheMetadataIsRead) {
-  const auto metadata = parse_map_metadata(kGood + "mode: scale\nmap_type: occupancy\n", kSource);
+  const auto metadata =
+      parse_map_metadata(kGood + "mode: scale\nmap_type: occupancy\n", kMapSource);
   ASSERT_TRUE(metadata);
   EXPECT_EQ(metadata->value.image, "a.pgm");
   EXPECT_EQ(metadata->value.resolution_m, 0.05);
@@ -54,16 +54,16 @@ TEST(MapServer, TheMetadataIsRead) {
   EXPECT_EQ(metadata->value.mode, MapMode::kScale);
   EXPECT_EQ(metadata->findings.size(), 1U);
   EXPECT_NE(metadata->value.extra.find("map_type"), nullptr);
-  EXPECT_EQ(parse_map_metadata(kGood, kSource)->value.mode, MapMode::kTrinary);
+  EXPECT_EQ(parse_map_metadata(kGood, kMapSource)->value.mode, MapMode::kTrinary);
 }
 
 TEST(MapServer, FieldsOutsideTheirRangeAreNamedWithTheirLine) {
-  EXPECT_THAT(refused(kGood + "mode: both\n"), HasSubstr("map.yaml:7: mode: is 'both'"));
-  EXPECT_THAT(refused("a: 1\n"), HasSubstr("image: the key is missing"));
-  EXPECT_THAT(refused("- 1\n"), HasSubstr("expected a map"));
+  EXPECT_THAT(refused_map(kGood + "mode: both\n"), HasSubstr("map.yaml:7: mode: is 'both'"));
+  EXPECT_THAT(refused_map("a: 1\n"), HasSubstr("image: the key is missing"));
+  EXPECT_THAT(refused_map("- 1\n"), HasSubstr("expected a map"));
   const auto with = [](const std::string& from, const std::string& to) {
     std::string yaml = kGood;
-    return refused(yaml.replace(yaml.find(from), from.size(), to));
+    return refused_map(yaml.replace(yaml.find(from), from.size(), to));
   };
   EXPECT_THAT(with("0.05", "1e-7"), HasSubstr("map.yaml:2: resolution"));
   EXPECT_THAT(with("0.05", "1001"), HasSubstr("resolution"));
@@ -142,7 +142,7 @@ TEST(MapServer, TheScaleFormKeepsEveryValueAtFullPrecision) {
   const OccupancyLayer layer = all_values();
   const auto files = write_scale_map(layer, "occupancy.png");
   ASSERT_TRUE(files);
-  const auto metadata = parse_map_metadata(files->yaml, kSource);
+  const auto metadata = parse_map_metadata(files->yaml, kMapSource);
   ASSERT_TRUE(metadata) << files->yaml;
   EXPECT_EQ(metadata->value.occupied_thresh, 1.0);
   EXPECT_EQ(metadata->value.free_thresh, 0.0);
@@ -170,7 +170,7 @@ TEST(MapServer, TheTrinaryFormReadsTheSameInBothDialectsAndWithNav2sThreshold) {
   EXPECT_EQ(files->yaml,
             "image: x.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
             "free_thresh: 0.196\nmode: trinary\n");
-  const auto metadata = parse_map_metadata(files->yaml, kSource);
+  const auto metadata = parse_map_metadata(files->yaml, kMapSource);
   const auto picture = decode_picture(files->picture, {.file = "x.pgm"});
   for (const MapDialect dialect : {MapDialect::kHypermap, MapDialect::kMapServer}) {
     EXPECT_THAT(cells(*picture, metadata->value, dialect), ElementsAre(100, 0, -1, -1));
@@ -262,7 +262,7 @@ bool is_map_metadata(const std::string& name) {
 
 class HostileMapYaml : public ::testing::TestWithParam<std::string> {};
 
-/// Files that are no map's metadata (configurations, bombs) must be refused here as well.
+/// Files that are no map's metadata (configurations, bombs) must be refused_map here as well.
 TEST_P(HostileMapYaml, GivesWhatTheIndexSays) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
   const auto path = test::shared_data("hostile/yaml") / GetParam();

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const SourceName test_source{.file = "a.hmap", .entry = "objects.jsonl"};
+const SourceName objects_source{.file = "a.hmap", .entry = "objects.jsonl"};
 
 Polygon square(double x, double y, double edge) {
   return {.outer = {{x, y}, {x + edge, y}, {x + edge, y + edge}, {x, y + edge}}, .holes = {}};
@@ -63,12 +63,12 @@ ObjectMap sample(int num_objects) {
   return map;
 }
 
-std::string error_of(const std::string& text, const ObjectFileLimits& limits = {}) {
-  const auto objects = parse_objects(text, test_source, limits);
+std::string objects_error(const std::string& text, const ObjectFileLimits& limits = {}) {
+  const auto objects = parse_objects(text, objects_source, limits);
   return objects ? "no error" : to_string(objects.error());
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string with_replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
@@ -78,7 +78,7 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
   for (const int num_objects : {0, 1, 20}) {
     const ObjectMap objects = sample(num_objects);
     const std::string text = write_objects(objects).value();
-    const auto again = parse_objects(text, test_source);
+    const auto again = parse_objects(text, objects_source);
     ASSERT_TRUE(again) << to_string(again.error());
     EXPECT_TRUE(*again == objects);
     EXPECT_EQ(write_objects(*again).value(), text);
@@ -86,7 +86,7 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
 }
 
 TEST(ObjectJson, TheNextIdSurvivesErasing) {
-  const auto again = parse_objects(write_objects(sample(3)).value(), test_source);
+  const auto again = parse_objects(write_objects(sample(3)).value(), objects_source);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->size(), 2U);
   EXPECT_EQ(again->next_id(), ObjectId{4});
@@ -105,39 +105,41 @@ TEST(ObjectJson, NumbersThatAreNotFiniteAreRefusedAtTheSave) {
 TEST(ObjectJson, ErrorsNameMemberLineAndPath) {
   const std::string text = write_objects(sample(1)).value();
   const std::string error =
-      error_of(replaced(text, "\"existence\":", "\"existence\":\"x\",\"y\":"));
+      objects_error(with_replaced(text, "\"existence\":", "\"existence\":\"x\",\"y\":"));
   EXPECT_THAT(error, HasSubstr("a.hmap!objects.jsonl:2"));
-  EXPECT_THAT(error_of(replaced(text, "\"existence\":", "\"existance\":")), HasSubstr("existence"));
-  EXPECT_THAT(error_of(replaced(text, "\"bins\":[", "\"bins\":[null,")), HasSubstr("bins[0]"));
-  EXPECT_THAT(error_of(replaced(text, "\"id\":1,", "\"id\":1,\"color\":2,")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"existence\":", "\"existance\":")),
+              HasSubstr("existence"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"bins\":[", "\"bins\":[null,")),
+              HasSubstr("bins[0]"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":1,\"color\":2,")),
               HasSubstr("unknown key"));
-  EXPECT_THAT(error_of(replaced(text, "\"id\":1,", "\"id\":0,")), HasSubstr("a.hmap"));
-  EXPECT_THAT(error_of(replaced(text, "\"version\":1", "\"version\":7")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":0,")), HasSubstr("a.hmap"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":1", "\"version\":7")),
               HasSubstr("written by a newer version 7"));
 }
 
 TEST(ObjectJson, TheNumberOfLinesMustBeTheOneSaid) {
   const std::string text = write_objects(sample(1)).value();
-  EXPECT_THAT(error_of(replaced(text, "\"num_objects\":1", "\"num_objects\":2")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"num_objects\":1", "\"num_objects\":2")),
               HasSubstr("says 2 objects"));
-  EXPECT_THAT(error_of(replaced(text, "\"num_objects\":1", "\"num_objects\":0")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"num_objects\":1", "\"num_objects\":0")),
               HasSubstr("there are more"));
-  EXPECT_THAT(error_of(text, {.max_objects = 0}), HasSubstr("the limit is 0"));
+  EXPECT_THAT(objects_error(text, {.max_objects = 0}), HasSubstr("the limit is 0"));
 }
 
 TEST(ObjectJson, ACutAnywhereIsAnError) {
   const std::string text = write_objects(sample(1)).value();
   for (std::size_t length = 0; length < text.size(); ++length)
-    ASSERT_FALSE(parse_objects(text.substr(0, length), test_source)) << length;
+    ASSERT_FALSE(parse_objects(text.substr(0, length), objects_source)) << length;
 }
 
 TEST(ObjectJson, PolygonsFarAwayOrWithoutAreaOfPointsAreErrors) {
   const std::string text = write_objects(sample(1)).value();
-  EXPECT_THAT(error_of(replaced(text, "\"hull\":[[[", "\"hull\":[[[1e7,0],[")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"hull\":[[[", "\"hull\":[[[1e7,0],[")),
               HasSubstr("beyond 1e6"));
-  EXPECT_THAT(error_of(replaced(text, "\"kept\":[", "\"kept\":[[[[0,0],[1,1]]],")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"kept\":[", "\"kept\":[[[[0,0],[1,1]]],")),
               HasSubstr("ring of 2 points"));
-  EXPECT_THAT(error_of(text, {.max_vertices = 3}), HasSubstr("expected 3 to 3"));
+  EXPECT_THAT(objects_error(text, {.max_vertices = 3}), HasSubstr("expected 3 to 3"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::string value_of(const MapOptions& options, const std::string& name) {
   return "no such option";
 }
 
-std::string refusal(const std::string& text) {
+std::string options_refusal(const std::string& text) {
   const TempDir dir;
   write_text(dir / "o.yaml", text);
   const auto options = read_options(dir / "o.yaml", {});
@@ -86,25 +86,25 @@ TEST(OptionsFile, APresetIsTheBaseOfTheOtherKeys) {
 
 TEST(OptionsFile, UnknownNamesAreRefusedWithTheNearestOne) {
   EXPECT_THAT(
-      refusal("octree: {resolution: 0.1}\n"),
+      options_refusal("octree: {resolution: 0.1}\n"),
       HasSubstr("o.yaml:1: octree.resolution: unknown option \"octree.resolution\", did you "
                 "mean \"octree.resolution_m\"?"));
-  EXPECT_THAT(refusal("segmentaton:\n  max_range_m: 3\n"),
+  EXPECT_THAT(options_refusal("segmentaton:\n  max_range_m: 3\n"),
               HasSubstr("did you mean \"segmentation\""));
   EXPECT_THAT(to_string(with_option({}, "absence.removel", "existence").error()),
               HasSubstr("did you mean \"absence.removal\"?"));
 }
 
 TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
-  EXPECT_THAT(refusal("\noctree: {resolution_m: 0}\n"), HasSubstr("o.yaml:2: octree.resolution_m"));
-  EXPECT_THAT(refusal("octree: {resolution_m: wide}\n"), HasSubstr("octree.resolution_m"));
-  EXPECT_THAT(refusal("integration: {mode: fast}\n"),
+  EXPECT_THAT(options_refusal("\noctree: {resolution_m: 0}\n"), HasSubstr("o.yaml:2: octree.resolution_m"));
+  EXPECT_THAT(options_refusal("octree: {resolution_m: wide}\n"), HasSubstr("octree.resolution_m"));
+  EXPECT_THAT(options_refusal("integration: {mode: fast}\n"),
               HasSubstr("must be one of exact, discretize, projective"));
-  EXPECT_THAT(refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
-  EXPECT_THAT(refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
-  EXPECT_THAT(refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
-  EXPECT_THAT(refusal("octree: 3\n"), HasSubstr("octree"));
-  EXPECT_THAT(refusal("projection: {min_height_m: 2}\n"), HasSubstr("max_height_m"));
+  EXPECT_THAT(options_refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
+  EXPECT_THAT(options_refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
+  EXPECT_THAT(options_refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
+  EXPECT_THAT(options_refusal("octree: 3\n"), HasSubstr("octree"));
+  EXPECT_THAT(options_refusal("projection: {min_height_m: 2}\n"), HasSubstr("max_height_m"));
 }
 
 TEST(OptionsFile, AnOptionIsSetByItsName) {

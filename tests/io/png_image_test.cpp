@@ -21,16 +21,16 @@ using test::ihdr;
 using test::png;
 using ::testing::HasSubstr;
 
-const SourceName kSource{.file = "a.png"};
+const SourceName kPngSource{.file = "a.png"};
 
 Picture decoded(const std::string& bytes) {
-  auto picture = decode_png(bytes, kSource);
+  auto picture = decode_png(bytes, kPngSource);
   EXPECT_TRUE(picture) << (picture ? "" : to_string(picture.error()));
   return picture ? *picture : Picture{};
 }
 
-Error refused(const std::string& bytes) {
-  const auto picture = decode_png(bytes, kSource);
+Error refused_png(const std::string& bytes) {
+  const auto picture = decode_png(bytes, kPngSource);
   EXPECT_FALSE(picture);
   return picture ? Error{} : picture.error();
 }
@@ -146,37 +146,37 @@ TEST(PngImage, NoCutAndNoFlippedBitIsReadAsAnotherPicture) {
   const auto image = ramp<std::uint8_t>(9, 7);
   const std::string bytes = *encode_png(image);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_FALSE(decode_png(bytes.substr(0, size), kSource)) << "cut at " << size;
+    EXPECT_FALSE(decode_png(bytes.substr(0, size), kPngSource)) << "cut at " << size;
   }
   for (std::size_t i = 0; i < 8 * bytes.size(); ++i) {
     std::string flipped = bytes;
     flipped[i / 8] = static_cast<char>(flipped[i / 8] ^ (1 << (i % 8)));
-    EXPECT_FALSE(decode_png(flipped, kSource)) << "bit " << i;
+    EXPECT_FALSE(decode_png(flipped, kPngSource)) << "bit " << i;
   }
 }
 
 TEST(PngImage, FaultsAreNamed) {
   const std::vector<std::vector<std::uint8_t>> rows = {{0, 1}};
-  EXPECT_THAT(to_string(refused(png(ihdr(0, 1, 8, 0), rows))), HasSubstr("a.png: size"));
-  EXPECT_THAT(to_string(refused(png(ihdr(1, 1, 3, 0), rows))), HasSubstr("bit depth 3"));
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 3), rows)).field, "PLTE");
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 0), {{9, 1}})).what, HasSubstr("filter type 9"));
-  EXPECT_THAT(refused(png(ihdr(1, 2, 8, 0), rows)).what, HasSubstr("too few"));
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 0), {{0, 1}, {0, 1}})).what, HasSubstr("more pixels"));
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 3), {{0, 2}}, chunk("PLTE", {1, 2, 3}))).what,
+  EXPECT_THAT(to_string(refused_png(png(ihdr(0, 1, 8, 0), rows))), HasSubstr("a.png: size"));
+  EXPECT_THAT(to_string(refused_png(png(ihdr(1, 1, 3, 0), rows))), HasSubstr("bit depth 3"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), rows)).field, "PLTE");
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{9, 1}})).what, HasSubstr("filter type 9"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 2, 8, 0), rows)).what, HasSubstr("too few"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{0, 1}, {0, 1}})).what, HasSubstr("more pixels"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), {{0, 2}}, chunk("PLTE", {1, 2, 3}))).what,
               HasSubstr("palette index 2"));
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 0), rows) + "x").field, "IEND");
-  EXPECT_THAT(refused(png(ihdr(1, 1, 8, 0), rows, chunk("ABCD", {}))).code,
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), rows) + "x").field, "IEND");
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), rows, chunk("ABCD", {}))).code,
               ErrorCode::kUnsupported);
-  EXPECT_THAT(refused(png(ihdr(100'000, 100'000, 8, 0), rows)).code, ErrorCode::kLimit);
-  EXPECT_THAT(refused(png(ihdr(10'000, 10'000, 8, 0), rows)).what, HasSubstr("cannot hold"));
+  EXPECT_THAT(refused_png(png(ihdr(100'000, 100'000, 8, 0), rows)).code, ErrorCode::kLimit);
+  EXPECT_THAT(refused_png(png(ihdr(10'000, 10'000, 8, 0), rows)).what, HasSubstr("cannot hold"));
 }
 
 TEST(PngImage, AncillaryTextIsNeverInflated) {
   // A compressed text bomb: its CRC is right, its content stays closed.
   const std::string bomb = deflated(std::string(std::size_t{1} << 24U, 'x'));
   const std::vector<std::uint8_t> text(bomb.begin(), bomb.end());
-  EXPECT_TRUE(decode_png(png(ihdr(1, 1, 8, 0), {{0, 1}}, chunk("zTXt", text)), kSource));
+  EXPECT_TRUE(decode_png(png(ihdr(1, 1, 8, 0), {{0, 1}}, chunk("zTXt", text)), kPngSource));
 }
 
 TEST(PngImage, PixelsMayBeSplitOverManyChunks) {

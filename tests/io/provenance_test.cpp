@@ -13,9 +13,9 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName test_source{.file = "a.hmap", .entry = "provenance.yaml"};
+const SourceName provenance_source{.file = "a.hmap", .entry = "provenance.yaml"};
 
-Provenance sample() {
+Provenance sample_provenance() {
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
   isometry.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   isometry.translation() = Eigen::Vector3d(0.1, -2.0 / 3.0, 1e-9);
@@ -30,9 +30,9 @@ Provenance sample() {
 }
 
 TEST(Provenance, EveryBitSurvives) {
-  const Provenance provenance = sample();
+  const Provenance provenance = sample_provenance();
   const std::string text = write_provenance(provenance).value();
-  const auto again = parse_provenance(text, test_source);
+  const auto again = parse_provenance(text, provenance_source);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_THAT(again->findings, IsEmpty());
   EXPECT_TRUE(again->value == provenance);
@@ -40,15 +40,15 @@ TEST(Provenance, EveryBitSurvives) {
 }
 
 TEST(Provenance, UnknownKeysAreFindingsAndSurvive) {
-  const std::string text = write_provenance(sample()).value() + "operator: jane\n";
-  const auto loaded = parse_provenance(text, test_source);
+  const std::string text = write_provenance(sample_provenance()).value() + "operator: jane\n";
+  const auto loaded = parse_provenance(text, provenance_source);
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->findings.size(), 1U);
   EXPECT_THAT(write_provenance(loaded->value).value(), HasSubstr("operator: jane"));
 }
 
 TEST(Provenance, AMatrixThatIsNoRigidTransformIsRefusedBothWays) {
-  Provenance provenance = sample();
+  Provenance provenance = sample_provenance();
   Eigen::Isometry3d stretched = Eigen::Isometry3d::Identity();
   stretched.linear() *= 2.0;
   provenance.map_from_input = MapFromInput(stretched);
@@ -56,7 +56,7 @@ TEST(Provenance, AMatrixThatIsNoRigidTransformIsRefusedBothWays) {
   const auto loaded = parse_provenance(
       "tool: t\ninput: i\ninput_hash: h\nmap_from_input: [[2, 0, 0, 0], [0, 1, 0, 0], "
       "[0, 0, 1, 0], [0, 0, 0, 1]]\n",
-      test_source);
+      provenance_source);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(to_string(loaded.error()), HasSubstr("map_from_input"));
 }

@@ -16,22 +16,22 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const SourceName kSource{.file = "a.hmap", .entry = "semantic"};
+const SourceName kLayerSource{.file = "a.hmap", .entry = "semantic"};
 
-Loaded<SemanticLayer> parsed(const std::string& yaml) {
-  auto layer = parse_semantic_layer(yaml, kSource);
+Loaded<SemanticLayer> parsed_layer(const std::string& yaml) {
+  auto layer = parse_semantic_layer(yaml, kLayerSource);
   EXPECT_TRUE(layer) << (layer ? "" : to_string(layer.error()));
   return layer ? *std::move(layer) : Loaded<SemanticLayer>{};
 }
 
-std::string refused(const std::string& yaml) {
-  const auto layer = parse_semantic_layer(yaml, kSource);
+std::string refused_layer(const std::string& yaml) {
+  const auto layer = parse_semantic_layer(yaml, kLayerSource);
   EXPECT_FALSE(layer) << yaml;
   return layer ? "" : to_string(layer.error());
 }
 
 TEST(SemanticYaml, AHandMadeFileIsReadWithItsComments) {
-  const auto layer = parsed(
+  const auto layer = parsed_layer(
       "# the laboratory\n"
       "- name: chair\n"
       "  shape: POLYGON((2.6 0.63, 2.1 0.63, 2.1 0, 2.6 0))\n"
@@ -47,7 +47,7 @@ TEST(SemanticYaml, AHandMadeFileIsReadWithItsComments) {
 }
 
 TEST(SemanticYaml, TagsAndConfidencesAreRead) {
-  const auto layer = parsed(
+  const auto layer = parsed_layer(
       "- name: a\n"
       "  shape: POLYGON((0 0,1 0,1 1,0 0))\n"
       "  tags: [x, y]\n"
@@ -60,39 +60,41 @@ TEST(SemanticYaml, TagsAndConfidencesAreRead) {
 
 TEST(SemanticYaml, IdsAreKeptAndGapsAreFilledInFileOrder) {
   const std::string shape = ", shape: 'POLYGON((0 0,1 0,1 1,0 0))'";
-  const auto layer = parsed("- {name: a" + shape + "}\n- {name: b, id: 0" + shape +
-                            "}\n- {name: c, id: 7" + shape + "}\n- {name: d" + shape + "}\n");
+  const auto layer = parsed_layer("- {name: a" + shape + "}\n- {name: b, id: 0" + shape +
+                                  "}\n- {name: c, id: 7" + shape + "}\n- {name: d" + shape + "}\n");
   std::vector<std::string> names;
   for (const SemanticObject& object : layer.value.objects()) {
     names.push_back(std::to_string(object.id) + object.name);
   }
   EXPECT_THAT(names, ElementsAre("0b", "1a", "2d", "7c"));
-  EXPECT_THAT(refused("- {name: a, id: 3" + shape + "}\n- {name: b, id: 3" + shape + "}\n"),
+  EXPECT_THAT(refused_layer("- {name: a, id: 3" + shape + "}\n- {name: b, id: 3" + shape + "}\n"),
               HasSubstr("[1] (b).id: is 3, which another entry bears"));
 }
 
 TEST(SemanticYaml, ErrorsNameEntryFieldLineAndColumn) {
-  EXPECT_EQ(refused("- name: ok\n  shape: POLYGON((0 0,1 0,1 1,0 0))\n"
-                    "- name: bad\n  shape: POLYGON((0 0,nan 0,1 1))\n"),
+  EXPECT_EQ(refused_layer("- name: ok\n  shape: POLYGON((0 0,1 0,1 1,0 0))\n"
+                          "- name: bad\n  shape: POLYGON((0 0,nan 0,1 1))\n"),
             "a.hmap!semantic:4: [1] (bad).shape: column 14: is 'nan 0,1 1))', expected a finite "
             "number");
-  EXPECT_THAT(refused("- shape: POLYGON((0 0,1 0,1 1,0 0))\n"), HasSubstr("[0].name: the key is"));
-  EXPECT_THAT(refused("- name: a\n"), HasSubstr("[0] (a).shape: the key is missing"));
-  EXPECT_THAT(refused("- {name: a, shape: [1]}\n"), HasSubstr("expected text"));
-  EXPECT_THAT(refused("a: 1\n"), HasSubstr("is a map, expected a list"));
-  EXPECT_THAT(refused("- 1\n"), HasSubstr("[0]: is '1', expected a map"));
+  EXPECT_THAT(refused_layer("- shape: POLYGON((0 0,1 0,1 1,0 0))\n"),
+              HasSubstr("[0].name: the key is"));
+  EXPECT_THAT(refused_layer("- name: a\n"), HasSubstr("[0] (a).shape: the key is missing"));
+  EXPECT_THAT(refused_layer("- {name: a, shape: [1]}\n"), HasSubstr("expected text"));
+  EXPECT_THAT(refused_layer("a: 1\n"), HasSubstr("is a map, expected a list"));
+  EXPECT_THAT(refused_layer("- 1\n"), HasSubstr("[0]: is '1', expected a map"));
   const std::string good = "- name: a\n  shape: POLYGON((0 0,1 0,1 1,0 0))\n";
   for (const char* bad : {".nan", "2", "-1", "[0.5]", "high", "{a: 1}"}) {
-    EXPECT_THAT(refused(good + "  confidence: " + bad + "\n"), HasSubstr("(a).confidence")) << bad;
+    EXPECT_THAT(refused_layer(good + "  confidence: " + bad + "\n"), HasSubstr("(a).confidence"))
+        << bad;
   }
-  EXPECT_THAT(refused(good + "  tags: x\n"), HasSubstr("(a).tags"));
-  EXPECT_THAT(refused(good + "  id: -1\n"), HasSubstr("(a).id"));
+  EXPECT_THAT(refused_layer(good + "  tags: x\n"), HasSubstr("(a).tags"));
+  EXPECT_THAT(refused_layer(good + "  id: -1\n"), HasSubstr("(a).id"));
 }
 
 TEST(SemanticYaml, BadEntriesAreLeftOutOnDemandAndNamed) {
   const auto layer = parse_semantic_layer(
       "- {name: a, shape: POINT}\n- {name: b, shape: 'POLYGON((0 0,1 0,1 1,0 0))'}\n",
-      kSource,
+      kLayerSource,
       {.skip_bad = true});
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->value.objects().size(), 1U);
@@ -102,11 +104,11 @@ TEST(SemanticYaml, BadEntriesAreLeftOutOnDemandAndNamed) {
 }
 
 TEST(SemanticYaml, UnknownKeysSurviveLoadAndSave) {
-  const auto layer = parsed(
+  const auto layer = parsed_layer(
       "- name: a\n  shape: POLYGON((0 0,1 0,1 1,0 0))\n  colour: {r: 1, list: [x, '7']}\n  conf: "
       "1\n");
   ASSERT_EQ(layer.findings.size(), 2U);
-  EXPECT_EQ(parsed(write_semantic_layer(layer.value)).value, layer.value);
+  EXPECT_EQ(parsed_layer(write_semantic_layer(layer.value)).value, layer.value);
 }
 
 TEST(SemanticYaml, NamesThatAreYamlAreQuotedAndRoundTripExactly) {
@@ -136,7 +138,7 @@ TEST(SemanticYaml, NamesThatAreYamlAreQuotedAndRoundTripExactly) {
   }
   const SemanticLayer layer = *SemanticLayer::create(objects);
   const std::string text = write_semantic_layer(layer);
-  auto again = parsed(text).value;
+  auto again = parsed_layer(text).value;
   ASSERT_EQ(again.objects().size(), layer.objects().size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     EXPECT_EQ(again.objects()[i].name, objects[i].name);
@@ -151,14 +153,15 @@ TEST(SemanticYaml, UneditedShapesStayAsTheyWereAndEditedOnesAreWritten) {
   const std::string wound = "POLYGON((0 0,1 0,1 1,0 1,0 0,1 0,1 1,0 1,0 0))";
   const std::string open = "POLYGON((2.60 0.630, 2.1 0.63, 2.1 0))";
   SemanticLayer layer =
-      parsed("- {name: a, shape: '" + wound + "'}\n- {name: b, shape: '" + open + "'}\n").value;
+      parsed_layer("- {name: a, shape: '" + wound + "'}\n- {name: b, shape: '" + open + "'}\n")
+          .value;
   EXPECT_THAT(write_semantic_layer(layer), HasSubstr("shape: " + wound + "\n"));
   EXPECT_THAT(write_semantic_layer(layer), HasSubstr("shape: " + open + "\n"));
   SemanticObject edited = layer.objects()[1];
   edited.parts = {translated(edited.parts[0], {1, 0})};
   ASSERT_TRUE(layer.replace(edited));
   EXPECT_THAT(write_semantic_layer(layer), ::testing::Not(HasSubstr(open)));
-  EXPECT_EQ(parsed(write_semantic_layer(layer)).value.objects()[1].parts, edited.parts);
+  EXPECT_EQ(parsed_layer(write_semantic_layer(layer)).value.objects()[1].parts, edited.parts);
 }
 
 TEST(SemanticYaml, ALayerThatNobodyReadFromAFileRoundTripsToAnEqualOne) {
@@ -174,7 +177,7 @@ TEST(SemanticYaml, ALayerThatNobodyReadFromAFileRoundTripsToAnEqualOne) {
 
 TEST(SemanticYaml, AnEmptyLayerRoundTrips) {
   EXPECT_EQ(write_semantic_layer(SemanticLayer()), "[]\n");
-  EXPECT_TRUE(parsed("[]\n").value.objects().empty());
+  EXPECT_TRUE(parsed_layer("[]\n").value.objects().empty());
 }
 
 class HostileWkt : public ::testing::TestWithParam<std::string> {};

@@ -28,7 +28,7 @@ using testing::HasSubstr;
 constexpr PinholeCamera kSmall{160, 120, 131.25, 131.25, 79.5, 59.5};
 
 /// A table with a cup and a monitor, a chair, and a bin that no detector can name.
-Scene room() {
+Scene room_scene() {
   Scene scene;
   scene.name = "room";
   scene.floor.outer = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
@@ -81,7 +81,7 @@ void expect_same(const std::vector<Detection>& a,
 }
 
 TEST(Simulator, AFrameIsWhatADatasetReaderWouldGive) {
-  const auto simulator = Simulator::create(room(), small_options());
+  const auto simulator = Simulator::create(room_scene(), small_options());
   ASSERT_TRUE(simulator) << to_string(simulator.error());
   ASSERT_EQ(simulator->size(), 6U);
   const SimulatedFrame simulated = simulator->render(3);
@@ -97,7 +97,7 @@ TEST(Simulator, AFrameIsWhatADatasetReaderWouldGive) {
 TEST(Simulator, UnprojectedDepthLiesOnTheThingsItShows) {
   SimulationOptions options = small_options();
   options.sensor = {.noise_base_m = 0.0, .noise_per_m2 = 0.0, .dropout = 0.0};
-  const auto simulator = Simulator::create(room(), options);
+  const auto simulator = Simulator::create(room_scene(), options);
   ASSERT_TRUE(simulator);
   const SimulatedFrame simulated = simulator->render(0);
   int checked = 0;
@@ -118,8 +118,8 @@ TEST(Simulator, UnprojectedDepthLiesOnTheThingsItShows) {
 }
 
 TEST(Simulator, FramesDoNotDependOnWhatWasRenderedBefore) {
-  const auto a = Simulator::create(room(), small_options());
-  const auto b = Simulator::create(room(), small_options());
+  const auto a = Simulator::create(room_scene(), small_options());
+  const auto b = Simulator::create(room_scene(), small_options());
   ASSERT_TRUE(a && b);
   (void)a->render(0);
   EXPECT_EQ(a->render(4).frame.depth_m, b->render(4).frame.depth_m);
@@ -129,7 +129,7 @@ TEST(Simulator, FramesDoNotDependOnWhatWasRenderedBefore) {
 TEST(Simulator, PoseNoiseDriftsInThePlaneAndStartsAtTheTruth) {
   SimulationOptions options = small_options();
   options.pose_noise = 2.0;
-  const auto simulator = Simulator::create(room(), options);
+  const auto simulator = Simulator::create(room_scene(), options);
   ASSERT_TRUE(simulator);
   const SimulatedFrame first = simulator->render(0);
   EXPECT_TRUE(first.frame.map_from_camera.isometry().isApprox(first.true_pose.isometry()));
@@ -149,7 +149,7 @@ TEST(Simulator, ADatasetIsReadAgainAsItWasSimulated) {
   const test::TempDir dir;
   SimulationOptions options = small_options();
   options.detector.masks = true;
-  const Scene scene = room();
+  const Scene scene = room_scene();
   std::vector<std::size_t> progress;
   const auto report = simulate(scene, options, dir / "out", [&](std::size_t done, std::size_t all) {
     EXPECT_EQ(all, 6U);
@@ -189,21 +189,21 @@ TEST(Simulator, AnyNumberOfThreadsGivesTheSameBytes) {
   const test::TempDir dir;
   SimulationOptions options = small_options();
   options.num_threads = 1;
-  ASSERT_TRUE(simulate(room(), options, dir / "one"));
+  ASSERT_TRUE(simulate(room_scene(), options, dir / "one"));
   options.num_threads = 3;
-  ASSERT_TRUE(simulate(room(), options, dir / "three"));
+  ASSERT_TRUE(simulate(room_scene(), options, dir / "three"));
   const auto one = contents(dir / "one");
   EXPECT_EQ(one, contents(dir / "three"));
   EXPECT_EQ(one.size(), 6U + 6U + 6U);  // pictures, depth, lists and truth
   options.seed = 2;
-  ASSERT_TRUE(simulate(room(), options, dir / "other"));
+  ASSERT_TRUE(simulate(room_scene(), options, dir / "other"));
   EXPECT_NE(one.at("depth/000000.png"), contents(dir / "other").at("depth/000000.png"));
   EXPECT_NE(one.at("truth.hmap"), contents(dir / "other").at("truth.hmap"));
 }
 
 TEST(Simulator, ThingsThatDoNotCountSayWhy) {
   const test::TempDir dir;
-  const auto report = simulate(room(), small_options(), dir / "out");
+  const auto report = simulate(room_scene(), small_options(), dir / "out");
   ASSERT_TRUE(report) << to_string(report.error());
   const auto reason = [&](std::size_t i) { return report->objects.at(i).excluded_because; };
   EXPECT_THAT(reason(0), HasSubstr("no word"));                      // table
@@ -217,14 +217,14 @@ TEST(Simulator, ThingsThatDoNotCountSayWhy) {
 
 TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   const test::TempDir dir;
-  const auto report = simulate(room(), small_options(), dir / "out");
+  const auto report = simulate(room_scene(), small_options(), dir / "out");
   ASSERT_TRUE(report) << to_string(report.error());
   const auto loaded = load_archive(dir / "out/truth.hmap");
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   for (const Finding& finding : loaded->findings) ADD_FAILURE() << to_string(finding.error);
-  const auto simulator = Simulator::create(room(), small_options());
+  const auto simulator = Simulator::create(room_scene(), small_options());
   ASSERT_TRUE(simulator);
-  const auto expected = make_truth(*simulator, room(), report->objects);
+  const auto expected = make_truth(*simulator, room_scene(), report->objects);
   ASSERT_TRUE(expected);
   EXPECT_EQ(loaded->value.objects, expected->objects);
   EXPECT_EQ(loaded->value.classes, expected->classes);
@@ -242,12 +242,12 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
 
 TEST(Simulator, AFailureLeavesNothing) {
   const test::TempDir dir;
-  Scene scene = room();
+  Scene scene = room_scene();
   scene.objects[0].shape = "piano";
   EXPECT_FALSE(simulate(scene, small_options(), dir / "out"));
   EXPECT_TRUE(fs::is_empty(dir.path()));
   // A truth that no archive can hold: found at the very end, with all pictures written.
-  scene = room();
+  scene = room_scene();
   scene.objects[0].class_name = std::string(300, 'x');
   EXPECT_FALSE(simulate(scene, small_options(), dir / "out"));
   EXPECT_TRUE(fs::is_empty(dir.path()));
@@ -256,13 +256,13 @@ TEST(Simulator, AFailureLeavesNothing) {
 TEST(Simulator, OnlyEmptyFoldersAndOldSimulationsAreReplaced) {
   const test::TempDir dir;
   fs::create_directory(dir / "empty");
-  EXPECT_TRUE(simulate(room(), small_options(), dir / "empty"));
+  EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
   std::ofstream(dir / "empty/stale.txt") << "old";
-  EXPECT_TRUE(simulate(room(), small_options(), dir / "empty"));
+  EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
   EXPECT_FALSE(fs::exists(dir / "empty/stale.txt"));
   fs::create_directory(dir / "photos");
   std::ofstream(dir / "photos/holiday.jpg") << "precious";
-  const auto refused = simulate(room(), small_options(), dir / "photos");
+  const auto refused = simulate(room_scene(), small_options(), dir / "photos");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_TRUE(fs::exists(dir / "photos/holiday.jpg"));
@@ -273,7 +273,7 @@ TEST(Simulator, BadOptionsNameTheirField) {
   const auto field = [](auto change) {
     SimulationOptions options = small_options();
     change(options);
-    const auto simulator = Simulator::create(room(), options);
+    const auto simulator = Simulator::create(room_scene(), options);
     return simulator ? std::string() : simulator.error().field;
   };
   EXPECT_EQ(field([](auto& o) { o.num_frames = 0; }), "num_frames");

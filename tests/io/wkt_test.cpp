@@ -18,7 +18,7 @@ WktShape shape(const std::string& text) {
   return read ? *read : WktShape{};
 }
 
-std::string refused(const std::string& text) {
+std::string refused_wkt(const std::string& text) {
   const auto read = read_wkt(text);
   EXPECT_FALSE(read) << text;
   return read ? "" : to_string(read.error());
@@ -49,7 +49,7 @@ TEST(Wkt, AHoleIsNoPartOfTheArea) {
 TEST(Wkt, SeveralDisjointPartsAreOneShape) {
   EXPECT_EQ(shape("MULTIPOLYGON(((0 0,1 0,1 1,0 0)),((5 0,6 0,6 1,5 0)))").parts.size(), 2U);
   EXPECT_EQ(shape("MULTIPOLYGON(((0 0,1 0,1 1,0 1)),((1 0,2 0,2 1,1 1)))").parts.size(), 2U);
-  EXPECT_THAT(refused("MULTIPOLYGON(((0 0,0 2,2 2,2 0,0 0)),((1 1,1 3,3 3,3 1,1 1)))"),
+  EXPECT_THAT(refused_wkt("MULTIPOLYGON(((0 0,0 2,2 2,2 0,0 0)),((1 1,1 3,3 3,3 1,1 1)))"),
               HasSubstr("overlap"));
 }
 
@@ -66,17 +66,17 @@ TEST(Wkt, OneMissingCommaInARingIsMendedAndCounted) {
   const WktShape read = shape("POLYGON((0 0, 2 0, 2 1 0 1))");
   EXPECT_EQ(read.missing_commas, 1U);
   EXPECT_DOUBLE_EQ(area_m2(read.parts.at(0)), 2.0);
-  refused("POLYGON((0 0 1 0,1 1 0 1))");  // twice: points of four numbers
-  refused("POLYGON((0 0 5,1 0 5,1 1 5))");
+  refused_wkt("POLYGON((0 0 1 0,1 1 0 1))");  // twice: points of four numbers
+  refused_wkt("POLYGON((0 0 5,1 0 5,1 1 5))");
 }
 
 TEST(Wkt, ErrorsNameTheColumn) {
-  EXPECT_EQ(refused("POLYGON((0 0,nan 0,1 1))"),
+  EXPECT_EQ(refused_wkt("POLYGON((0 0,nan 0,1 1))"),
             "column 14: is 'nan 0,1 1))', expected a finite number");
-  EXPECT_THAT(refused("POLYGON((0 0,1 0,1 1))x"), HasSubstr("column 23: text follows"));
-  EXPECT_THAT(refused("POLYGON((0 0 5,1 0 5,1 1 5))"), HasSubstr("column 14: is '5"));
-  EXPECT_THAT(refused("POLYGON((0 0,1,1 1,0 0))"), HasSubstr("column 15"));
-  EXPECT_THAT(refused("POLYGON((0 0,1 1,1 0,0 1,0 0))"), HasSubstr("column 9"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1 0,1 1))x"), HasSubstr("column 23: text follows"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0 5,1 0 5,1 1 5))"), HasSubstr("column 14: is '5"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1,1 1,0 0))"), HasSubstr("column 15"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1 1,1 0,0 1,0 0))"), HasSubstr("column 9"));
 }
 
 TEST(Wkt, WhatIsNoShapeIsRefused) {
@@ -110,9 +110,9 @@ TEST(Wkt, WhatIsNoShapeIsRefused) {
 }
 
 TEST(Wkt, OtherGeometriesAreRefusedByName) {
-  EXPECT_THAT(refused("POINT(1 2)"), HasSubstr("POINT is not read"));
-  EXPECT_THAT(refused("GEOMETRYCOLLECTION(POINT(1 2))"), HasSubstr("GEOMETRYCOLLECTION"));
-  EXPECT_THAT(refused("SRID=4326;POLYGON((0 0,0 1,1 1))"), HasSubstr("SRID is not read"));
+  EXPECT_THAT(refused_wkt("POINT(1 2)"), HasSubstr("POINT is not read"));
+  EXPECT_THAT(refused_wkt("GEOMETRYCOLLECTION(POINT(1 2))"), HasSubstr("GEOMETRYCOLLECTION"));
+  EXPECT_THAT(refused_wkt("SRID=4326;POLYGON((0 0,0 1,1 1))"), HasSubstr("SRID is not read"));
 }
 
 TEST(Wkt, VerticesAndPartsAreLimited) {
@@ -125,7 +125,7 @@ TEST(Wkt, VerticesAndPartsAreLimited) {
   std::string many = "MULTIPOLYGON(((0 0,1 0,1 1))";
   for (int i = 1; i <= 100; ++i) {
     const std::string x = std::to_string(2 * i);
-    many += ",((" + x + " 0," + x + " 1,0 7))";
+    many.append(",((").append(x).append(" 0,").append(x).append(" 1,0 7))");
   }
   EXPECT_EQ(read_wkt(many + ")").error().code, ErrorCode::kLimit);
 }

@@ -35,12 +35,12 @@ Result<std::vector<std::string>> contents(const std::string& bytes, const ZipLim
   return all;
 }
 
-std::string error_of(const std::string& bytes, const ZipLimits& limits = {}) {
+std::string zip_error(const std::string& bytes, const ZipLimits& limits = {}) {
   const auto all = contents(bytes, limits);
   return all ? "no error" : to_string(all.error());
 }
 
-std::string sample() {
+std::string sample_zip() {
   ZipWriter writer;
   EXPECT_TRUE(writer.add("hmap_config.yaml", "layers: []\n"));
   EXPECT_TRUE(writer.add("grid.txt", std::string(300, 'x')));
@@ -53,7 +53,7 @@ RawMember with(RawMember member, void (*change)(RawMember&)) {
 }
 
 TEST(ZipReader, ReadsStoredAndDeflatedMembersInTheOrderOfTheDirectory) {
-  const std::string bytes = sample();
+  const std::string bytes = sample_zip();
   const auto zip = open(bytes);
   ASSERT_TRUE(zip) << to_string(zip.error());
   ASSERT_EQ(zip->members().size(), 2U);
@@ -74,17 +74,17 @@ TEST(ZipReader, OtherFilesAreNoArchives) {
                                    std::string("PK\x03\x04"),
                                    std::string(5000, '\0'),
                                    std::string("layers:\n  - {class: OccupancyGridLayer}\n")})
-    EXPECT_THAT(error_of(bytes), HasSubstr("not a map archive"));
+    EXPECT_THAT(zip_error(bytes), HasSubstr("not a map archive"));
 }
 
 TEST(ZipReader, ACutAtAnyOffsetIsAnError) {
-  const std::string bytes = sample();
+  const std::string bytes = sample_zip();
   for (std::size_t length = 0; length < bytes.size(); ++length)
     EXPECT_FALSE(contents(bytes.substr(0, length))) << length;
 }
 
 TEST(ZipReader, AFlippedBitGivesTheSameContentOrAnError) {
-  const std::string bytes = sample();
+  const std::string bytes = sample_zip();
   const auto content = contents(bytes);
   ASSERT_TRUE(content);
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
@@ -98,18 +98,18 @@ TEST(ZipReader, AFlippedBitGivesTheSameContentOrAnError) {
 }
 
 TEST(ZipReader, BytesBeforeBetweenAndAfterAreErrors) {
-  const std::string bytes = sample();
-  EXPECT_THAT(error_of("garbage" + bytes), HasSubstr("central directory does not end where"));
-  EXPECT_THAT(error_of(bytes + "garbage"), HasSubstr("no zip end record"));
+  const std::string bytes = sample_zip();
+  EXPECT_THAT(zip_error("garbage" + bytes), HasSubstr("central directory does not end where"));
+  EXPECT_THAT(zip_error(bytes + "garbage"), HasSubstr("no zip end record"));
   RawMember gap = stored("b", "2");
   gap.header_offset = 30 + 1 + 1 + 3;
   const std::string members = raw_zip({stored("a", "1"), gap});
-  EXPECT_THAT(error_of(members), HasSubstr("belong to no entry"));
+  EXPECT_THAT(zip_error(members), HasSubstr("belong to no entry"));
 }
 
 TEST(ZipReader, ACommentIsAcceptedTwoEndRecordsAreNot) {
   EXPECT_TRUE(contents(raw_zip({stored("a", "1")}, "a comment")));
-  EXPECT_THAT(error_of(raw_zip({stored("a", "1")}, test::end_record(0, 0, 0))),
+  EXPECT_THAT(zip_error(raw_zip({stored("a", "1")}, test::end_record(0, 0, 0))),
               HasSubstr("two end records"));
 }
 
@@ -117,17 +117,17 @@ TEST(ZipReader, LocalAndCentralHeaderMustAgree) {
   const auto member = [](void (*change)(RawMember&)) {
     return raw_zip({with(stored("a", "content"), change)});
   };
-  EXPECT_THAT(error_of(member([](RawMember& m) { m.local_name = "b"; })),
+  EXPECT_THAT(zip_error(member([](RawMember& m) { m.local_name = "b"; })),
               HasSubstr("names another member"));
-  EXPECT_THAT(error_of(member([](RawMember& m) { m.local_method = 8; })), HasSubstr("differ"));
-  EXPECT_THAT(error_of(member([](RawMember& m) { m.local_crc = 1; })), HasSubstr("differ"));
-  EXPECT_THAT(error_of(member([](RawMember& m) { m.local_num_bytes = 6; })), HasSubstr("differ"));
+  EXPECT_THAT(zip_error(member([](RawMember& m) { m.local_method = 8; })), HasSubstr("differ"));
+  EXPECT_THAT(zip_error(member([](RawMember& m) { m.local_crc = 1; })), HasSubstr("differ"));
+  EXPECT_THAT(zip_error(member([](RawMember& m) { m.local_num_bytes = 6; })), HasSubstr("differ"));
 }
 
 TEST(ZipReader, ContentMustFitItsCrcAndSize) {
   const auto wrong_crc = with(stored("a", "content"), [](RawMember& m) { m.crc ^= 1; });
-  EXPECT_THAT(error_of(raw_zip({wrong_crc})), HasSubstr("CRC-32"));
-  EXPECT_THAT(error_of(raw_zip({wrong_crc})), HasSubstr("a: "));
+  EXPECT_THAT(zip_error(raw_zip({wrong_crc})), HasSubstr("CRC-32"));
+  EXPECT_THAT(zip_error(raw_zip({wrong_crc})), HasSubstr("a: "));
   for (const std::uint32_t declared : {std::uint32_t{6}, std::uint32_t{8}}) {
     RawMember member = stored("a",
                               std::string("\x01\x07\x00\xf8\xff"
@@ -136,12 +136,12 @@ TEST(ZipReader, ContentMustFitItsCrcAndSize) {
     member.method = 8;
     member.num_bytes = declared;
     member.crc = stored("a", "content").crc;
-    EXPECT_THAT(error_of(raw_zip({member})), HasSubstr("than its declared size"));
+    EXPECT_THAT(zip_error(raw_zip({member})), HasSubstr("than its declared size"));
     member.num_bytes = 7;
     EXPECT_TRUE(contents(raw_zip({member})));
     member.data += "x";
     ++member.num_packed_bytes;
-    EXPECT_THAT(error_of(raw_zip({member})), HasSubstr("after the end of the deflate stream"));
+    EXPECT_THAT(zip_error(raw_zip({member})), HasSubstr("after the end of the deflate stream"));
   }
 }
 
@@ -152,16 +152,16 @@ TEST(ZipReader, DataDescriptorsAreReadAndJudged) {
     member.descriptor = test::descriptor_of(member, with_signature);
     EXPECT_TRUE(contents(raw_zip({member, stored("b", "2")})));
     member.descriptor[with_signature ? 4 : 0] ^= 1;
-    EXPECT_THAT(error_of(raw_zip({member, stored("b", "2")})), HasSubstr("data descriptor"));
+    EXPECT_THAT(zip_error(raw_zip({member, stored("b", "2")})), HasSubstr("data descriptor"));
   }
 }
 
 TEST(ZipReader, EqualNamesAreErrorsAlsoInAnotherCaseOrAsAFolder) {
-  EXPECT_THAT(error_of(raw_zip({stored("a", "1"), stored("a", "2")})), HasSubstr("there twice"));
-  EXPECT_THAT(error_of(raw_zip({stored("Map", "1"), stored("mAP", "2")})),
+  EXPECT_THAT(zip_error(raw_zip({stored("a", "1"), stored("a", "2")})), HasSubstr("there twice"));
+  EXPECT_THAT(zip_error(raw_zip({stored("Map", "1"), stored("mAP", "2")})),
               HasSubstr("there twice"));
-  EXPECT_THAT(error_of(raw_zip({stored("a/b", "1"), stored("a", "2")})), HasSubstr("folder"));
-  EXPECT_THAT(error_of(raw_zip({stored("a", "2"), stored("a/b", "1")})), HasSubstr("folder"));
+  EXPECT_THAT(zip_error(raw_zip({stored("a/b", "1"), stored("a", "2")})), HasSubstr("folder"));
+  EXPECT_THAT(zip_error(raw_zip({stored("a", "2"), stored("a/b", "1")})), HasSubstr("folder"));
 }
 
 TEST(ZipReader, FolderEntriesAreLeftOut) {
@@ -170,7 +170,7 @@ TEST(ZipReader, FolderEntriesAreLeftOut) {
   const auto zip = contents(raw_zip({folder, stored("maps/a", "1")}));
   ASSERT_TRUE(zip);
   EXPECT_THAT(*zip, testing::ElementsAre("maps/a=1"));
-  EXPECT_THAT(error_of(raw_zip({stored("maps/", "1")})), HasSubstr("folder with content"));
+  EXPECT_THAT(zip_error(raw_zip({stored("maps/", "1")})), HasSubstr("folder with content"));
 }
 
 TEST(ZipReader, NamesThatCouldLeadElsewhereAreErrors) {
@@ -190,7 +190,7 @@ TEST(ZipReader, NamesThatCouldLeadElsewhereAreErrors) {
                                   "\xff\xfe"s,
                                   "\xc0\xae"s,
                                   std::string(256, 'a')})
-    EXPECT_THAT(error_of(raw_zip({stored(name, "1")})), HasSubstr("member name '")) << name;
+    EXPECT_THAT(zip_error(raw_zip({stored(name, "1")})), HasSubstr("member name '")) << name;
   EXPECT_TRUE(contents(raw_zip({stored(std::string(255, 'a'), "1"),
                                 stored("k\xc3\xbc"
                                        "che",
@@ -201,7 +201,7 @@ TEST(ZipReader, NamesThatCouldLeadElsewhereAreErrors) {
 
 TEST(ZipReader, LinksDevicesEncryptedAndOtherMethodsAreErrors) {
   const auto member = [](void (*change)(RawMember&)) {
-    return error_of(raw_zip({with(stored("a", "content"), change)}));
+    return zip_error(raw_zip({with(stored("a", "content"), change)}));
   };
   EXPECT_THAT(member([](RawMember& m) { m.attributes = 0120777U << 16U; }), HasSubstr("link"));
   EXPECT_THAT(member([](RawMember& m) { m.attributes = 0020666U << 16U; }), HasSubstr("device"));
@@ -213,25 +213,25 @@ TEST(ZipReader, LinksDevicesEncryptedAndOtherMethodsAreErrors) {
 TEST(ZipReader, Zip64MarkersAreErrors) {
   using namespace std::string_literals;
   EXPECT_THAT(
-      error_of(raw_zip({with(stored("a", "x"), [](RawMember& m) { m.num_bytes = 0xffffffff; })})),
+      zip_error(raw_zip({with(stored("a", "x"), [](RawMember& m) { m.num_bytes = 0xffffffff; })})),
       HasSubstr("zip64"));
-  EXPECT_THAT(error_of(raw_zip(
+  EXPECT_THAT(zip_error(raw_zip(
                   {with(stored("a", "x"), [](RawMember& m) { m.extra = "\x01\x00\x00\x00"s; })})),
               HasSubstr("zip64"));
-  EXPECT_THAT(error_of(test::end_record(0xffff, 0, 0)), HasSubstr("zip64"));
+  EXPECT_THAT(zip_error(test::end_record(0xffff, 0, 0)), HasSubstr("zip64"));
 }
 
 TEST(ZipReader, DamagedExtraFieldsAndASecondNameAreErrors) {
   using namespace std::string_literals;
-  EXPECT_THAT(error_of(raw_zip(
+  EXPECT_THAT(zip_error(raw_zip(
                   {with(stored("a", "x"), [](RawMember& m) { m.extra = "\x99\x99\x05\x00"s; })})),
               HasSubstr("extra field"));
-  EXPECT_THAT(error_of(raw_zip({with(stored("a", "x"),
-                                     [](RawMember& m) {
-                                       m.extra =
-                                           "\x75\x70\x06\x00\x01\x00\x00\x00\x00"
-                                           "b"s;
-                                     })})),
+  EXPECT_THAT(zip_error(raw_zip({with(stored("a", "x"),
+                                      [](RawMember& m) {
+                                        m.extra =
+                                            "\x75\x70\x06\x00\x01\x00\x00\x00\x00"
+                                            "b"s;
+                                      })})),
               HasSubstr("another name"));
 }
 
@@ -239,16 +239,16 @@ TEST(ZipReader, OverlapsAreErrors) {
   RawMember second = stored("b", "2");
   second.header_offset = 0;
   second.local_name = "b";
-  EXPECT_THAT(error_of(raw_zip({stored("a", "1"), second})), HasSubstr("overlaps"));
+  EXPECT_THAT(zip_error(raw_zip({stored("a", "1"), second})), HasSubstr("overlaps"));
 }
 
 TEST(ZipReader, EachLimitIsNamed) {
-  const std::string bytes = sample();
-  EXPECT_THAT(error_of(bytes, {.max_archive_bytes = 100}), HasSubstr("the limit is 100"));
-  EXPECT_THAT(error_of(bytes, {.max_entries = 1}), HasSubstr("2 entries, the limit is 1"));
-  EXPECT_THAT(error_of(bytes, {.max_entry_bytes = 299}), HasSubstr("limit for an entry is 299"));
-  EXPECT_THAT(error_of(bytes, {.max_total_bytes = 310}), HasSubstr("together 311 bytes"));
-  EXPECT_THAT(error_of(bytes, {.max_ratio = 10, .ratio_free_bytes = 200}),
+  const std::string bytes = sample_zip();
+  EXPECT_THAT(zip_error(bytes, {.max_archive_bytes = 100}), HasSubstr("the limit is 100"));
+  EXPECT_THAT(zip_error(bytes, {.max_entries = 1}), HasSubstr("2 entries, the limit is 1"));
+  EXPECT_THAT(zip_error(bytes, {.max_entry_bytes = 299}), HasSubstr("limit for an entry is 299"));
+  EXPECT_THAT(zip_error(bytes, {.max_total_bytes = 310}), HasSubstr("together 311 bytes"));
+  EXPECT_THAT(zip_error(bytes, {.max_ratio = 10, .ratio_free_bytes = 200}),
               HasSubstr("a ratio of 10:1"));
   const auto zip = open(bytes);
   ASSERT_TRUE(zip);
@@ -271,7 +271,7 @@ TEST(ZipReader, ADiskThatDiesWhileReadingIsAnErrorWithItsReason) {
     mutable int reads_;
   };
   for (int reads = 0; reads < 6; ++reads) {
-    const auto zip = ZipReader::create(std::make_shared<DyingDisk>(sample(), reads));
+    const auto zip = ZipReader::create(std::make_shared<DyingDisk>(sample_zip(), reads));
     if (zip) {
       EXPECT_EQ(zip->read("grid.txt").error().code, ErrorCode::kIo);
     } else {

@@ -355,8 +355,9 @@ class NaiveMapper {
       for (int axis = 0; axis < 3; ++axis) {
         const double from = sensor[axis] / grid.resolution_m();
         const double to = (sensor[axis] + direction[axis] * length) / grid.resolution_m();
-        for (double plane = std::ceil(std::min(from, to)); plane <= std::max(from, to);
-             plane += 1) {
+        const auto first = static_cast<int>(std::ceil(std::min(from, to)));
+        const auto last = static_cast<int>(std::floor(std::max(from, to)));
+        for (int plane = first; plane <= last; ++plane) {
           crossings.push_back((plane - from) / (to - from) * length);
         }
       }
@@ -396,6 +397,7 @@ TEST(FrameIntegrator, ExactModeAgreesWithANaiveMapperOnRandomScenes) {
         Eigen::Vector3f(within(random), within(random), within(random)).cast<double>() * 0.3;
     const Eigen::Vector3d rounded = sensor.cast<float>().cast<double>();
     std::vector<Eigen::Vector3f> points;
+    points.reserve(500);
     for (int i = 0; i < 500; ++i) {
       points.emplace_back(within(random), within(random), within(random));
     }

@@ -31,9 +31,10 @@ RgbdFrame frame_with_depth(float depth_m) {
 Object cube_ahead(double aside = 0.0) {
   Object object;
   std::vector<Eigen::Vector3f> points;
-  for (double y = -0.19; y < 0.2; y += 0.02) {
-    for (double z = -0.19; z < 0.2; z += 0.02) {
-      points.push_back(Eigen::Vector3d(2.01, aside + y, z).cast<float>());
+  for (int row = 0; row < 20; ++row) {
+    for (int column = 0; column < 20; ++column) {
+      const double y = aside + 0.02 * column - 0.19;
+      points.push_back(Eigen::Vector3d(2.01, y, 0.02 * row - 0.19).cast<float>());
     }
   }
   object.points.observe(points);
@@ -124,8 +125,9 @@ TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
   World world;
   Object object = cube_ahead();
   std::vector<Eigen::Vector3f> far_side;
-  for (double y = -0.19; y < 0.2; y += 0.02)
-    far_side.emplace_back(2.39F, static_cast<float>(y), 0.0F);
+  far_side.reserve(20);
+  for (int i = 0; i < 20; ++i)
+    far_side.emplace_back(2.39F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
   object.points = {};
   object.points.observe(far_side);
   EXPECT_EQ(judge(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);

@@ -17,7 +17,7 @@ const Eigen::Vector3d kSensor(0.05, 0.05, 0.05);
 const Eigen::Vector3f kPoint(1.05F, 0.05F, 0.05F);
 const IntegrationOptions kOptions{.mode = IntegrationMode::kDiscretize};
 
-SemanticOctree empty_tree() {
+SemanticOctree tree_without_voxels() {
   return SemanticOctree::create({.resolution_m = 0.1}).value();
 }
 
@@ -45,7 +45,7 @@ double logit(double p) {
 TEST(VoxelBelief, OneFrameAddsTheLogitOverThatOfTheUniformVector) {
   // [smap] Eq. (3.18): logit(0.7) - logit(1/4) = 0.8473 + 1.0986 = 1.9459;
   // logit(0.1) - logit(1/4) = -2.1972 + 1.0986 = -1.0986.
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree, {{ObjectId{3}, class_vector(ClassId{2}, 0.7, 4), {0}}});
   const VoxelLabel label = label_of(tree);
   EXPECT_EQ(label.classes[0], (ClassWeight{2, 1946}));
@@ -57,8 +57,8 @@ TEST(VoxelBelief, OneFrameAddsTheLogitOverThatOfTheUniformVector) {
 }
 
 TEST(VoxelBelief, ManyMeasurementsOfOneFrameAreOneObservation) {
-  SemanticOctree one = empty_tree();
-  SemanticOctree many = empty_tree();
+  SemanticOctree one = tree_without_voxels();
+  SemanticOctree many = tree_without_voxels();
   observe(one, {{ObjectId{3}, class_vector(ClassId{2}, 0.7, 4), {0}}});
   observe(many, {{ObjectId{3}, class_vector(ClassId{2}, 0.7, 4), {0, 1, 2, 3, 4, 5, 6}}});
   EXPECT_EQ(one, many);
@@ -67,7 +67,7 @@ TEST(VoxelBelief, ManyMeasurementsOfOneFrameAreOneObservation) {
 TEST(VoxelBelief, LabelsOfOneFrameAreAveragedByTheirMeasurements) {
   // Three measurements say (0.8, 0.2), one says (0.4, 0.6): mean (0.7, 0.3), N = 2:
   // logit(0.7) - logit(0.5) = 0.847.
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree,
           {{ObjectId{3}, class_vector(ClassId{0}, 0.8, 2), {0, 1, 2}},
            {ObjectId{4}, class_vector(ClassId{0}, 0.4, 2), {3}}});
@@ -78,7 +78,7 @@ TEST(VoxelBelief, LabelsOfOneFrameAreAveragedByTheirMeasurements) {
 }
 
 TEST(VoxelBelief, ThreeThingsMayMeetInAVoxel) {
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree,
           {{ObjectId{9}, class_vector(ClassId{0}, 0.9, 3), {0, 1}},
            {ObjectId{5}, class_vector(ClassId{1}, 0.9, 3), {2}},
@@ -92,7 +92,7 @@ TEST(VoxelBelief, ThreeThingsMayMeetInAVoxel) {
 }
 
 TEST(VoxelBelief, ALabelWithoutAnObjectOrWithoutScoresSaysOnlyTheOther) {
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree, {{kNoObject, class_vector(ClassId{1}, 0.9, 3), {0}}});
   EXPECT_EQ(label_of(tree).object, kNoObject);
   EXPECT_EQ(label_of(tree).best_class(), ClassId{1});
@@ -102,7 +102,7 @@ TEST(VoxelBelief, ALabelWithoutAnObjectOrWithoutScoresSaysOnlyTheOther) {
 }
 
 TEST(VoxelBelief, CertaintyIsClampedAndCanBeOverturned) {
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   const std::vector<ClassEvidence> sure{{ClassId{0}, Probability(1.0)},
                                         {ClassId{1}, Probability(0.0)}};
   for (int i = 0; i < 5; ++i) observe(tree, {{kNoObject, sure, {0}}});
@@ -118,7 +118,7 @@ TEST(VoxelBelief, CertaintyIsClampedAndCanBeOverturned) {
 
 TEST(VoxelBelief, ASingleKnownClassIsEvidenceAgainstAPriorOfOneHalf) {
   // [smap] Eq. (3.19): the prior 0.5 of a yes-or-no question: logit(0.8) = 1.386.
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree, {{kNoObject, {{ClassId{7}, Probability(0.8)}}, {0}}});
   EXPECT_EQ(label_of(tree).classes[0], (ClassWeight{7, 1386}));
 }
@@ -162,7 +162,7 @@ TEST(VoxelBelief, TheCutToThreeClassesOverratesByNoMoreThanTheRestSays) {
   int num_same_best = 0;
   constexpr int kNumVoxels = 60;
   for (int voxel = 0; voxel < kNumVoxels; ++voxel) {
-    SemanticOctree tree = empty_tree();
+    SemanticOctree tree = tree_without_voxels();
     FullBelief full;
     const auto truth = static_cast<std::uint32_t>(random() % 20);
     for (int frame = 1; frame <= 25; ++frame) {
@@ -189,7 +189,7 @@ TEST(VoxelBelief, TheCutToThreeClassesOverratesByNoMoreThanTheRestSays) {
 
 TEST(VoxelBelief, WithThreeClassesNothingIsCut) {
   std::mt19937 random(37);
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   std::array<double, 3> full{};
   for (int frame = 0; frame < 40; ++frame) {
     const double p = 0.2 + 0.6 * static_cast<double>(random()) / 4294967296.0;
@@ -206,7 +206,7 @@ TEST(VoxelBelief, WithThreeClassesNothingIsCut) {
 }
 
 TEST(VoxelBelief, AVoxelForgetsItsLabelWhenItIsFreeBeyondDoubt) {
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   observe(tree, {{ObjectId{3}, class_vector(ClassId{2}, 0.7, 4), {0}}});
   const std::vector<Eigen::Vector3f> behind{{2.05F, 0.05F, 0.05F}};
   FrameIntegrator integrator;
@@ -219,7 +219,7 @@ TEST(VoxelBelief, AVoxelForgetsItsLabelWhenItIsFreeBeyondDoubt) {
 }
 
 TEST(VoxelBelief, LabelledMeasurementsThatEndNowhereAreLeftOut) {
-  SemanticOctree tree = empty_tree();
+  SemanticOctree tree = tree_without_voxels();
   const std::vector<Eigen::Vector3f> points{
       kPoint, {9.0F, 0.0F, 0.0F}, {std::nanf(""), 0.0F, 0.0F}};
   const std::vector<PixelLabels> labels{{ObjectId{1}, class_vector(ClassId{0}, 0.9, 3), {0, 1, 2}}};

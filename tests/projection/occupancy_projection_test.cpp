@@ -36,7 +36,7 @@ struct Voxels {
 
 const HeightBand kBand{.min_m = 0.1, .max_m = 1.1};  // ten leaves high
 
-std::vector<std::int8_t> cells(const OccupancyGrid& grid) {
+std::vector<std::int8_t> grid_cells(const OccupancyGrid& grid) {
   return {grid.cells().begin(), grid.cells().end()};
 }
 
@@ -48,28 +48,28 @@ TEST(OccupancyProjection, OneOccupiedLeafBlocksItsColumn) {
   EXPECT_EQ(grid->geometry().cols, 2);
   EXPECT_EQ(grid->geometry().rows, 1);
   EXPECT_DOUBLE_EQ(grid->geometry().resolution_m, 0.1);
-  EXPECT_THAT(cells(*grid), ElementsAre(100, 0));
+  EXPECT_THAT(grid_cells(*grid), ElementsAre(100, 0));
 }
 
 TEST(OccupancyProjection, UnknownIsNotFree) {
   Voxels voxels;
   voxels.column(0, 0, 1, 6).column(1, 0, 1, 5).column(3, 0, 1, 11);  // 5, 4, 0 and 10 of ten
   const auto grid = project_occupancy(voxels.source(), kBand);
-  EXPECT_THAT(cells(*grid), ElementsAre(0, -1, -1, 0));
+  EXPECT_THAT(grid_cells(*grid), ElementsAre(0, -1, -1, 0));
   const auto strict = project_occupancy(voxels.source(), kBand, {.min_free_share = 1.0});
-  EXPECT_THAT(cells(*strict), ElementsAre(-1, -1, -1, 0));
+  EXPECT_THAT(grid_cells(*strict), ElementsAre(-1, -1, -1, 0));
 }
 
 TEST(OccupancyProjection, FloorAndCeilingAreNotInTheBand) {
   Voxels voxels;
   voxels.add(0, 0, 0, true).add(0, 0, 11, true).column(0, 0, 1, 11);
-  EXPECT_THAT(cells(*project_occupancy(voxels.source(), kBand)), ElementsAre(0));
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand)), ElementsAre(0));
 }
 
 TEST(OccupancyProjection, ALeafThatReachesIntoTheBandCounts) {
   Voxels voxels;
   voxels.add(0, 0, 1, true);
-  EXPECT_THAT(cells(*project_occupancy(voxels.source(), {.min_m = 0.15, .max_m = 1.0})),
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), {.min_m = 0.15, .max_m = 1.0})),
               ElementsAre(100));
   EXPECT_EQ(project_occupancy(voxels.source(), {.min_m = 0.2, .max_m = 1.0})->cells().size(), 0U);
 }
@@ -104,10 +104,10 @@ TEST(OccupancyProjection, ACoarserGridTakesTheMeanOfWhatWasSeenFree) {
   voxels.column(0, 0, 1, 11).column(1, 0, 1, 11).column(0, 1, 1, 11);
   const auto source = voxels.source();
   EXPECT_THAT(
-      cells(*project_occupancy(source, kBand, {.resolution_m = 0.2, .min_free_share = 0.7})),
+      grid_cells(*project_occupancy(source, kBand, {.resolution_m = 0.2, .min_free_share = 0.7})),
       ElementsAre(0));
   EXPECT_THAT(
-      cells(*project_occupancy(source, kBand, {.resolution_m = 0.2, .min_free_share = 0.8})),
+      grid_cells(*project_occupancy(source, kBand, {.resolution_m = 0.2, .min_free_share = 0.8})),
       ElementsAre(-1));
 }
 
@@ -133,7 +133,7 @@ TEST(OccupancyProjection, ATurnOfNothingGivesTheSameAsTheStraightWay) {
   const auto a = project_occupancy(voxels.source(), kBand, {.geometry = straight});
   straight.yaw_rad = 1e-15;
   const auto b = project_occupancy(voxels.source(), kBand, {.geometry = straight});
-  EXPECT_EQ(cells(*a), cells(*b));
+  EXPECT_EQ(grid_cells(*a), grid_cells(*b));
 }
 
 TEST(OccupancyProjection, AnEmptyMapGivesAGridWithoutCells) {

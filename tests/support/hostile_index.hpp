@@ -29,7 +29,9 @@ inline std::vector<HostileFile> hostile_files(const std::string& folder) {
     if (line.starts_with("## ")) is_here = line == "## " + folder;
     if (!is_here || !line.starts_with("| `")) continue;
     const std::string name = line.substr(3, line.find('`', 3) - 3);
-    files.push_back({shared_data("hostile/" + folder + "/" + name),
+    std::string path = "hostile/";
+    path.append(folder).append("/").append(name);
+    files.push_back({shared_data(path),
                      name.starts_with("ok_"),
                      name == "err_bbox_outside.json" || name == "err_inner_children_disagree.ot",
                      line});

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/scale_bar.hpp"
 
-#include <array>
+#include "hypermap/core/number_text.hpp"
+
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 namespace hypermap {
 namespace {
-
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
 
 /// The number as a multiple of a unit, free of the noise of the division.
 std::string in_units(double length_m, double unit_m, const char* unit) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/snapshot_options.hpp"
 
+#include "hypermap/core/number_text.hpp"
+
 #include <Eigen/Geometry>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -25,12 +26,6 @@ constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 5> kLa
     {"semantic", &SnapshotLayers::semantic},
     {"trajectory", &SnapshotLayers::trajectory},
 }};
-
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
 
 Result<void> check_range(double value, double low, double high, const char* field) {
   if (value >= low && value <= high) return {};  // NaN fails

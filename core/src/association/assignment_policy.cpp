@@ -13,10 +13,6 @@
 namespace hypermap {
 namespace {
 
-Box widened(const Box& box, double by_m) {
-  return {box.min_in_map.array() - by_m, box.max_in_map.array() + by_m};
-}
-
 /// Bodies of objects, each made once as long as the object stays as it is.
 class BodyCache {
  public:
@@ -48,7 +44,7 @@ std::vector<Candidates> find_candidates(AssociationRun& run, BodyCache& bodies) 
     if (!run.is_lasting(i)) continue;
     Candidates& candidates = all.emplace_back(Candidates{i, {}});
     const Body seen = body_of(run.observations[i], options.near_m);
-    for (const ObjectId id : run.objects.query(widened(seen.box, 2.0 * options.near_m))) {
+    for (const ObjectId id : run.objects.query(grown(seen.box, 2.0 * options.near_m))) {
       const Contact c = contact(seen, bodies.of(id), options.near_m);
       if (is_same_thing(c, options)) candidates.affinity_of[id] = affinity(c);
     }
@@ -94,7 +90,7 @@ ObjectId favourite(const Candidates& candidates) {
 /// The first neighbour of `id` that came to be the same thing.
 std::optional<ObjectId> twin_of(ObjectId id, const AssociationRun& run, BodyCache& bodies) {
   const AssignmentOptions& options = run.options.assignment;
-  const Box around = widened(run.objects.at(id).box, 2.0 * options.near_m);
+  const Box around = grown(run.objects.at(id).box, 2.0 * options.near_m);
   for (const ObjectId other : run.objects.query(around)) {
     if (other == id) continue;
     const Contact c = contact(bodies.of(id), bodies.of(other), options.near_m);

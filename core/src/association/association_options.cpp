@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/association.hpp"
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <cmath>
 #include <string>

@@ -24,10 +24,6 @@ Body make_body(const Box& box,
   return {box, thinned(points), std::move(classes), TouchGrid(points, near_m)};
 }
 
-Box widened(const Box& box, double by_m) {
-  return {box.min_in_map.array() - by_m, box.max_in_map.array() + by_m};
-}
-
 double box_share(const Box& a, const Box& b) {
   const Eigen::Vector3d common =
       (a.max_in_map.cwiseMin(b.max_in_map) - a.min_in_map.cwiseMax(b.min_in_map)).cwiseMax(0.0);
@@ -56,12 +52,12 @@ Body body_of(const Object& object, double near_m) {
 }
 
 Contact contact(const Body& first, const Body& second, double near_m) {
-  const double first_diagonal = widened(first.box, near_m).extent().norm();
-  const double second_diagonal = widened(second.box, near_m).extent().norm();
+  const double first_diagonal = grown(first.box, near_m).extent().norm();
+  const double second_diagonal = grown(second.box, near_m).extent().norm();
   Contact out;
   out.share_of_first = second.grid.share_near(first.points);
   out.share_of_second = first.grid.share_near(second.points);
-  out.box_share = box_share(widened(first.box, near_m), widened(second.box, near_m));
+  out.box_share = box_share(grown(first.box, near_m), grown(second.box, near_m));
   out.distance = (first.box.centre() - second.box.centre()).norm() /
                  (0.5 * (first_diagonal + second_diagonal));
   const bool first_is_part = out.share_of_first >= out.share_of_second;

@@ -2,7 +2,7 @@
 #include "hypermap/core/publication.hpp"
 
 #include "contact.hpp"
-#include "number_text.hpp"
+#include "hypermap/core/number_text.hpp"
 
 #include <algorithm>
 #include <string>

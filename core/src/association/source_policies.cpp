@@ -11,10 +11,10 @@
 namespace hypermap {
 namespace {
 
-using Candidates = std::function<std::vector<ObjectId>(const Observation&, const Polygon&)>;
+using CandidateFinder = std::function<std::vector<ObjectId>(const Observation&, const Polygon&)>;
 
 /// One observation after the other; several matches are combined. Source: [hypermap] 3.4.5.
-void associate_and_combine(AssociationRun& run, const Candidates& candidates_of) {
+void associate_and_combine(AssociationRun& run, const CandidateFinder& candidates_of) {
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
     if (!run.is_lasting(i)) continue;
     const Observation& observation = run.observations[i];

@@ -186,13 +186,6 @@ PixelRect cells_in(const PixelRect& pixels, const DepthWindow& window) {
   return cells;
 }
 
-double overlap(const PixelBox& a, const PixelBox& b) {
-  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
-  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
-  const double common = std::max(0.0, width) * std::max(0.0, height);
-  return common / (a.width_px() * a.height_px() + b.width_px() * b.height_px() - common);
-}
-
 /// Boxes of other things. A box almost the same as ours may be another name for our thing.
 std::vector<PixelRect> rivals_of(const PixelBox& box_px,
                                  std::span<const Detection> others,
@@ -200,7 +193,7 @@ std::vector<PixelRect> rivals_of(const PixelBox& box_px,
                                  const DepthWindow& window) {
   std::vector<PixelRect> rivals;
   for (const Detection& other : others) {
-    if (!(overlap(other.box_px, box_px) < kSameThingOverlap)) continue;
+    if (!(intersection_over_union(other.box_px, box_px) < kSameThingOverlap)) continue;
     const PixelRect pixels = pixels_in(other.box_px, camera.width_px, camera.height_px);
     const PixelRect cells = cells_in(pixels, window);
     if (!cells.empty()) rivals.push_back(cells);

@@ -53,6 +53,12 @@ struct Agreement {
   std::size_t otherwise = 0;    ///< Judged differently, log-odds farther apart.
   double largest_difference = 0.0;  ///< Of the log-odds of voxels known to both.
 
+  void count(bool their_occupied, bool our_occupied, bool our_free) {
+    both_occupied += their_occupied && our_occupied ? 1U : 0U;
+    either_occupied += their_occupied || our_occupied ? 1U : 0U;
+    both_free += !their_occupied && our_free ? 1U : 0U;
+    either_free += !their_occupied || our_free ? 1U : 0U;
+  }
   [[nodiscard]] double occupied_iou() const {
     return static_cast<double>(both_occupied) / static_cast<double>(either_occupied);
   }
@@ -71,11 +77,7 @@ inline Agreement compare(const SemanticOctree& ours,
     const auto sample = ours.at(key);
     const bool their_occupied = log_odds >= theirs.getOccupancyThresLog();
     const bool our_occupied = sample && sample->occupied;
-    const bool our_free = sample && !sample->occupied;
-    result.both_occupied += their_occupied && our_occupied ? 1U : 0U;
-    result.either_occupied += their_occupied || our_occupied ? 1U : 0U;
-    result.both_free += !their_occupied && our_free ? 1U : 0U;
-    result.either_free += !their_occupied || our_free ? 1U : 0U;
+    result.count(their_occupied, our_occupied, sample && !our_occupied);
     if (!sample) {
       ++result.only_theirs_known;
       continue;

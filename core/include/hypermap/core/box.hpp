@@ -38,6 +38,11 @@ struct Box {
 /// Requires: points not empty and finite.
 [[nodiscard]] Box bounding_box(std::span<const Eigen::Vector3f> points_in_map);
 
+/// The box with each face moved outwards by `by_m`.
+[[nodiscard]] inline Box grown(const Box& box, double by_m) {
+  return {box.min_in_map.array() - by_m, box.max_in_map.array() + by_m};
+}
+
 /// Volume of the intersection over volume of the union; 0 when both volumes are 0.
 [[nodiscard]] double intersection_over_union(const Box& a, const Box& b);
 

@@ -28,6 +28,9 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
+/// Area of the intersection over area of the union; 0 when both areas are 0.
+[[nodiscard]] double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept;
+
 /// One class and how strongly a detector believes in it.
 struct ClassEvidence {
   ClassId id;

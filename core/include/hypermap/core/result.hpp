@@ -80,10 +80,13 @@ struct Loaded {
 
 #define HYPERMAP_CONCAT_INNER(a, b) a##b
 #define HYPERMAP_CONCAT(a, b) HYPERMAP_CONCAT_INNER(a, b)
+// A declaration cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define HYPERMAP_ASSIGN_OR_RETURN_IMPL(result, declaration, expression) \
   auto result = (expression);                                           \
   if (!result) return tl::make_unexpected(std::move(result).error());   \
   declaration = std::move(*result)
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// `HYPERMAP_ASSIGN_OR_RETURN(const auto grid, read_grid(path));` declares `grid` or hands on the
 /// error.
