@@ -9,7 +9,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::uint16_t kNoClass = 0xFFFF;
-constexpr std::size_t kMaxCommentBytes = 1024;  // a class name of 256 bytes, each escaped
+constexpr std::size_t kMaxPlyCommentBytes = 1024;  // a class name of 256 bytes, each escaped
 
 /// One vertex, packed as the header declares it.
 class PlyBody {
@@ -68,7 +68,7 @@ std::string header(const MapArchive& archive, std::size_t num_vertices) {
   text += "comment label 65535: no class; instance 0: no object; confidence of the label\n";
   for (std::size_t i = 0; i < archive.classes.size(); ++i) {
     text += "comment label " + std::to_string(i) + " " +
-            printable(archive.classes.names()[i], kMaxCommentBytes) + "\n";
+            printable(archive.classes.names()[i], kMaxPlyCommentBytes) + "\n";
   }
   text += "element vertex " + std::to_string(num_vertices) + "\n";
   for (const char* axis : {"x", "y", "z"}) text += std::string("property float ") + axis + "\n";

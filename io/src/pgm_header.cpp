@@ -7,7 +7,7 @@
 namespace hypermap {
 namespace {
 
-constexpr std::size_t kMaxCommentBytes = 65'536;
+constexpr std::size_t kMaxPgmCommentBytes = 65'536;
 
 bool is_pgm_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
@@ -35,7 +35,7 @@ bool PgmText::skip_blanks() {
     }
     const std::size_t end = rest_.find('\n');
     comment_bytes_ += end;
-    if (end == std::string_view::npos || comment_bytes_ > kMaxCommentBytes) return false;
+    if (end == std::string_view::npos || comment_bytes_ > kMaxPgmCommentBytes) return false;
     rest_.remove_prefix(end);
   }
   return true;

@@ -11,7 +11,7 @@
 namespace hypermap::zip {
 namespace {
 
-constexpr std::size_t kMaxCommentBytes = 0xffff;
+constexpr std::size_t kMaxZipCommentBytes = 0xffff;
 constexpr std::uint64_t kMaxDirectoryBytes = std::uint64_t{16} << 20;
 
 Unexpected malformed_directory(std::string what) {
@@ -184,7 +184,7 @@ Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& lim
                 "archive of " + std::to_string(source.size()) + " bytes, the limit is " +
                     std::to_string(limits.max_archive_bytes));
   const std::uint64_t tail_bytes =
-      std::min<std::uint64_t>(source.size(), kEndBytes + kMaxCommentBytes);
+      std::min<std::uint64_t>(source.size(), kEndBytes + kMaxZipCommentBytes);
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string tail,
       source.read_at(source.size() - tail_bytes, static_cast<std::size_t>(tail_bytes)));

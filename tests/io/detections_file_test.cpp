@@ -166,8 +166,8 @@ TEST(DetectionsFile, ClassVectorsAreScaledAndOthersSpread) {
 
 TEST(DetectionsFile, SpellingsOfAClassAreOneClass) {
   const DetectionSet set =
-      parsed(frame(R"({"label": "tv", "score": 0.5, "bbox": [1, 2, 3, 4]},)"
-                   R"({"label": "Tv-Monitor", "score": 0.5, "bbox": [1, 2, 3, 4]})"));
+      parsed_detections(frame(R"({"label": "tv", "score": 0.5, "bbox": [1, 2, 3, 4]},)"
+                              R"({"label": "Tv-Monitor", "score": 0.5, "bbox": [1, 2, 3, 4]})"));
   EXPECT_THAT(distinct_classes(set.class_names), ElementsAre("tv"));
   EXPECT_THAT(
       refusal(frame(

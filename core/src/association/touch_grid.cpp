@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "touch_grid.hpp"
 
+#include "floor_of.hpp"
+
 #include <array>
 #include <utility>
 
@@ -13,11 +15,6 @@ struct Cell {
   std::int64_t z = 0;
   friend bool operator==(const Cell&, const Cell&) = default;
 };
-
-std::int64_t floor_of(double x) {
-  const auto towards_zero = static_cast<std::int64_t>(x);
-  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
-}
 
 Cell cell_of(const Eigen::Vector3d& p, double edge_m) {
   return {floor_of(p.x() / edge_m), floor_of(p.y() / edge_m), floor_of(p.z() / edge_m)};

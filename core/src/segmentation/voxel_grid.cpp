@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxel_grid.hpp"
 
+#include "floor_of.hpp"
+
 #include <numeric>
 #include <utility>
 
@@ -8,12 +10,6 @@ namespace hypermap {
 namespace {
 
 constexpr std::uint32_t kFree = 0xFFFFFFFFU;
-
-/// std::floor without a call into the C library; the same for all that fits.
-std::int64_t floor_of(double x) {
-  const auto towards_zero = static_cast<std::int64_t>(x);
-  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
-}
 
 /// Three 21-bit cell numbers in one word.
 std::uint64_t key_of(const Eigen::Vector3f& point, double inverse_leaf) {
