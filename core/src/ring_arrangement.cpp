@@ -83,7 +83,7 @@ Result<std::vector<Ring>> divided_edges(const Ring& ring) {
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector2d start = ring[i];
+    const Eigen::Vector2d& start = ring[i];
     const Eigen::Vector2d along = end_of(i) - start;
     std::sort(edges[i].begin(), edges[i].end(), [&](const auto& p, const auto& q) {
       return along.dot(p - start) < along.dot(q - start);

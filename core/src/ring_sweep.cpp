@@ -86,7 +86,7 @@ class Sweep {
   }
 
   std::optional<Eigen::Vector2d> run() {
-    if (const auto twice = repeated_corner()) return twice;
+    if (auto twice = repeated_corner()) return twice;
     for (const Corner& corner : soup_.corners) {
       const bool ok = leave(corner, corner.edge_in) && leave(corner, corner.edge_out) &&
                       enter(corner, corner.edge_in) && enter(corner, corner.edge_out);
@@ -98,7 +98,7 @@ class Sweep {
  private:
   using Active = std::set<std::size_t, LiesLower>;
 
-  std::optional<Eigen::Vector2d> repeated_corner() const {
+  [[nodiscard]] std::optional<Eigen::Vector2d> repeated_corner() const {
     for (std::size_t i = 1; i < soup_.corners.size(); ++i) {
       const Eigen::Vector2d& point = soup_.points[soup_.corners[i].point];
       if (point == soup_.points[soup_.corners[i - 1].point]) return point;

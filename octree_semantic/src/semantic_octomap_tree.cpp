@@ -82,11 +82,11 @@ std::istream& SemanticOcTreeNode::readData(std::istream& stream) {
   return stream;
 }
 
-const SemanticOcTree::Registration SemanticOcTree::registration;
+const SemanticOcTree::Registration SemanticOcTree::kRegistration;
 
 SemanticOcTree::SemanticOcTree(double resolution_m)
     : octomap::OccupancyOcTreeBase<SemanticOcTreeNode>(resolution_m) {
-  registration.ensure_linked();
+  kRegistration.ensure_linked();
 }
 
 SemanticOcTree::Registration::Registration() {

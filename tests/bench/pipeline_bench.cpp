@@ -106,7 +106,7 @@ void whole_frame(benchmark::State& state,
   std::vector<FrameCost> costs(frames.size());
   FrameReport report;
   std::size_t num_detections = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     for (int pass = 0; pass <= kNumPasses; ++pass) {
       num_detections = 0;
       for (std::size_t i = 0; i < frames.size(); ++i) {

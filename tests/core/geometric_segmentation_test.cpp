@@ -225,7 +225,7 @@ TEST(RegionGrowingPolicy, KeepsTheLargestSmoothRegion) {
 
 class EveryPolicy : public testing::TestWithParam<SegmentationPolicy> {
  protected:
-  GeometricSegmentationOptions options() const { return {.policy = GetParam()}; }
+  [[nodiscard]] GeometricSegmentationOptions options() const { return {.policy = GetParam()}; }
 };
 
 TEST_P(EveryPolicy, SaysThatNothingIsThere) {

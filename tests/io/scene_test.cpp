@@ -122,6 +122,17 @@ TEST(Scene, WithoutLightsThereIsOneInTheMiddle) {
   EXPECT_TRUE(furnished->lights_in_map[0].isApprox(Eigen::Vector3d(3.0, 2.5, 2.6), 1e-12));
 }
 
+void expect_apart(const std::vector<PlacedObject>& objects, std::uint64_t seed) {
+  for (const PlacedObject& a : objects) {
+    for (const PlacedObject& b : objects) {
+      if (!(a.id < b.id) || !a.box.intersects(b.box)) continue;
+      const bool stacked = a.box.max_in_map.z() <= b.box.min_in_map.z() + 1e-6;
+      EXPECT_TRUE(stacked || !intersects(a.footprint, b.footprint))
+          << a.name << " " << b.name << " seed " << seed;
+    }
+  }
+}
+
 /// Whatever the seed: things that stand on the floor keep clear of each other, and the camera keeps
 /// clear of all that is as high as it.
 TEST(Scene, InTheScenesThatShipNothingCollides) {
@@ -137,13 +148,8 @@ TEST(Scene, InTheScenesThatShipNothingCollides) {
       for (const PlacedObject& a : furnished->objects) {
         for (const Eigen::Vector2d& corner : a.footprint.outer)
           EXPECT_TRUE(contains(scene->floor, corner)) << a.name << " seed " << seed;
-        for (const PlacedObject& b : furnished->objects) {
-          if (!(a.id < b.id) || !a.box.intersects(b.box)) continue;
-          const bool stacked = a.box.max_in_map.z() <= b.box.min_in_map.z() + 1e-6;
-          EXPECT_TRUE(stacked || !intersects(a.footprint, b.footprint))
-              << a.name << " " << b.name << " seed " << seed;
-        }
       }
+      expect_apart(furnished->objects, seed);
       for (double t = 0.0; t <= path->duration_s(); t += 0.25) {
         const Eigen::Vector3d camera = path->pose_at(t).origin().xyz;
         for (const PlacedObject& object : furnished->objects) {

@@ -65,8 +65,7 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
     Registration();
     void ensure_linked() const {}
   };
-  // global
-  static const Registration registration;
+  static const Registration kRegistration;
 };
 
 /// Occupancy alone. The sensor model goes along; the tree is pruned.
