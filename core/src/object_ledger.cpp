@@ -33,7 +33,7 @@ LedgerSummary summary_of(const LedgerEntry& e) {
   return {.kind = e.kind,
           .detector = e.detector,
           .class_id = e.class_id,
-          .bearing_bin = ledger_bearing_bin(e.bearing_rad),
+          .bearing_bin = ledger_bearing_bin(static_cast<double>(e.bearing_rad)),
           .count = 1,
           .score_sum = e.score,
           .effect_sum = e.effect,

@@ -27,7 +27,7 @@ using test::TempDir;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName archive_source{.file = "a.hmap"};
+const SourceName kArchiveSource{.file = "a.hmap"};
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
@@ -65,7 +65,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string load_error(const std::string& bytes) {
-  const auto archive = parse_archive(bytes, archive_source);
+  const auto archive = parse_archive(bytes, kArchiveSource);
   return archive ? "no error" : to_string(archive.error());
 }
 
@@ -79,7 +79,7 @@ TEST(MapArchive, LoadSaveLoadIsAFixedPointByteForByte) {
   const MapArchive archive = sample_archive();
   const auto bytes = write_archive(archive);
   ASSERT_TRUE(bytes) << to_string(bytes.error());
-  const auto loaded = parse_archive(*bytes, archive_source);
+  const auto loaded = parse_archive(*bytes, kArchiveSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_EQ(all_findings(loaded->findings), "");
   EXPECT_TRUE(loaded->value == archive);
@@ -89,7 +89,7 @@ TEST(MapArchive, LoadSaveLoadIsAFixedPointByteForByte) {
 TEST(MapArchive, AnEmptyMapIsAMap) {
   const auto bytes = write_archive(MapArchive{});
   ASSERT_TRUE(bytes) << to_string(bytes.error());
-  const auto loaded = parse_archive(*bytes, archive_source);
+  const auto loaded = parse_archive(*bytes, kArchiveSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_TRUE(loaded->value == MapArchive{});
 }
@@ -120,7 +120,7 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
               {"occupancy.yaml", member_of(bytes, "occupancy.yaml")},
               {"occupancy.png", member_of(bytes, "occupancy.png")},
               {"semantic", member_of(bytes, "semantic")}});
-  const auto loaded = parse_archive(strict, archive_source);
+  const auto loaded = parse_archive(strict, kArchiveSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_EQ(all_findings(loaded->findings), "");
   EXPECT_TRUE(loaded->value.hypermap == sample_archive().hypermap);
@@ -129,7 +129,7 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
 TEST(MapArchive, ACutAtAnyOffsetIsAnError) {
   const std::string bytes = write_archive(sample_archive()).value();
   for (std::size_t length = 0; length < bytes.size(); ++length)
-    ASSERT_FALSE(parse_archive(bytes.substr(0, length), archive_source)) << length;
+    ASSERT_FALSE(parse_archive(bytes.substr(0, length), kArchiveSource)) << length;
 }
 
 TEST(MapArchive, AFlippedBitGivesTheSameMapOrAnError) {
@@ -140,7 +140,7 @@ TEST(MapArchive, AFlippedBitGivesTheSameMapOrAnError) {
     std::string flipped = bytes;
     const std::size_t at = engine() % flipped.size();
     flipped[at] = static_cast<char>(flipped[at] ^ 1 << (engine() % 8));
-    const auto loaded = parse_archive(flipped, archive_source);
+    const auto loaded = parse_archive(flipped, kArchiveSource);
     if (loaded) {
       EXPECT_TRUE(loaded->value == archive) << "byte " << at;
     }
@@ -157,11 +157,11 @@ TEST(MapArchive, DamageInsideAMemberNeverBecomesAnotherKindOfFailure) {
       std::string damaged = content;
       damaged[engine() % damaged.size()] = static_cast<char>(engine() & 0xff);
       // Whatever is accepted can be written and read again.
-      const auto loaded = parse_archive(changed(bytes, {{member.name, damaged}}), archive_source);
+      const auto loaded = parse_archive(changed(bytes, {{member.name, damaged}}), kArchiveSource);
       if (!loaded) continue;
       const auto again = write_archive(loaded->value);
       ASSERT_TRUE(again) << member.name << ": " << to_string(again.error());
-      EXPECT_TRUE(parse_archive(*again, archive_source)) << member.name;
+      EXPECT_TRUE(parse_archive(*again, kArchiveSource)) << member.name;
     }
   }
 }
@@ -216,7 +216,7 @@ TEST(MapArchive, WhatIsNotUnderstoodIsKeptAndSaid) {
               {"gas.bin", std::string("\0\1\2", 3)},
               {"weather.txt", "sunny"},
               {"notes.txt", "buy milk"}});
-  const auto loaded = parse_archive(bytes, archive_source);
+  const auto loaded = parse_archive(bytes, kArchiveSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   const std::string findings = all_findings(loaded->findings);
   for (const char* what : {"GasLayer", "unit", "weather", "author"})
@@ -224,7 +224,7 @@ TEST(MapArchive, WhatIsNotUnderstoodIsKeptAndSaid) {
   const std::string saved = write_archive(loaded->value).value();
   for (const char* name : {"gas.bin", "weather.txt", "notes.txt"})
     EXPECT_EQ(member_of(saved, name), member_of(bytes, name));
-  const auto again = parse_archive(saved, archive_source);
+  const auto again = parse_archive(saved, kArchiveSource);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_TRUE(again->value == loaded->value);
   EXPECT_EQ(write_archive(again->value).value(), saved);
@@ -238,7 +238,7 @@ TEST(MapArchive, OctreesOfOtherProgramsAreKeptByteForByte) {
                "layers: []\nextensions:\n"
                "  - {format: octomap, version: 1, name: room, frame_id: odom, file: room.bt}\n"},
               {"room.bt", tree}});
-  const auto loaded = parse_archive(bytes, archive_source);
+  const auto loaded = parse_archive(bytes, kArchiveSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   ASSERT_EQ(loaded->value.octomaps.size(), 1U);
   EXPECT_FALSE(loaded->value.octree);
@@ -343,7 +343,7 @@ TEST(MapArchive, EveryArchiveOfTheFirstImplementationLoadsAndLosesNothing) {
     ASSERT_TRUE(loaded) << to_string(loaded.error());
     const auto saved = write_archive(loaded->value);
     ASSERT_TRUE(saved) << file.path() << to_string(saved.error());
-    const auto again = parse_archive(*saved, archive_source);
+    const auto again = parse_archive(*saved, kArchiveSource);
     ASSERT_TRUE(again) << file.path() << to_string(again.error());
     EXPECT_TRUE(again->value == loaded->value) << file.path();
     EXPECT_EQ(write_archive(again->value).value(), *saved) << file.path();

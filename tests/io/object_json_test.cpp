@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const SourceName objects_source{.file = "a.hmap", .entry = "objects.jsonl"};
+const SourceName kObjectsSource{.file = "a.hmap", .entry = "objects.jsonl"};
 
 Polygon square(double x, double y, double edge) {
   return {.outer = {{x, y}, {x + edge, y}, {x + edge, y + edge}, {x, y + edge}}, .holes = {}};
@@ -64,7 +64,7 @@ ObjectMap sample(int num_objects) {
 }
 
 std::string objects_error(const std::string& text, const ObjectFileLimits& limits = {}) {
-  const auto objects = parse_objects(text, objects_source, limits);
+  const auto objects = parse_objects(text, kObjectsSource, limits);
   return objects ? "no error" : to_string(objects.error());
 }
 
@@ -78,7 +78,7 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
   for (const int num_objects : {0, 1, 20}) {
     const ObjectMap objects = sample(num_objects);
     const std::string text = write_objects(objects).value();
-    const auto again = parse_objects(text, objects_source);
+    const auto again = parse_objects(text, kObjectsSource);
     ASSERT_TRUE(again) << to_string(again.error());
     EXPECT_TRUE(*again == objects);
     EXPECT_EQ(write_objects(*again).value(), text);
@@ -86,7 +86,7 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
 }
 
 TEST(ObjectJson, TheNextIdSurvivesErasing) {
-  const auto again = parse_objects(write_objects(sample(3)).value(), objects_source);
+  const auto again = parse_objects(write_objects(sample(3)).value(), kObjectsSource);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->size(), 2U);
   EXPECT_EQ(again->next_id(), ObjectId{4});
@@ -130,7 +130,7 @@ TEST(ObjectJson, TheNumberOfLinesMustBeTheOneSaid) {
 TEST(ObjectJson, ACutAnywhereIsAnError) {
   const std::string text = write_objects(sample(1)).value();
   for (std::size_t length = 0; length < text.size(); ++length)
-    ASSERT_FALSE(parse_objects(text.substr(0, length), objects_source)) << length;
+    ASSERT_FALSE(parse_objects(text.substr(0, length), kObjectsSource)) << length;
 }
 
 TEST(ObjectJson, PolygonsFarAwayOrWithoutAreaOfPointsAreErrors) {

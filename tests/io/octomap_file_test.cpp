@@ -24,7 +24,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName octomap_source{.file = "map"};
+const SourceName kOctomapSource{.file = "map"};
 
 std::string header(const std::string& id, std::size_t size, const std::string& res = "0.05") {
   return "# Octomap OcTree file\nid " + id + "\nsize " + std::to_string(size) + "\nres " + res +
@@ -40,7 +40,7 @@ std::string node(float log_odds, unsigned children) {
   return raw(log_odds) + raw(static_cast<std::uint8_t>(children));
 }
 
-std::string octomap_error(const std::string& bytes, const SourceName& source = octomap_source) {
+std::string octomap_error(const std::string& bytes, const SourceName& source = kOctomapSource) {
   const auto tree = parse_octomap(bytes, source);
   return tree ? "no error" : to_string(tree.error());
 }
@@ -102,7 +102,7 @@ std::unique_ptr<octomap::AbstractOcTree> read_by_octomap(const std::string& byte
 TEST(OctomapFile, ReadsAHandMadeTree) {
   // Root with child 1 (upper x), a leaf: depth 1, keys from x = 32768.
   const auto tree =
-      parse_octomap(header("OcTree", 2) + node(0.85F, 0b10) + node(0.85F, 0), octomap_source);
+      parse_octomap(header("OcTree", 2) + node(0.85F, 0b10) + node(0.85F, 0), kOctomapSource);
   ASSERT_TRUE(tree) << to_string(tree.error());
   EXPECT_THAT(tree->findings, IsEmpty());
   EXPECT_EQ(tree->value.resolution_m, 0.05);
@@ -112,10 +112,10 @@ TEST(OctomapFile, ReadsAHandMadeTree) {
 }
 
 TEST(OctomapFile, AnEmptyTreeAndARootAloneAreRead) {
-  const auto empty = parse_octomap(header("OcTree", 0), octomap_source);
+  const auto empty = parse_octomap(header("OcTree", 0), kOctomapSource);
   ASSERT_TRUE(empty);
   EXPECT_THAT(empty->value.leaves, IsEmpty());
-  const auto root = parse_octomap(header("OcTree", 1) + node(1.0F, 0), octomap_source);
+  const auto root = parse_octomap(header("OcTree", 1) + node(1.0F, 0), kOctomapSource);
   ASSERT_TRUE(root);
   ASSERT_EQ(root->value.leaves.size(), 1U);
   EXPECT_EQ(root->value.leaves[0].depth, 0);
@@ -125,7 +125,7 @@ TEST(OctomapFile, TheBitsOfABinaryNodeAreThoseOfOctomap) {
   // Children 0 free (01), 1 occupied (10), others unknown: 0b1001.
   const std::string bytes =
       "# Octomap OcTree binary file\nid OcTree\nsize 3\nres 0.1\ndata\n" + std::string("\x09\0", 2);
-  const auto tree = parse_octomap(bytes, octomap_source);
+  const auto tree = parse_octomap(bytes, kOctomapSource);
   ASSERT_TRUE(tree) << to_string(tree.error());
   ASSERT_EQ(tree->value.leaves.size(), 2U);
   EXPECT_LT(tree->value.leaves[0].log_odds, 0.0F);
@@ -135,7 +135,7 @@ TEST(OctomapFile, TheBitsOfABinaryNodeAreThoseOfOctomap) {
 TEST(OctomapFile, ACutAnywhereIsAnErrorThatNamesTheNode) {
   const std::string bytes = write_octomap(random_tree(1, OctomapKind::kOccupancy)).value();
   for (std::size_t length = 0; length < bytes.size(); ++length)
-    EXPECT_FALSE(parse_octomap(bytes.substr(0, length), octomap_source)) << length;
+    EXPECT_FALSE(parse_octomap(bytes.substr(0, length), kOctomapSource)) << length;
   EXPECT_THAT(octomap_error(header("OcTree", 2) + node(1.0F, 1) + "ab"),
               HasSubstr("octree: unexpected end of data at node 1"));
 }
@@ -147,7 +147,7 @@ TEST(OctomapFile, AFlippedBitNeverCrashesAndNeverGivesInvalidLeaves) {
     for (std::size_t bit = 0; bit < 8 * bytes.size(); bit += 29) {
       std::string flipped = bytes;
       flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << (bit % 8));
-      const auto tree = parse_octomap(flipped, octomap_source);
+      const auto tree = parse_octomap(flipped, kOctomapSource);
       if (tree) {
         EXPECT_TRUE(validate(tree->value)) << bit;
       }
@@ -198,7 +198,7 @@ TEST(OctomapFile, HeaderFieldsAreJudgedByName) {
 TEST(OctomapFile, UnknownHeaderKeysAreFindings) {
   const auto tree =
       parse_octomap("# Octomap OcTree file\n# note\nid OcTree\nframe odom\nsize 0\nres 0.1\ndata\n",
-                    octomap_source);
+                    kOctomapSource);
   ASSERT_TRUE(tree);
   ASSERT_EQ(tree->findings.size(), 1U);
   EXPECT_THAT(tree->findings[0].error.what, HasSubstr("'frame'"));
@@ -213,7 +213,7 @@ TEST(OctomapFile, LogOddsMustBeFiniteAndWithinSixteenBits) {
 
 TEST(OctomapFile, StaleInnerNodesAreComputedAnewAndCounted) {
   const auto tree = parse_octomap(
-      header("OcTree", 3) + node(0.1F, 1) + node(2.0F, 1) + node(-1.0F, 0), octomap_source);
+      header("OcTree", 3) + node(0.1F, 1) + node(2.0F, 1) + node(-1.0F, 0), kOctomapSource);
   ASSERT_TRUE(tree);
   ASSERT_EQ(tree->findings.size(), 1U);
   EXPECT_THAT(tree->findings[0].error.what, HasSubstr("2 inner nodes disagree"));
@@ -234,7 +234,7 @@ TEST(OctomapFile, WhatIsWrittenIsReadBackExactly) {
       const OctomapTree tree = random_tree(seed, kind);
       const auto bytes = write_octomap(tree);
       ASSERT_TRUE(bytes) << to_string(bytes.error());
-      const auto again = parse_octomap(*bytes, octomap_source);
+      const auto again = parse_octomap(*bytes, kOctomapSource);
       ASSERT_TRUE(again) << to_string(again.error());
       EXPECT_THAT(again->findings, IsEmpty());
       EXPECT_EQ(again->value, tree);
@@ -287,7 +287,7 @@ TEST(OctomapFile, BinaryFilesAgreeWithOctomapBothWays) {
     octomap::OcTree octree(0.1);
     std::istringstream stream(bytes);
     ASSERT_TRUE(octree.readBinary(stream));
-    const auto ours = parse_octomap(bytes, octomap_source);
+    const auto ours = parse_octomap(bytes, kOctomapSource);
     ASSERT_TRUE(ours) << to_string(ours.error());
     auto theirs = leaves_of(octree);
     ASSERT_EQ(theirs.size(), ours->value.leaves.size());
@@ -298,7 +298,7 @@ TEST(OctomapFile, BinaryFilesAgreeWithOctomapBothWays) {
     EXPECT_EQ(theirs, ours->value.leaves);
     std::ostringstream rewritten;
     ASSERT_TRUE(octree.writeBinaryConst(rewritten));
-    const auto back = parse_octomap(rewritten.str(), octomap_source);
+    const auto back = parse_octomap(rewritten.str(), kOctomapSource);
     ASSERT_TRUE(back) << to_string(back.error());
     EXPECT_EQ(back->value, ours->value);
   }

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName provenance_source{.file = "a.hmap", .entry = "provenance.yaml"};
+const SourceName kProvenanceSource{.file = "a.hmap", .entry = "provenance.yaml"};
 
 Provenance sample_provenance() {
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
@@ -32,7 +32,7 @@ Provenance sample_provenance() {
 TEST(Provenance, EveryBitSurvives) {
   const Provenance provenance = sample_provenance();
   const std::string text = write_provenance(provenance).value();
-  const auto again = parse_provenance(text, provenance_source);
+  const auto again = parse_provenance(text, kProvenanceSource);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_THAT(again->findings, IsEmpty());
   EXPECT_TRUE(again->value == provenance);
@@ -41,7 +41,7 @@ TEST(Provenance, EveryBitSurvives) {
 
 TEST(Provenance, UnknownKeysAreFindingsAndSurvive) {
   const std::string text = write_provenance(sample_provenance()).value() + "operator: jane\n";
-  const auto loaded = parse_provenance(text, provenance_source);
+  const auto loaded = parse_provenance(text, kProvenanceSource);
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->findings.size(), 1U);
   EXPECT_THAT(write_provenance(loaded->value).value(), HasSubstr("operator: jane"));
@@ -56,7 +56,7 @@ TEST(Provenance, AMatrixThatIsNoRigidTransformIsRefusedBothWays) {
   const auto loaded = parse_provenance(
       "tool: t\ninput: i\ninput_hash: h\nmap_from_input: [[2, 0, 0, 0], [0, 1, 0, 0], "
       "[0, 0, 1, 0], [0, 0, 0, 1]]\n",
-      provenance_source);
+      kProvenanceSource);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(to_string(loaded.error()), HasSubstr("map_from_input"));
 }

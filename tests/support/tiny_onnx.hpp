@@ -55,6 +55,7 @@ inline std::string float_tensor(std::string_view name,
                                 const std::vector<std::int64_t>& dims,
                                 const std::vector<float>& values) {
   std::vector<std::uint32_t> bits;
+  bits.reserve(values.size());
   for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
   return tensor(name, dims, 1, raw_bytes(bits));
 }
