@@ -2,6 +2,7 @@
 #include "hypermap/io/octomap_tree.hpp"
 
 #include "hypermap/core/class_palette.hpp"
+#include "octomap_node.hpp"
 
 #include <algorithm>
 #include <cmath>

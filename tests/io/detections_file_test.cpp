@@ -170,7 +170,7 @@ TEST(DetectionsFile, SpellingsOfAClassAreOneClass) {
                               R"({"label": "Tv-Monitor", "score": 0.5, "bbox": [1, 2, 3, 4]})"));
   EXPECT_THAT(distinct_classes(set.class_names), ElementsAre("tv"));
   EXPECT_THAT(
-      refusal(frame(
+      detections_refusal(frame(
           R"({"label": "a", "score": 0.5, "bbox": [1, 2, 3, 4], "scores": {"tv": 0.5, "TV": 0.1}})")),
       HasSubstr("another spelling"));
 }

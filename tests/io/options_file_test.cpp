@@ -96,12 +96,14 @@ TEST(OptionsFile, UnknownNamesAreRefusedWithTheNearestOne) {
 }
 
 TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
-  EXPECT_THAT(options_refusal("\noctree: {resolution_m: 0}\n"), HasSubstr("o.yaml:2: octree.resolution_m"));
+  EXPECT_THAT(options_refusal("\noctree: {resolution_m: 0}\n"),
+              HasSubstr("o.yaml:2: octree.resolution_m"));
   EXPECT_THAT(options_refusal("octree: {resolution_m: wide}\n"), HasSubstr("octree.resolution_m"));
   EXPECT_THAT(options_refusal("integration: {mode: fast}\n"),
               HasSubstr("must be one of exact, discretize, projective"));
   EXPECT_THAT(options_refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
-  EXPECT_THAT(options_refusal("association: {histogram: {weights: [1, 2]}}\n"), HasSubstr("must have 5"));
+  EXPECT_THAT(options_refusal("association: {histogram: {weights: [1, 2]}}\n"),
+              HasSubstr("must have 5"));
   EXPECT_THAT(options_refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
   EXPECT_THAT(options_refusal("octree: 3\n"), HasSubstr("octree"));
   EXPECT_THAT(options_refusal("projection: {min_height_m: 2}\n"), HasSubstr("max_height_m"));
