@@ -20,7 +20,8 @@ std::map<std::int64_t, std::size_t> count_levels(std::span<const OccupiedVoxel> 
                                                  double edge_m) {
   std::map<std::int64_t, std::size_t> count;
   for (const OccupiedVoxel& voxel : voxels) {
-    ++count[static_cast<std::int64_t>(std::floor(double{voxel.centre_in_map.z()} / edge_m))];
+    ++count[static_cast<std::int64_t>(
+        std::floor(static_cast<double>(voxel.centre_in_map.z()) / edge_m))];
   }
   return count;
 }
@@ -45,7 +46,7 @@ struct SightPlace {
 class NearWalls {
  public:
   NearWalls(std::span<const OccupiedVoxel> voxels, const CutawayOptions& options)
-      : options_(options), lane_m_(1.5 * double{finest_edge_m(voxels)}) {
+      : options_(options), lane_m_(1.5 * static_cast<double>(finest_edge_m(voxels))) {
     if (!options.towards_eye) return;
     for (const OccupiedVoxel& voxel : voxels) note(voxel);
     std::erase_if(lanes_, [&](const auto& lane) {
@@ -70,7 +71,7 @@ class NearWalls {
   };
 
   [[nodiscard]] double height_m(const OccupiedVoxel& voxel) const {
-    return double{voxel.centre_in_map.z()} - options_.floor_m;
+    return static_cast<double>(voxel.centre_in_map.z()) - options_.floor_m;
   }
   [[nodiscard]] SightPlace place_of(const OccupiedVoxel& voxel) const {
     const Eigen::Vector2d plan = voxel.centre_in_map.head<2>().cast<double>();
@@ -106,7 +107,7 @@ class NearWalls {
 }  // namespace
 
 double floor_height_m(std::span<const OccupiedVoxel> voxels) {
-  const double edge_m = double{finest_edge_m(voxels)};
+  const double edge_m = static_cast<double>(finest_edge_m(voxels));
   const auto levels = count_levels(voxels, edge_m);
   const std::size_t most = fullest(levels);
   for (const auto& [level, count] : levels) {
@@ -116,7 +117,7 @@ double floor_height_m(std::span<const OccupiedVoxel> voxels) {
 }
 
 double ceiling_cut_m(std::span<const OccupiedVoxel> voxels, double floor_m) {
-  const double edge_m = double{finest_edge_m(voxels)};
+  const double edge_m = static_cast<double>(finest_edge_m(voxels));
   const auto levels = count_levels(voxels, edge_m);
   const std::size_t floor_count = fullest(levels);
   for (const auto& [level, count] : levels) {
@@ -133,7 +134,7 @@ std::vector<OccupiedVoxel> cut_away(std::span<const OccupiedVoxel> voxels,
   std::vector<OccupiedVoxel> low;
   low.reserve(voxels.size());
   std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(low), [&](const auto& voxel) {
-    return double{voxel.centre_in_map.z()} <= highest_m;
+    return static_cast<double>(voxel.centre_in_map.z()) <= highest_m;
   });
   const NearWalls walls(low, options);
   std::erase_if(low, [&](const OccupiedVoxel& voxel) { return walls.hides(voxel); });

@@ -58,7 +58,7 @@ Rgb8 shaded(Rgb8 color, float light) {
 bool faces_eye(const OccupiedVoxel& voxel, FaceDirection direction, const Eigen::Vector3d& eye) {
   const Eigen::Vector3d normal = normal_of(direction).cast<double>();
   const double beyond = normal.dot(eye - voxel.centre_in_map.cast<double>());
-  return beyond > 0.5 * double{voxel.edge_m};
+  return beyond > 0.5 * static_cast<double>(voxel.edge_m);
 }
 
 std::vector<FaceDirection> directions_seen(const SnapshotCamera& camera) {
@@ -85,9 +85,9 @@ std::array<double, 2> span_along(std::span<const OccupiedVoxel> voxels,
   const auto rank = [&](std::size_t index) {
     const auto place = places.begin() + static_cast<std::ptrdiff_t>(index);
     std::nth_element(places.begin(), place, places.end());
-    return double{*place};
+    return static_cast<double>(*place);
   };
-  const double half = 0.5 * double{finest_edge_m(voxels)} * axis.cwiseAbs().sum();
+  const double half = 0.5 * static_cast<double>(finest_edge_m(voxels)) * axis.cwiseAbs().sum();
   return {rank(trim) - half, rank(places.size() - 1 - trim) + half};
 }
 
@@ -242,9 +242,10 @@ Result<std::vector<PaintedFace>> paint_voxels(const ShownVoxels& voxels,
   for (const VoxelFace& face : faces) {
     const OccupiedVoxel& voxel = voxels.voxels[face.voxel_index];
     if (camera.eye_in_map() && !faces_eye(voxel, face.direction, *camera.eye_in_map())) continue;
-    const Rgb8 color = voxel.class_id
-                           ? color_of(voxel.class_id)
-                           : height_color(double{voxel.centre_in_map.z()} - voxels.floor_m);
+    const Rgb8 color =
+        voxel.class_id
+            ? color_of(voxel.class_id)
+            : height_color(static_cast<double>(voxel.centre_in_map.z()) - voxels.floor_m);
     const Eigen::Vector3f before_face =
         voxel.centre_in_map + voxel.edge_m * normal_of(face.direction);
     painted.push_back({.centre_in_map = {voxel.centre_in_map.x(),

@@ -109,7 +109,7 @@ std::string subtitle_of(const SnapshotScene& scene,
   text += view_name(options.view);
   if (layers.voxels && voxels.num_occupied > 0) {
     text += std::string(kSeparator) + counted(voxels.num_occupied, "occupied voxel") + " of " +
-            length_text(double{finest_edge_m(voxels.voxels)});
+            length_text(static_cast<double>(finest_edge_m(voxels.voxels)));
     if (std::isfinite(voxels.cut_m))
       text += std::string(kSeparator) + "cut " + length_text(voxels.cut_m) + " over the floor";
   }

@@ -29,7 +29,7 @@ class CellFinder {
 
   [[nodiscard]] std::optional<Eigen::Vector3i> cell_of(const OccupiedVoxel& voxel) const {
     if (voxel.edge_m > 1.5F * edge_m_) return std::nullopt;
-    const Eigen::Vector3d cells = voxel.centre_in_map.cast<double>() / double{edge_m_};
+    const Eigen::Vector3d cells = voxel.centre_in_map.cast<double>() / static_cast<double>(edge_m_);
     if (cells.cwiseAbs().maxCoeff() >= kMaxCell - 2) return std::nullopt;
     return Eigen::Vector3i(cells.array().floor().cast<int>());
   }
