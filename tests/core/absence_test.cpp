@@ -156,7 +156,8 @@ TEST(AbsenceOptions, BadValuesAreNamed) {
   EXPECT_TRUE(validate(AbsenceOptions{}).has_value());
   EXPECT_EQ(validate(AbsenceOptions{.missed_decay = LogOdds(-1)}).error().field, "missed_decay");
   EXPECT_EQ(validate(AbsenceOptions{.absent_share = 1.5}).error().field, "absent_share");
-  EXPECT_EQ(validate(AbsenceOptions{.occluded_factor = NAN}).error().field, "occluded_factor");
+  EXPECT_EQ(validate(AbsenceOptions{.occluded_factor = static_cast<double>(NAN)}).error().field,
+            "occluded_factor");
 }
 
 }  // namespace

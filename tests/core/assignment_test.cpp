@@ -82,7 +82,7 @@ TEST(Assignment, WithoutRowsOrColumnsThereAreNoPairs) {
 
 TEST(Assignment, ForbiddenAndNanPairsAreNotMade) {
   Eigen::MatrixXd costs(2, 2);
-  costs << kForbiddenPair, NAN, 1.0, kForbiddenPair;
+  costs << kForbiddenPair, static_cast<double>(NAN), 1.0, kForbiddenPair;
   EXPECT_EQ(assign(costs), (std::vector<std::optional<std::size_t>>{std::nullopt, 0}));
 }
 

@@ -309,7 +309,8 @@ TEST(AssignmentPolicy, TheOrderOfObservationsDoesNotMatter) {
 TEST(AssociationOptions, BadValuesAreNamed) {
   EXPECT_TRUE(validate(AssociationOptions{}).has_value());
   EXPECT_EQ(validate(AssociationOptions{.min_jaccard = 2.0}).error().field, "min_jaccard");
-  EXPECT_EQ(validate(AssociationOptions{.radius_m = NAN}).error().field, "radius_m");
+  EXPECT_EQ(validate(AssociationOptions{.radius_m = static_cast<double>(NAN)}).error().field,
+            "radius_m");
   EXPECT_EQ(validate(AssociationOptions{.max_box_confidence = 1.0}).error().field,
             "max_box_confidence");
   AssociationOptions options;

@@ -94,7 +94,9 @@ TEST(VisibilityHistogram, BadOptionsAreNamed) {
             "weights");
   EXPECT_EQ(validate(VisibilityHistogramOptions{.hidden_below = 0.8}).error().field,
             "hidden_below");
-  EXPECT_EQ(validate(VisibilityHistogramOptions{.base_increment = NAN}).error().field,
+  EXPECT_EQ(validate(VisibilityHistogramOptions{.base_increment = static_cast<double>(NAN)})
+                .error()
+                .field,
             "base_increment");
   EXPECT_TRUE(validate(VisibilityHistogramOptions{}).has_value());
 }

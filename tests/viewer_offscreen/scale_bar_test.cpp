@@ -25,7 +25,7 @@ TEST(ScaleBar, WritesLengthsInTheUnitThatSuitsThem) {
   EXPECT_EQ(length_text(5.0), "5 m");
   EXPECT_EQ(length_text(2.2), "2.2 m");
   EXPECT_EQ(length_text(0.5), "50 cm");
-  EXPECT_EQ(length_text(0.05F), "5 cm");
+  EXPECT_EQ(length_text(static_cast<double>(0.05F)), "5 cm");
   EXPECT_EQ(length_text(0.002), "2 mm");
   EXPECT_EQ(length_text(2000.0), "2 km");
 }
