@@ -45,7 +45,7 @@ TEST(SensorNoise, APlaneHasTheRightMeanAndSpread) {
     }
     // Rounding to steps of s adds s^2 / 12 to the variance.
     const double sigma =
-        std::sqrt(std::pow(static_cast<double>(axial_noise_m(depth, {})), 2) + 1e-6 / 12.0);
+        std::sqrt(std::pow(axial_noise_m(static_cast<double>(depth), {}), 2) + 1e-6 / 12.0);
     EXPECT_NEAR(sum / n, 0.0, 4.0 * sigma / std::sqrt(n)) << depth;
     EXPECT_NEAR(std::sqrt(squares / n), sigma, 4.0 * sigma / std::sqrt(2.0 * n)) << depth;
   }
