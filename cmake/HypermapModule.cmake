@@ -38,20 +38,28 @@ function(hypermap_add_module name)
   install(TARGETS ${target} EXPORT hypermap-targets FILE_SET HEADERS)
 endfunction()
 
-# hypermap_add_tests(<name> SOURCES ... LINK ...)
+# hypermap_add_tests(<name> [COMPUTES] SOURCES ... LINK ...)
 #
+# COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising in every build.
 # One GoogleTest program. It knows where the project's data lie (HYPERMAP_SOURCE_DIR) and where data by
 # others may lie (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the
 # latter skip with a message when it is absent.
 function(hypermap_add_tests name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_warnings GTest::gmock GTest::gtest_main)
-  # In sanitizer builds the library is optimised; the tests themselves need to compile fast, not to run fast.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  # In sanitizer builds the libraries are optimised; most tests need to compile fast, not to run fast.
+  if(NOT ARG_COMPUTES)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  endif()
   target_compile_definitions(${name} PRIVATE HYPERMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  if(HYPERMAP_WHOLE_TEST_PROGRAMS)
+    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
+  else()
+    gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  endif()
 endfunction()
 
 # Target `tidy`: clang-tidy over everything that this build would compile, as `.clang-tidy` says. With unity
