@@ -29,7 +29,7 @@ struct Arguments {
 Result<SnapshotOptions> options_of(const Arguments& arguments) {
   SnapshotOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.view, parse_snapshot_view(arguments.view));
-  HYPERMAP_ASSIGN_OR_RETURN(const PictureSize size, parse_picture_size(arguments.size));
+  HYPERMAP_ASSIGN_OR_RETURN(const SnapshotSize size, parse_picture_size(arguments.size));
   options.width_px = size.width_px;
   options.height_px = size.height_px;
   if (arguments.layers) {

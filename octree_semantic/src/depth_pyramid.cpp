@@ -101,7 +101,7 @@ void DepthPyramid::build_level(const Level& fine, Level& coarse) const {
   }
 }
 
-DepthBounds DepthPyramid::bounds(const PixelRect& rect) const noexcept {
+DepthBounds DepthPyramid::bounds(const PixelSpan& rect) const noexcept {
   const int x_min = rect.u_min / kTile;
   const int y_min = rect.v_min / kTile;
   const int x_max = rect.u_max / kTile;

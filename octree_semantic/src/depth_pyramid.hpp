@@ -13,7 +13,7 @@
 namespace hypermap {
 
 /// Pixels from (u_min, v_min) to (u_max, v_max), both included.
-struct PixelRect {
+struct PixelSpan {
   int u_min = 0;
   int v_min = 0;
   int u_max = 0;
@@ -42,7 +42,7 @@ class DepthPyramid {
   [[nodiscard]] const std::vector<float>& clean() const noexcept { return clean_; }
   /// Bounds that may be wider than those of the rectangle: of the tiles that it touches.
   /// Requires: the rectangle lies in the picture.
-  [[nodiscard]] DepthBounds bounds(const PixelRect& rect) const noexcept;
+  [[nodiscard]] DepthBounds bounds(const PixelSpan& rect) const noexcept;
   [[nodiscard]] DepthBounds bounds() const noexcept { return levels_.back().bounds.front(); }
 
   [[nodiscard]] int tiles_per_row() const noexcept { return levels_.front().width; }

@@ -39,7 +39,7 @@ Interval projected(float middle, float half, const Interval& depth, float shift)
 
 /// Where the corners of a brick may fall in the picture.
 struct Footprint {
-  PixelRect rect;
+  PixelSpan rect;
   bool whole = true;  // none falls outside
 };
 

@@ -64,7 +64,7 @@ TEST(DepthPyramid, BoundsContainEveryRectangleAndAreTightOnTiles) {
   DepthPyramid pyramid;
   pyramid.build(depth_m, kWidth, dropped, Workers());
   EXPECT_EQ(pyramid.clean()[77], 0.0F);
-  const auto brute_force = [&](const PixelRect& rect) {
+  const auto brute_force = [&](const PixelSpan& rect) {
     DepthBounds bounds{std::numeric_limits<float>::infinity(), 0.0F};
     for (int v = rect.v_min; v <= rect.v_max; ++v) {
       for (int u = rect.u_min; u <= rect.u_max; ++u) {
@@ -82,13 +82,13 @@ TEST(DepthPyramid, BoundsContainEveryRectangleAndAreTightOnTiles) {
     };
     const auto [u_min, u_max] = draw(kWidth);
     const auto [v_min, v_max] = draw(kHeight);
-    const PixelRect rect{u_min, v_min, u_max, v_max};
+    const PixelSpan rect{u_min, v_min, u_max, v_max};
     const DepthBounds expected = brute_force(rect);
     const DepthBounds bounds = pyramid.bounds(rect);
     EXPECT_LE(bounds.min_m, expected.min_m);
     EXPECT_GE(bounds.max_m, expected.max_m);
   }
-  const PixelRect tile{16, 24, 23, 31};
+  const PixelSpan tile{16, 24, 23, 31};
   EXPECT_EQ(pyramid.bounds(tile).min_m, brute_force(tile).min_m);
   EXPECT_EQ(pyramid.bounds(tile).max_m, brute_force(tile).max_m);
   EXPECT_EQ(pyramid.bounds().max_m, brute_force({0, 0, kWidth - 1, kHeight - 1}).max_m);

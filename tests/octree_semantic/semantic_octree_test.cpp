@@ -36,8 +36,8 @@ std::vector<StoredLeaf> random_leaves(std::size_t count) {
         .key = key,
         .log_odds = static_cast<MilliLogOdds>(-2000 + static_cast<int>(random() % 5500))};
     if (random() % 3 == 0) {
-      leaf.label = label_of(static_cast<std::uint16_t>(random() % 4),
-                            static_cast<std::uint32_t>(1 + random() % 3));
+      const auto object = static_cast<std::uint32_t>(1 + random() % 3);
+      leaf.label = label_of(static_cast<std::uint16_t>(random() % 4), object);
     }
     leaves.push_back(leaf);
   }

@@ -45,7 +45,7 @@ TEST(SnapshotCamera, IsoViewForeshortensByItsElevation) {
 }
 
 TEST(SnapshotCamera, AllFramedPointsFallIntoTheArea) {
-  const PixelRect area{30, 60, 700, 400};
+  const PictureRect area{30, 60, 700, 400};
   for (const double azimuth_deg : {-120.0, -30.0, 45.0, 170.0}) {
     const SnapshotOptions options{.view = IsoView{.azimuth_deg = azimuth_deg}};
     const auto camera = SnapshotCamera::frame(options, slab(), area);

@@ -47,8 +47,8 @@ TEST(SnapshotLayers, AreReadFromTheirNames) {
   EXPECT_FALSE(parse_snapshot_layers(""));
 }
 
-TEST(PictureSize, IsReadStrictly) {
-  EXPECT_EQ(parse_picture_size("1280x720").value(), (PictureSize{1280, 720}));
+TEST(SnapshotSize, IsReadStrictly) {
+  EXPECT_EQ(parse_picture_size("1280x720").value(), (SnapshotSize{1280, 720}));
   for (const char* text :
        {"", "1280", "1280x", "x720", "1280x720x3", "12.5x720", "1280X720", "-64x64"}) {
     EXPECT_FALSE(parse_picture_size(text)) << text;

@@ -95,7 +95,7 @@ class Page {
   void paint_legend(const Legend& legend) {
     if (legend.rows.empty()) return;
     const LegendColumns columns = measure(*text_, legend, look_);
-    const PixelRect& rect = plan_->legend;
+    const PictureRect& rect = plan_->legend;
     draw_plate(*picture_, rect, look_.px(6.0), kPlate, kPlateOpacity);
     double y = rect.y_px + look_.px(22.0);
     if (!legend.columns.empty()) {
@@ -155,7 +155,7 @@ class Page {
     std::vector<LabelRequest> requests;
     requests.reserve(seen.size());
     for (const MapLabel& label : seen) requests.push_back(request_for(label, camera));
-    std::vector<PixelRect> obstacles{plan_->title, plan_->legend, plan_->foot};
+    std::vector<PictureRect> obstacles{plan_->title, plan_->legend, plan_->foot};
     for (const LabelRequest& request : requests) {  // no label on the point that another speaks of
       obstacles.push_back({request.anchor_x_px - 3.0, request.anchor_y_px, 6.0, 4.0});
     }
@@ -206,11 +206,11 @@ class Page {
   }
 
   void paint_row(const LegendRow& row, const LegendColumns& columns, double baseline_px) {
-    const PixelRect swatch{plan_->legend.x_px + look_.px(12.0),
-                           baseline_px - look_.px(kSwatchPx - 1.5),
-                           look_.px(kSwatchPx),
-                           look_.px(kSwatchPx)};
-    const PixelRect rim{
+    const PictureRect swatch{plan_->legend.x_px + look_.px(12.0),
+                             baseline_px - look_.px(kSwatchPx - 1.5),
+                             look_.px(kSwatchPx),
+                             look_.px(kSwatchPx)};
+    const PictureRect rim{
         swatch.x_px - 1.0, swatch.y_px - 1.0, swatch.width_px + 2.0, swatch.height_px + 2.0};
     draw_plate(*picture_, rim, look_.px(3.0), kRim, 1.0);
     draw_plate(*picture_, swatch, look_.px(2.5), row.color, 1.0);
@@ -248,7 +248,7 @@ class Page {
 
   void paint_leader(const LabelRequest& request, const PlacedLabel& placed, const MapLabel& label) {
     if (!placed.shown || !placed.leader) return;
-    const PixelRect& rect = placed.rect;
+    const PictureRect& rect = placed.rect;
     const Eigen::Vector2d anchor(request.anchor_x_px, request.anchor_y_px);
     const Eigen::Vector2d nearest(
         std::clamp(anchor.x(), rect.x_px + 3.0, rect.x_px + rect.width_px - 3.0),
@@ -259,12 +259,12 @@ class Page {
 
   void paint_label(const PlacedLabel& placed, const MapLabel& label) {
     if (!placed.shown) return;
-    const PixelRect& rect = placed.rect;
+    const PictureRect& rect = placed.rect;
     draw_plate(*picture_, rect, look_.px(4.0), label.color, 1.0);
-    const PixelRect inner{rect.x_px + look_.px(4.5),
-                          rect.y_px + look_.px(1.0),
-                          rect.width_px - look_.px(5.5),
-                          rect.height_px - look_.px(2.0)};
+    const PictureRect inner{rect.x_px + look_.px(4.5),
+                            rect.y_px + look_.px(1.0),
+                            rect.width_px - look_.px(5.5),
+                            rect.height_px - look_.px(2.0)};
     draw_plate(*picture_, inner, look_.px(3.0), kPlate, 0.94);
     write(label.text,
           rect.x_px + look_.px(9.5),

@@ -46,11 +46,11 @@ struct Annotations {
 /// Where things stand on the page. Sizes grow with the picture.
 struct PagePlan {
   double scale = 1.0;  ///< 1 for 1280 x 720.
-  PixelRect canvas;
-  PixelRect title;
-  PixelRect legend;                 ///< Empty without rows.
-  PixelRect foot;                   ///< Scale bar and axes.
-  PixelRect content;                ///< What remains for the scene.
+  PictureRect canvas;
+  PictureRect title;
+  PictureRect legend;               ///< Empty without rows.
+  PictureRect foot;                 ///< Scale bar and axes.
+  PictureRect content;              ///< What remains for the scene.
   bool scene_fills_page = false;    ///< Not kept inside `content`: plates go under texts.
   std::size_t num_legend_rows = 0;  ///< As many as fit.
 };

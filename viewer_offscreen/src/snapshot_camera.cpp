@@ -106,7 +106,7 @@ std::optional<Eigen::Vector3d> direction_to_eye(const SnapshotView& view) {
 
 SnapshotCamera SnapshotCamera::frame(const SnapshotOptions& options,
                                      std::span<const Eigen::Vector3d> points_in_map,
-                                     const PixelRect& area) {
+                                     const PictureRect& area) {
   SnapshotCamera camera;
   camera.width_px_ = options.width_px;
   camera.height_px_ = options.height_px;
@@ -129,7 +129,7 @@ void SnapshotCamera::look(const Eigen::Vector3d& backwards, const Eigen::Vector3
 
 void SnapshotCamera::frame_parallel(const SnapshotOptions& options,
                                     std::span<const Eigen::Vector3d> points_in_map,
-                                    const PixelRect& area) {
+                                    const PictureRect& area) {
   const Eigen::Vector3d backwards = *direction_to_eye(options.view);
   const bool top = std::holds_alternative<TopView>(options.view);
   look(backwards, top ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ().cross(backwards));

@@ -142,9 +142,9 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
   return layers;
 }
 
-Result<PictureSize> parse_picture_size(std::string_view text) {
+Result<SnapshotSize> parse_picture_size(std::string_view text) {
   const std::size_t cross = text.find('x');
-  PictureSize size;
+  SnapshotSize size;
   if (cross == std::string_view::npos || !parse_whole(text.substr(0, cross), size.width_px) ||
       !parse_whole(text.substr(cross + 1), size.height_px)) {
     return fail(ErrorCode::kInvalidArgument,

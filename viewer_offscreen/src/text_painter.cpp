@@ -140,7 +140,7 @@ void TextPainter::write(ColorImage& picture,
 }
 
 void draw_plate(
-    ColorImage& picture, const PixelRect& rect, double radius_px, Rgb8 color, double opacity) {
+    ColorImage& picture, const PictureRect& rect, double radius_px, Rgb8 color, double opacity) {
   cv::Mat pixels = pixels_of(picture);
   const cv::Rect whole(0, 0, pixels.cols, pixels.rows);
   const cv::Rect around(static_cast<int>(std::floor(rect.x_px)) - 1,

@@ -54,7 +54,7 @@ class TextPainter {
 
 /// A filled rectangle with round corners, blended by `opacity`.
 void draw_plate(
-    ColorImage& picture, const PixelRect& rect, double radius_px, Rgb8 color, double opacity);
+    ColorImage& picture, const PictureRect& rect, double radius_px, Rgb8 color, double opacity);
 
 /// An antialiased line.
 void draw_line(ColorImage& picture,

@@ -34,7 +34,7 @@ std::vector<std::int32_t> labels_of(std::size_t num_voxels,
 
 /// The pixels whose voxel has label 1.
 std::vector<std::uint32_t> pixels_of_best(const PixelCloud& cloud,
-                                          const VoxelGrid& grid,
+                                          const ThinnedCloud& grid,
                                           const std::vector<std::int32_t>& labels) {
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i < cloud.pixels.size(); ++i) {
@@ -75,7 +75,7 @@ Result<Segment> segment_by_cluster(const RgbdFrame& frame,
   const PixelCloud cloud = crop_in_range(frame, detection, options, recorder);
   if (cloud.pixels.empty()) return nothing_left("range");
 
-  const VoxelGrid grid = voxel_grid(cloud.points_in_camera, options.leaf_size_m);
+  const ThinnedCloud grid = voxel_grid(cloud.points_in_camera, options.leaf_size_m);
   const auto show = [&](const char* step,
                         std::size_t num_points,
                         const std::vector<PointIndices>& clusters,
@@ -129,7 +129,7 @@ Result<Segment> segment_by_region_growing(const RgbdFrame& frame,
   if (regions.empty()) return nothing_left("regions");
 
   PixelCloud largest = subset(cloud, regions.front());
-  const VoxelGrid grid = voxel_grid(largest.points_in_camera, options.leaf_size_m);
+  const ThinnedCloud grid = voxel_grid(largest.points_in_camera, options.leaf_size_m);
   if (recorder != nullptr) {
     recorder->record(
         "voxel grid", grid.centroids.size(), 1, largest.pixels, [](std::size_t) { return 1; });

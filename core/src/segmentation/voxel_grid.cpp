@@ -66,8 +66,8 @@ class KeyNumbering {
 
 }  // namespace
 
-VoxelGrid voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_size_m) {
-  VoxelGrid grid;
+ThinnedCloud voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_size_m) {
+  ThinnedCloud grid;
   grid.voxel_of_point.resize(points.size());
   if (leaf_size_m <= 0.0) {
     grid.centroids.assign(points.begin(), points.end());

@@ -11,16 +11,16 @@
 namespace hypermap {
 
 /// A rectangle of the picture. Unit: pixel; y grows downwards.
-struct PixelRect {
+struct PictureRect {
   double x_px = 0.0;  ///< Left edge.
   double y_px = 0.0;  ///< Upper edge.
   double width_px = 0.0;
   double height_px = 0.0;
-  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+  friend bool operator==(const PictureRect&, const PictureRect&) = default;
 };
 
 /// Open: rectangles that share an edge do not overlap.
-[[nodiscard]] bool overlap(const PixelRect& a, const PixelRect& b);
+[[nodiscard]] bool overlap(const PictureRect& a, const PictureRect& b);
 
 /// A text of known size and the place it speaks of.
 struct LabelRequest {
@@ -31,7 +31,7 @@ struct LabelRequest {
 };
 
 struct PlacedLabel {
-  PixelRect rect;
+  PictureRect rect;
   bool shown = true;    ///< False where no free place was left; `rect` is meaningless then.
   bool leader = false;  ///< The label stands apart from its anchor: draw a line between them.
 };
@@ -48,8 +48,8 @@ struct LabelLayoutOptions {
 /// One result per request, in their order. Labels whose anchor lies outside the canvas, and labels
 /// without a free place, are not shown. Cost: O(labels * places tried * (labels + obstacles)).
 [[nodiscard]] std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests,
-                                                    const PixelRect& canvas,
-                                                    std::span<const PixelRect> obstacles,
+                                                    const PictureRect& canvas,
+                                                    std::span<const PictureRect> obstacles,
                                                     const LabelLayoutOptions& options = {});
 
 }  // namespace hypermap

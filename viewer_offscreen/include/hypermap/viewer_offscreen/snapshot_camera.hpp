@@ -27,7 +27,7 @@ class SnapshotCamera {
   /// framed with 1 m around them. Requires: validate(options) passed; area inside the picture.
   [[nodiscard]] static SnapshotCamera frame(const SnapshotOptions& options,
                                             std::span<const Eigen::Vector3d> points_in_map,
-                                            const PixelRect& area);
+                                            const PictureRect& area);
 
   /// Shape: 4 x 4; OpenGL's clip space.
   [[nodiscard]] const Eigen::Matrix4d& clip_from_map() const noexcept { return clip_from_map_; }
@@ -47,7 +47,7 @@ class SnapshotCamera {
   void look(const Eigen::Vector3d& backwards, const Eigen::Vector3d& right);
   void frame_parallel(const SnapshotOptions& options,
                       std::span<const Eigen::Vector3d> points_in_map,
-                      const PixelRect& area);
+                      const PictureRect& area);
   void frame_pose(const PoseView& view,
                   const SnapshotOptions& options,
                   std::span<const Eigen::Vector3d> points_in_map);

@@ -70,12 +70,12 @@ struct SnapshotOptions {
 /// Errors: kInvalidArgument naming the unknown name and the known ones.
 [[nodiscard]] Result<SnapshotLayers> parse_snapshot_layers(std::string_view text);
 
-struct PictureSize {
+struct SnapshotSize {
   int width_px = 0;
   int height_px = 0;
-  friend bool operator==(PictureSize, PictureSize) = default;
+  friend bool operator==(SnapshotSize, SnapshotSize) = default;
 };
 /// "1280x720". Errors: kInvalidArgument when it is no size or a side is outside 64..8192.
-[[nodiscard]] Result<PictureSize> parse_picture_size(std::string_view text);
+[[nodiscard]] Result<SnapshotSize> parse_picture_size(std::string_view text);
 
 }  // namespace hypermap
