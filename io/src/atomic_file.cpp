@@ -116,7 +116,7 @@ Result<Target> find_target(const std::filesystem::path& path) {
 /// A temporary file that is closed and removed unless it was renamed.
 class Temporary {
  public:
-  explicit Temporary(FileCalls& calls) : calls_(calls) {}
+  Temporary(FileCalls& calls, const Target& target) : calls_(calls), target_(target) {}
   ~Temporary() {
     if (descriptor_ >= 0) calls_.close(descriptor_);
     if (!path_.empty()) calls_.unlink(path_.c_str());
@@ -126,10 +126,10 @@ class Temporary {
   Temporary(Temporary&&) = delete;
   Temporary& operator=(Temporary&&) = delete;
 
-  Result<void> create(const Target& target) {
-    const mode_t mode = target.status ? 0600 : 0666;
+  Result<void> create() {
+    const mode_t mode = target_.status ? 0600 : 0666;
     for (int n = 0; n < kMaxTemporaryNames; ++n) {
-      const auto path = target.folder() / temporary_name(::getpid(), n);
+      const auto path = target_.folder() / temporary_name(::getpid(), n);
       descriptor_ =
           calls_.open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
       if (descriptor_ >= 0) {
@@ -138,12 +138,9 @@ class Temporary {
         return {};
       }
       if (errno == EINTR) continue;
-      if (errno != EEXIST)
-        return tl::make_unexpected(
-            system_error(path, "create a temporary file for the save", errno));
+      if (errno != EEXIST) return refused("create a temporary file beside it", errno);
     }
-    return tl::make_unexpected(
-        system_error(target.folder(), "create a temporary file for the save", EEXIST));
+    return refused("create a temporary file beside it", EEXIST);
   }
 
   Result<void> write(std::string_view bytes) {
@@ -152,43 +149,46 @@ class Temporary {
       const ssize_t done =
           calls_.write(descriptor_, bytes.data(), std::min(bytes.size(), kMaxWriteBytes));
       if (done < 0 && errno == EINTR) continue;
-      if (done < 0) return tl::make_unexpected(system_error(path_, "write", errno));
-      if (done == 0) return tl::make_unexpected(system_error(path_, "write", ENOSPC));
+      if (done < 0) return refused("write", errno);
+      if (done == 0) return refused("write", ENOSPC);
       bytes.remove_prefix(static_cast<std::size_t>(done));
     }
     return {};
   }
 
   /// Without the right to give files away the new file is the saver's own, with the old mode.
-  Result<void> take_mode_and_owner_of(const Target& target) {
-    if (!target.status) return {};
-    const struct stat& old = *target.status;
+  Result<void> take_mode_and_owner() {
+    if (!target_.status) return {};
+    const struct stat& old = *target_.status;
     if (calls_.fchown(descriptor_, old.st_uid, old.st_gid) != 0 && errno != EPERM)
-      return tl::make_unexpected(system_error(path_, "set the owner", errno));
-    if (calls_.fchmod(descriptor_, old.st_mode & 0777U) != 0)
-      return tl::make_unexpected(system_error(path_, "set the mode", errno));
+      return refused("set the owner", errno);
+    if (calls_.fchmod(descriptor_, old.st_mode & 0777U) != 0) return refused("set the mode", errno);
     return {};
   }
 
   Result<void> sync_and_close() {
-    if (calls_.fsync(descriptor_) != 0)
-      return tl::make_unexpected(system_error(path_, "sync", errno));
+    if (calls_.fsync(descriptor_) != 0) return refused("sync", errno);
     // After close() the descriptor is gone whatever it returned; a second close could hit another.
     if (calls_.close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR)
-      return tl::make_unexpected(system_error(path_, "close", errno));
+      return refused("close", errno);
     return {};
   }
 
-  Result<void> rename_to(const Target& target) {
-    if (calls_.rename(path_.c_str(), target.path.c_str()) != 0)
-      return tl::make_unexpected(system_error(
-          target.path, "rename the temporary " + path_.filename().string() + " to it", errno));
+  Result<void> rename() {
+    if (calls_.rename(path_.c_str(), target_.path.c_str()) != 0)
+      return refused("rename the temporary " + path_.filename().string() + " to it", errno);
     path_.clear();
     return {};
   }
 
  private:
+  /// Names the target: who saves knows of no temporary.
+  [[nodiscard]] Unexpected refused(const std::string& action, int reason) const {
+    return tl::make_unexpected(system_error(target_.path, action, reason));
+  }
+
   FileCalls& calls_;
+  const Target& target_;
   std::filesystem::path path_;
   int descriptor_ = -1;
 };
@@ -210,6 +210,20 @@ Result<void> sync_folder(const Target& target, FileCalls& calls) {
 
 }  // namespace
 
+Result<void> check_target(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Target target, find_target(path));
+  const auto folder = target.folder();
+  std::error_code failed;
+  if (!std::filesystem::is_directory(folder, failed)) {
+    const int reason = failed ? failed.value() : ENOTDIR;
+    return tl::make_unexpected(system_error(path, "write into its folder", reason));
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    return tl::make_unexpected(system_error(path, "write into its folder", errno));
+  }
+  return {};
+}
+
 Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
   FileCalls calls;
   return write_file_atomically(path, bytes, calls);
@@ -220,12 +234,12 @@ Result<void> write_file_atomically(const std::filesystem::path& path,
                                    FileCalls& calls) {
   HYPERMAP_ASSIGN_OR_RETURN(const Target target, find_target(path));
   remove_stale_temporaries(target.folder());
-  Temporary temporary(calls);
-  HYPERMAP_TRY(temporary.create(target));
+  Temporary temporary(calls, target);
+  HYPERMAP_TRY(temporary.create());
   HYPERMAP_TRY(temporary.write(bytes));
-  HYPERMAP_TRY(temporary.take_mode_and_owner_of(target));
+  HYPERMAP_TRY(temporary.take_mode_and_owner());
   HYPERMAP_TRY(temporary.sync_and_close());
-  HYPERMAP_TRY(temporary.rename_to(target));
+  HYPERMAP_TRY(temporary.rename());
   return sync_folder(target, calls);
 }
 

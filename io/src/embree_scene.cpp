@@ -64,6 +64,10 @@ RTCIntersectContext coherent_context() {
   return context;
 }
 
+Unexpected no_memory() {
+  return fail(ErrorCode::kOutOfMemory, "no memory for the scene's triangles", "embree");
+}
+
 Unexpected refused(const char* what) {
   return fail(ErrorCode::kUnavailable, what, "embree");
 }
@@ -73,11 +77,7 @@ Unexpected refused(const char* what) {
 Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> meshes) {
   const RTCDevice device = rtcNewDevice(nullptr);
   if (device == nullptr) return refused("gives no device");
-  EmbreeScene result;
-  // The scene holds its device, so that releasing the scene is enough.
-  result.scene_ = std::shared_ptr<void>(
-      rtcNewScene(device), [](void* scene) { rtcReleaseScene(static_cast<RTCScene>(scene)); });
-  const RTCScene scene = scene_of(result.scene_);
+  const RTCScene scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   bool complete = true;
   for (unsigned i = 0; i < meshes.size(); ++i) {
@@ -85,9 +85,16 @@ Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> mes
     complete = attach(device, scene, *meshes[i], i) && complete;
   }
   rtcCommitScene(scene);
-  const bool failed = !complete || rtcGetDeviceError(device) != RTC_ERROR_NONE;
-  rtcReleaseDevice(device);
-  if (failed) return refused("cannot hold the scene's triangles");
+  const RTCError error = rtcGetDeviceError(device);
+  if (!complete || error != RTC_ERROR_NONE) {
+    // Kept for ever: releasing a scene whose build failed ends the program (Embree 3.13).
+    if (error == RTC_ERROR_OUT_OF_MEMORY) return no_memory();
+    return refused("cannot hold the scene's triangles");
+  }
+  EmbreeScene result;
+  result.scene_ = std::shared_ptr<void>(
+      scene, [](void* owned) { rtcReleaseScene(static_cast<RTCScene>(owned)); });
+  rtcReleaseDevice(device);  // the scene holds it
   return result;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_stream.hpp"
 
+#include <system_error>
+
 namespace hypermap {
 
 FrameStream::FrameStream(const DatasetReader& dataset, bool ahead)
@@ -18,7 +20,12 @@ Result<RgbdFrame> FrameStream::next() {
 
 void FrameStream::start() {
   if (next_ >= dataset_.size()) return;
-  pending_ = std::async(std::launch::async, [this, index = next_] { return dataset_.read(index); });
+  const auto read = [this, index = next_] { return dataset_.read(index); };
+  try {
+    pending_ = std::async(std::launch::async, read);
+  } catch (const std::system_error&) {  // no thread is to be had: read when it is asked for
+    pending_ = std::async(std::launch::deferred, read);
+  }
 }
 
 }  // namespace hypermap

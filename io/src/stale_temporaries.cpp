@@ -27,10 +27,6 @@ std::optional<pid_t> process_of(std::string_view name) {
   return process;
 }
 
-bool is_dead(pid_t process) {
-  return ::kill(process, 0) != 0 && errno == ESRCH;
-}
-
 bool is_locked(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return true;
@@ -40,6 +36,10 @@ bool is_locked(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_abandoned(pid_t process, const std::filesystem::path& path) {
+  return ::kill(process, 0) != 0 && errno == ESRCH && !is_locked(path);
+}
 
 std::string temporary_name(pid_t process, int n) {
   return std::string(kPrefix) + std::to_string(process) + "-" + std::to_string(n) +
@@ -51,7 +51,7 @@ void remove_stale_temporaries(const std::filesystem::path& folder) {
   std::filesystem::directory_iterator entry(folder, ignored);
   for (; !ignored && entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
     const auto process = process_of(entry->path().filename().string());
-    if (process && is_dead(*process) && !is_locked(entry->path())) ::unlink(entry->path().c_str());
+    if (process && is_abandoned(*process, entry->path())) ::unlink(entry->path().c_str());
   }
 }
 

@@ -13,9 +13,13 @@ namespace hypermap {
 /// `.hypermap-save-<process>-<n>.tmp`. The saver also holds an flock on it while it writes.
 [[nodiscard]] std::string temporary_name(pid_t process, int n);
 
-/// Removes temporaries whose process is dead and whose lock nobody holds. Both are asked, since a
+/// Whether the process is dead and nobody holds the lock of its temporary. Both are asked, since a
 /// process of another container has no number here and the lock is taken a moment after the
-/// creation. What cannot be removed stays: the save itself will say what is wrong with the folder.
+/// creation.
+[[nodiscard]] bool is_abandoned(pid_t process, const std::filesystem::path& path);
+
+/// Removes abandoned temporaries. What cannot be removed stays: the save itself will say what is
+/// wrong with the folder.
 void remove_stale_temporaries(const std::filesystem::path& folder);
 
 }  // namespace hypermap

@@ -100,6 +100,12 @@ struct OcclusionScene::Scene {
   Revision revision = 0;
 
   void take(std::uint32_t position, BrickKey key, const Brick& brick);
+
+  /// After a failed build: releasing the scene would then end the program (Embree 3.13).
+  void keep_for_ever() {
+    static_cast<void>(scene.release());
+    static_cast<void>(device.release());
+  }
 };
 
 void OcclusionScene::Scene::take(std::uint32_t position, BrickKey key, const Brick& brick) {
@@ -142,7 +148,10 @@ Result<OcclusionScene> OcclusionScene::create() {
   rtcReleaseGeometry(geometry);
   made->geometry = geometry;
   rtcCommitScene(made->scene.get());
-  HYPERMAP_TRY(check(made->device));
+  if (auto built = check(made->device); !built) {
+    made->keep_for_ever();
+    return Unexpected(std::move(built).error());
+  }
   return OcclusionScene(std::move(made));
 }
 
@@ -161,7 +170,10 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
                                      static_cast<unsigned>(scene_->primitives.bricks.size()));
     rtcCommitGeometry(scene_->geometry);
     rtcCommitScene(scene_->scene.get());
-    HYPERMAP_TRY(check(scene_->device));
+    if (auto built = check(scene_->device); !built) {
+      scene_->keep_for_ever();
+      return Unexpected(std::move(built).error());
+    }
     return changed.size();
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the occlusion scene");

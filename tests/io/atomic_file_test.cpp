@@ -191,6 +191,22 @@ TEST(AtomicFile, ADeviceAFolderAndAFifoAreNotReplaced) {
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
+TEST(AtomicFile, ATargetIsJudgedBeforeTheWork) {
+  const TempDir dir;
+  fs::create_directory(dir / "folder");
+  ASSERT_TRUE(write_file_atomically(dir / "old", "old"));
+  EXPECT_TRUE(check_target(dir / "new"));
+  EXPECT_TRUE(check_target(dir / "old"));
+  EXPECT_TRUE(check_target("new"));
+  for (const fs::path& path :
+       {dir / "folder", dir / "no" / "a", dir / "old" / "a", fs::path("/dev/null")}) {
+    const auto judged = check_target(path);
+    ASSERT_FALSE(judged) << path;
+    EXPECT_EQ(judged.error().code, ErrorCode::kIo);
+    EXPECT_EQ(judged.error().file, path.string());
+  }
+}
+
 TEST(AtomicFile, AFolderThatIsNotThereOrReadOnlyIsNamedWithErrno) {
   const TempDir dir;
   const auto missing = write_file_atomically(dir / "no" / "a", "new");

@@ -34,6 +34,10 @@ class FileCalls {
   virtual int unlink(const char* path);
 };
 
+/// Whether a file could be replaced or made at `path`, to be asked before long work.
+/// Errors: kIo when its folder is not there or not writable, or when it is no regular file.
+[[nodiscard]] Result<void> check_target(const std::filesystem::path& path);
+
 /// Writes `bytes` to a temporary beside the target, syncs it, renames it over the target and syncs
 /// the folder.
 ///
