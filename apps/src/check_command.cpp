@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/file_check.hpp"
+#include "interruption.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -73,6 +74,7 @@ void add_check_command(CLI::App& program, Action& action) {
     action = [arguments, options] {
       ExitCode worst = ExitCode::kDone;
       for (const std::string& file : arguments->files) {
+        if (interrupting_signal() != 0) break;
         worst = std::max(worst, judge(file, options));
       }
       return worst;

@@ -10,6 +10,7 @@ ExitCode exit_code_of(const Error& error) {
     case ErrorCode::kIo:
     case ErrorCode::kOutOfMemory:
     case ErrorCode::kUnavailable:
+    case ErrorCode::kInterrupted:
       return ExitCode::kSystem;
     case ErrorCode::kInvalidArgument:
     case ErrorCode::kNotFound:

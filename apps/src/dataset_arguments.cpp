@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dataset_arguments.hpp"
 
+#include "number_lists.hpp"
+
 #include <CLI/Validators.hpp>
 
 namespace hypermap::app {
@@ -26,7 +28,7 @@ void DatasetArguments::add_to(CLI::App& command) {
   command.add_option("--max-frames", max_frames, "stop after so many frames")
       ->check(CLI::Range(1, 1000000000));
   command.add_option("--stamp-tolerance", stamp_tolerance_s, "seconds that partners may be apart")
-      ->check(CLI::Range(0.0, 3600.0));
+      ->check(number_in(0.0, 3600.0));
 }
 
 Result<DatasetOptions> DatasetArguments::options() const {

@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "hypermap/io/detection_job.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
 
 #include <cstdio>
@@ -24,8 +25,8 @@ Result<DetectionJobReport> run(const Arguments& arguments, const std::string& pr
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
   Progress progress("detecting", progress_when);
-  return run_detection(job,
-                       [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+  return run_detection(
+      job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
 }
 
 }  // namespace
@@ -39,6 +40,11 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
   command.add_option("--output", arguments->output, "COCO results; a line a picture when .jsonl")
       ->required();
   command.callback([arguments, &common, &action] {
+    keep_apart("--output",
+               arguments->output,
+               {arguments->model,
+                arguments->dataset.description.value_or(""),
+                arguments->dataset.classes.value_or("")});
     action = [arguments, &common] {
       const auto done = run(*arguments, common.progress);
       if (!done) return report(done.error());

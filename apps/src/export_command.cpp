@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/map_export.hpp"
+#include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -46,6 +47,10 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
   command.callback([arguments, &action] {
+    keep_apart("--output", arguments->request.output, {arguments->file});
+    for (const char* ending : {".yaml", ".pgm"}) {  // of a ros-map, whose stem is given
+      keep_apart("--output", arguments->request.output.string() + ending, {arguments->file});
+    }
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
     arguments->request.format = *format;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "interruption.hpp"
 #include "version.hpp"
 
 #include <CLI/Config.hpp>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 namespace hypermap::app {
 namespace {
@@ -53,17 +55,28 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   return flushed(action());
 }
 
+/// What the shell says of a program that a signal ended; the work itself was ended in good order.
+int status_of(ExitCode code) {
+  const int signal = interrupting_signal();
+  return signal == 0 ? static_cast<int>(code) : 128 + signal;
+}
+
 }  // namespace
 }  // namespace hypermap::app
 
 int main(int argc, char** argv) {
   using hypermap::app::ExitCode;
-  // A reader that goes away must be told by the exit code, not by a signal.
+  // A reader that goes away and a limit on file sizes are told by errors, not by signals.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  hypermap::app::watch_interruptions();
   try {
-    return static_cast<int>(hypermap::app::parse_and_run(argc, argv));
+    return hypermap::app::status_of(hypermap::app::parse_and_run(argc, argv));
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "hypermap: out of memory\n");
+    return static_cast<int>(ExitCode::kSystem);
+  } catch (const std::system_error& error) {  // no thread, no file
+    std::fprintf(stderr, "hypermap: %s\n", error.what());
     return static_cast<int>(ExitCode::kSystem);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "hypermap: internal error: %s\n", error.what());

@@ -4,11 +4,12 @@
 #include "hypermap/io/atomic_file.hpp"
 #include "hypermap/io/mapping_job.hpp"
 #include "hypermap/io/options_file.hpp"
+#include "number_lists.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
 
 #include <CLI/Validators.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -87,7 +88,7 @@ ExitCode run(const Arguments& arguments, const std::string& progress_when) {
   {
     Progress progress("mapping", progress_when);
     mapped = run_mapping(
-        *job, [&](std::size_t done, std::size_t total) { progress.update(done, total); });
+        *job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
   }
   if (!mapped) return report(mapped.error());
   ExitCode worst = ExitCode::kDone;
@@ -99,20 +100,6 @@ ExitCode run(const Arguments& arguments, const std::string& progress_when) {
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
   return written ? worst : report(written.error());
-}
-
-bool is_positive(double number) {
-  return std::isfinite(number) && number > 0.0;
-}
-
-/// For --option of a length: finite and above 0, NaN is neither.
-CLI::Validator positive_length() {
-  return {[](std::string& text) -> std::string {
-            double number = 0.0;
-            if (CLI::detail::lexical_cast(text, number) && is_positive(number)) return {};
-            return "must be a finite number of metres above 0, is " + text;
-          },
-          "METRES"};
 }
 
 void add_options(CLI::App& command, Arguments& arguments) {
@@ -132,21 +119,35 @@ void add_options(CLI::App& command, Arguments& arguments) {
                   "what frees space: every ray, one per voxel, or projection (default)")
       ->check(CLI::IsMember({"exact", "discretize", "projective"}));
   command.add_option("--resolution", arguments.resolution_m, "edge of a voxel (default 0.05)")
-      ->check(positive_length());
+      ->check(number_in(0.001, 10.0));
   command.add_option("--max-range", arguments.max_range_m, "farther depth only frees (default 5)")
-      ->check(positive_length());
+      ->check(number_in(0.01, 1000.0));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
   command.add_option("--transient", arguments.transient, "class of things that do not stay");
   command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0.0, 1.0))
       ->capture_default_str();
   command.add_option("--threads", arguments.num_threads, "0: one for each core")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   command.add_option("--stats", arguments.stats, "JSON file for counts and times");
+}
+
+void keep_outputs_apart(const Arguments& arguments) {
+  const DatasetArguments& dataset = arguments.dataset;
+  std::vector<std::filesystem::path> read{dataset.description.value_or(""),
+                                          dataset.classes.value_or(""),
+                                          arguments.config.value_or(""),
+                                          arguments.job.model.value_or("")};
+  read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
+  const std::filesystem::path stats = arguments.stats.value_or("");
+  keep_apart("--stats", stats, read);
+  keep_apart("--stats", stats, {arguments.job.output});
+  read.emplace_back(dataset.input);
+  keep_apart("--output", arguments.job.output, read);
 }
 
 }  // namespace
@@ -156,6 +157,7 @@ void add_map_command(CLI::App& program, const CommonOptions& common, Action& act
   CLI::App& command = *program.add_subcommand("map", "The main job: a dataset becomes an archive");
   add_options(command, *arguments);
   command.callback([arguments, &common, &action] {
+    keep_outputs_apart(*arguments);
     action = [arguments, &common] { return run(*arguments, common.progress); };
   });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_lists.hpp"
 
+#include "tables.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -31,6 +33,16 @@ Result<double> parse_number(std::string_view text, const std::string& field) {
 }
 
 }  // namespace
+
+CLI::Validator number_in(double min, double max) {
+  const auto check = [min, max](const std::string& text) -> std::string {
+    const auto number = parse_number(text, "");
+    if (number && *number >= min && *number <= max) return {};
+    return "must be a number in " + fixed(min, 3) + " .. " + fixed(max, 0) + ", is '" +
+           printable(text) + "'";
+  };
+  return {check, "NUMBER"};
+}
 
 Result<std::vector<double>> parse_numbers(const std::string& text,
                                           std::size_t min_count,

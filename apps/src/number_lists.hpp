@@ -6,11 +6,17 @@
 #include "hypermap/core/polygon.hpp"
 #include "hypermap/core/result.hpp"
 
+#include <CLI/App.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace hypermap::app {
+
+/// For an option with one number in [min, max]. NaN lies in no range; the decimal point is a point
+/// whatever the language.
+[[nodiscard]] CLI::Validator number_in(double min, double max);
 
 /// "1.5,2,0" as at least `min_count` and at most `max_count` finite numbers, separated by commas or
 /// blanks. Errors: kInvalidArgument naming `field`.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.hpp"
 
+#include "interruption.hpp"
+
 #include <unistd.h>
 
 #include <cstdio>
@@ -17,7 +19,12 @@ Progress::~Progress() {
   if (line_open_) std::fputc('\n', stderr);
 }
 
-void Progress::update(std::size_t done, std::size_t total) {
+bool Progress::update(std::size_t done, std::size_t total) {
+  show(done, total);
+  return interrupting_signal() == 0;
+}
+
+void Progress::show(std::size_t done, std::size_t total) {
   if (!visible_ || total == 0) return;
   const std::size_t percent = 100 * done / total;
   if (percent == last_percent_) return;

@@ -20,9 +20,12 @@ class Progress {
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
 
-  void update(std::size_t done, std::size_t total);
+  /// False when the user wants the work to end.
+  [[nodiscard]] bool update(std::size_t done, std::size_t total);
 
  private:
+  void show(std::size_t done, std::size_t total);
+
   std::string what_;
   bool visible_ = false;
   bool on_terminal_ = false;

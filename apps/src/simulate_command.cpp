@@ -3,6 +3,7 @@
 #include "data_dir.hpp"
 #include "hypermap/io/scene_file.hpp"
 #include "hypermap/io/simulator.hpp"
+#include "number_lists.hpp"
 #include "progress.hpp"
 
 #include <CLI/Validators.hpp>
@@ -26,7 +27,7 @@ Result<SimulationReport> run(const Arguments& arguments, const std::string& prog
   Progress progress("simulating", progress_when);
   return simulate(
       scene, arguments.simulation, arguments.output, [&](std::size_t done, std::size_t total) {
-        progress.update(done, total);
+        return progress.update(done, total);
       });
 }
 
@@ -66,7 +67,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->capture_default_str();
   command
       .add_option("--pose-noise", arguments->simulation.pose_noise, "drift of the recorded poses")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_in(0.0, 100.0))
       ->capture_default_str();
   command.add_option("--threads", arguments->simulation.num_threads, "0: one for each core")
       ->check(CLI::Range(0, 256))

@@ -5,7 +5,9 @@
 #include "hypermap/io/map_layers.hpp"
 #include "hypermap/io/png_image.hpp"
 #include "hypermap/viewer_offscreen/snapshot.hpp"
+#include "number_lists.hpp"
 #include "object_query.hpp"
+#include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -99,9 +101,11 @@ void add_snapshot_command(CLI::App& program, Action& action) {
                      arguments->layers,
                      "voxels,objects,occupancy,semantic,trajectory or all (default: by view)");
   command.add_option("--title", arguments->title, "text over the picture (default: file name)");
-  command.add_option(
-      "--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)");
+  command
+      .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")
+      ->check(number_in(-10000.0, 10000.0));
   command.callback([arguments, &action] {
+    keep_apart("--output", arguments->output, {arguments->file});
     auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("snapshot", to_string(options.error()));
     action = [arguments, options = *options] {

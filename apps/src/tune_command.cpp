@@ -4,6 +4,7 @@
 #include "hypermap/core/segmentation_trace.hpp"
 #include "hypermap/io/atomic_file.hpp"
 #include "hypermap/io/png_image.hpp"
+#include "number_lists.hpp"
 #include "tables.hpp"
 
 #include <CLI/Validators.hpp>
@@ -160,9 +161,12 @@ void add_tune_command(CLI::App& program, Action& action) {
   command.add_option("--policy", arguments->policy, "how things are told from what is around them")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals");
-  command.add_option("--curvature", arguments->curvature, "region growing: of points that lead on");
-  command.add_option("--leaf-size", arguments->leaf_size_m, "voxel grid, metres; 0 leaves it out");
+  command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")
+      ->check(number_in(0.0, 180.0));
+  command.add_option("--curvature", arguments->curvature, "region growing: of points that lead on")
+      ->check(number_in(0.0, 1.0));
+  command.add_option("--leaf-size", arguments->leaf_size_m, "voxel grid, metres; 0 leaves it out")
+      ->check(number_in(0.0, 10.0));
   command.add_flag("--no-outliers", arguments->no_outliers, "leave out the removal of outliers");
   command.add_flag("--no-clusters", arguments->no_clusters, "leave out the clustering");
   command.callback([arguments, &action] {

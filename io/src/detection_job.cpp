@@ -32,6 +32,7 @@ Result<std::string> as_text(std::span<const FrameDetections> frames, const Detec
 }  // namespace
 
 Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgress& progress) {
+  HYPERMAP_TRY(check_target(job.output));
   ClassRegistry classes;
   HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
                             OnnxDetector::load(job.model, job.detector, classes));
@@ -54,7 +55,7 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
     } else {
       report.skipped.push_back(found.error());
     }
-    if (progress) progress(i + 1, dataset->size());
+    if (progress && !progress(i + 1, dataset->size())) return interrupted();
   }
   report.num_frames = frames.size();
   if (frames.empty()) {

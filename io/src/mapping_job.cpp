@@ -3,6 +3,7 @@
 
 #include "frame_stream.hpp"
 #include "hypermap/core/stop_watch.hpp"
+#include "hypermap/io/atomic_file.hpp"
 #include "hypermap/io/options_file.hpp"
 #include "input_fingerprint.hpp"
 #include "upright.hpp"
@@ -150,7 +151,7 @@ Result<void> map_frames(Run& run,
     } else {
       return Unexpected(done.error());
     }
-    if (progress) progress(i + 1, total);
+    if (progress && !progress(i + 1, total)) return interrupted();
   }
   return {};
 }
@@ -179,7 +180,8 @@ ValueTree options_tree(const MapOptions& options) {
 
 Provenance provenance(const Run& run, const MappingJob& job) {
   return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
-          .input = std::filesystem::absolute(job.input).lexically_normal().filename().string(),
+          .input = printable(
+              std::filesystem::absolute(job.input).lexically_normal().filename().string()),
           .input_hash = run.fingerprint.text(),
           .options = options_tree({job.mapper, job.layers}),
           .map_from_input = run.dataset->map_from_input()};
@@ -209,6 +211,7 @@ void describe(const MapArchive& archive, const MappingJob& job, MappingReport& r
 Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& progress) {
   MappingReport report;
   StopWatch whole;
+  HYPERMAP_TRY(check_target(job.output));
   HYPERMAP_ASSIGN_OR_RETURN(Run run, open(job, report));
   HYPERMAP_TRY(map_frames(run, job, report, progress));
   HYPERMAP_TRY(check_losses(report, job));

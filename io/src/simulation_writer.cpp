@@ -105,9 +105,7 @@ void add_to_report(const FrameRecord& record,
 /// All frames: rendered in parallel, taken over in their order.
 class FramePipeline {
  public:
-  FramePipeline(const Simulator& simulator,
-                const StagedFolder& folder,
-                const SimulationProgress& progress)
+  FramePipeline(const Simulator& simulator, const StagedFolder& folder, const JobProgress& progress)
       : simulator_(simulator), folder_(folder), progress_(progress) {
     for (const PlacedObject& object : simulator.objects())
       report_.objects.push_back({object.name, object.class_name, 0, 0, ""});
@@ -139,13 +137,17 @@ class FramePipeline {
             tbb::make_filter<Result<FrameRecord>, void>(tbb::filter_mode::serial_in_order, take));
   }
 
+  void stop(Error error) {
+    if (!failed_) error_ = std::move(error);
+    failed_ = true;
+  }
+
   void take_over(const Result<FrameRecord>& record) {
-    if (!record && !failed_) error_ = record.error();
-    if (!record) failed_ = true;
+    if (!record) stop(record.error());
     if (failed_) return;
     add_to_lists(record->frame, simulator_.classes(), lists_);
     add_to_report(*record, simulator_.detector(), report_);
-    if (progress_) progress_(report_.num_frames, simulator_.size());
+    if (progress_ && !progress_(report_.num_frames, simulator_.size())) stop(interrupted().value());
   }
 
   [[nodiscard]] Result<void> write_lists() const {
@@ -157,7 +159,7 @@ class FramePipeline {
 
   const Simulator& simulator_;
   const StagedFolder& folder_;
-  const SimulationProgress& progress_;
+  const JobProgress& progress_;
   std::size_t num_started_ = 0;
   std::atomic<bool> failed_ = false;
   std::optional<Error> error_;
@@ -182,7 +184,7 @@ Result<void> require_replaceable(const fs::path& output_dir) {
 Result<SimulationReport> write_simulation(const Scene& scene,
                                           const SimulationOptions& options,
                                           const fs::path& output_dir,
-                                          const SimulationProgress& progress) {
+                                          const JobProgress& progress) {
   HYPERMAP_ASSIGN_OR_RETURN(const Simulator simulator, Simulator::create(scene, options));
   HYPERMAP_TRY(require_replaceable(output_dir));
   HYPERMAP_ASSIGN_OR_RETURN(StagedFolder folder, StagedFolder::create(output_dir));
@@ -203,7 +205,7 @@ Result<SimulationReport> write_simulation(const Scene& scene,
 Result<SimulationReport> simulate(const Scene& scene,
                                   const SimulationOptions& options,
                                   const fs::path& output_dir,
-                                  const SimulationProgress& progress) {
+                                  const JobProgress& progress) {
   try {
     return write_simulation(scene, options, output_dir, progress);
   } catch (const std::bad_alloc&) {

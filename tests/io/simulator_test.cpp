@@ -154,6 +154,7 @@ TEST(Simulator, ADatasetIsReadAgainAsItWasSimulated) {
   const auto report = simulate(scene, options, dir / "out", [&](std::size_t done, std::size_t all) {
     EXPECT_EQ(all, 6U);
     progress.push_back(done);
+    return true;
   });
   ASSERT_TRUE(report) << to_string(report.error());
   EXPECT_EQ(report->num_frames, 6U);
@@ -238,6 +239,15 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   const EvaluationReport perfect = evaluate(things, things);
   EXPECT_EQ(perfect.all.one_to_one.f1, 1.0);
   EXPECT_NEAR(*perfect.all.one_to_one.jaccard_in_place, 1.0, 1e-9);
+}
+
+TEST(Simulator, EndsWhenItsProgressSaysSo) {
+  const test::TempDir dir;
+  const auto report = simulate(
+      room(), small_options(), dir / "out", [](std::size_t done, std::size_t) { return done < 3; });
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kInterrupted);
+  EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
 }
 
 TEST(Simulator, AFailureLeavesNothing) {

@@ -24,6 +24,7 @@ enum class ErrorCode : std::uint8_t {
   kIo,               ///< The system refused: open, read, write, sync, rename.
   kOutOfMemory,      ///< An allocation failed.
   kUnavailable,      ///< A part of the system is missing (no EGL device).
+  kInterrupted,      ///< The caller asked a long job to end.
 };
 
 /// Says what is wrong so that a person can mend it. Empty fields are left out when printed, see

@@ -5,17 +5,14 @@
 
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/dataset_reader.hpp"
+#include "hypermap/io/job_progress.hpp"
 #include "hypermap/io/onnx_detector.hpp"
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
 namespace hypermap {
-
-/// Called after each frame.
-using JobProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 struct DetectionJob {
   std::filesystem::path input;

@@ -5,7 +5,7 @@
 
 #include "hypermap/core/result.hpp"
 #include "hypermap/io/dataset_reader.hpp"
-#include "hypermap/io/detection_job.hpp"
+#include "hypermap/io/job_progress.hpp"
 #include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/map_layers.hpp"
 #include "hypermap/io/onnx_detector.hpp"

@@ -8,6 +8,7 @@
 #include "hypermap/core/class_registry.hpp"
 #include "hypermap/core/result.hpp"
 #include "hypermap/core/rgbd_frame.hpp"
+#include "hypermap/io/job_progress.hpp"
 #include "hypermap/io/scene.hpp"
 #include "hypermap/io/scene_renderer.hpp"
 #include "hypermap/io/sensor_noise.hpp"
@@ -16,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -90,9 +90,6 @@ struct SimulationReport {
   std::vector<SimulatedTruth> objects;  ///< In id order.
 };
 
-/// Called after each frame, one call at a time, from any thread.
-using SimulationProgress = std::function<void(std::size_t done, std::size_t total)>;
-
 /// Writes a TUM RGB-D dataset that `hypermap map --input` reads as it is, and the truth:
 ///
 ///     rgb.txt, rgb/*.png            colour
@@ -109,6 +106,6 @@ using SimulationProgress = std::function<void(std::size_t done, std::size_t tota
 [[nodiscard]] Result<SimulationReport> simulate(const Scene& scene,
                                                 const SimulationOptions& options,
                                                 const std::filesystem::path& output_dir,
-                                                const SimulationProgress& progress = {});
+                                                const JobProgress& progress = {});
 
 }  // namespace hypermap

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outputs.hpp"
+
+#include "hypermap/core/result.hpp"
+
+#include <CLI/App.hpp>
+
+#include <system_error>
+
+namespace hypermap::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  if (fs::equivalent(a, b, ignored)) return true;
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+/// A file of a dataset: there, below the folder, and no archive.
+bool is_part_of(const fs::path& file, const fs::path& folder) {
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed) || !fs::exists(file, failed)) return false;
+  const fs::path way = fs::relative(file, folder, failed);
+  const bool is_inside = !failed && !way.empty() && *way.begin() != "..";
+  return is_inside && file.extension() != ".hmap";
+}
+
+}  // namespace
+
+void keep_apart(const std::string& option,
+                const fs::path& output,
+                const std::vector<fs::path>& inputs) {
+  if (output.empty()) return;
+  for (const fs::path& input : inputs) {
+    if (input.empty() || !(is_same(output, input) || is_part_of(output, input))) continue;
+    throw CLI::ValidationError(option,
+                               "would write over what is read: " + printable(output.string()));
+  }
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Command lines that would write over what they read are wrong.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hypermap::app {
+
+/// Throws CLI::ValidationError naming `option` when `output` is one of the `inputs`, by whatever
+/// name, or, when an input is a folder, a file of it that is there and bears no archive's name.
+/// Empty names stand for nothing.
+void keep_apart(const std::string& option,
+                const std::filesystem::path& output,
+                const std::vector<std::filesystem::path>& inputs);
+
+}  // namespace hypermap::app
