@@ -11,18 +11,23 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace hypermap {
 namespace {
 
-/// Embree's boxes are single precision and its test is not exact at their faces: they are made
-/// larger by this part of a voxel, and by this part of the coordinates.
-constexpr double kInflateVoxels = 1e-3;
-constexpr double kInflateRelative = 1e-6;
+/// Embree's test of a box is not exact at its faces: boxes are made larger by this part of a voxel,
+/// and by this part of the coordinates.
+constexpr float kInflateVoxels = 1e-3F;
+constexpr float kInflateRelative = 1e-6F;
+/// Farther from the map's origin a ray has no voxel's precision left. Unit: voxel.
+constexpr double kFarthest = 1e9;
 constexpr std::uint32_t kNoPrimitive = 0xFFFF'FFFF;
 
 struct DeviceRelease {
@@ -34,51 +39,42 @@ struct SceneRelease {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceRelease>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneRelease>;
 
-/// Occupied bricks, and the length that their whole numbers stand for.
-struct Primitives {
-  std::vector<OccupiedBrick> bricks;
-  double resolution_m = 1.0;
+/// A line of sight on its way through Embree, which hands the context on to the callback.
+struct SightContext {
+  RTCIntersectContext embree{};  // first: it is what Embree knows
+  WalkedRay ray;
+  std::uint32_t occluder = kNoPrimitive;
 };
+
+const OccupiedBrick& brick_of(void* bricks, unsigned primitive) {
+  return (*static_cast<const std::vector<OccupiedBrick>*>(bricks))[primitive];
+}
 
 /// Called by Embree for each primitive when it builds its tree.
 void give_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& primitives = *static_cast<const Primitives*>(arguments->geometryUserPtr);
-  const VoxelBounds bounds = bounds_of(primitives.bricks[arguments->primID]);
+  const OccupiedBox& box = brick_of(arguments->geometryUserPtr, arguments->primID).box;
   RTCBounds& into = *arguments->bounds_o;
-  const auto face = [&](int voxel, double outward) {
-    const double exact = voxel * primitives.resolution_m;
-    const double margin =
-        kInflateVoxels * primitives.resolution_m + kInflateRelative * std::abs(exact);
-    return static_cast<float>(exact + outward * margin);
+  const auto face = [&](std::size_t axis, float from_corner, float outward) {
+    const float exact = box.corner[axis] + from_corner;
+    return exact + outward * (kInflateVoxels + kInflateRelative * std::abs(exact));
   };
-  // An empty brick has min > max, which Embree leaves out.
-  into.lower_x = face(bounds.min[0], -1.0);
-  into.lower_y = face(bounds.min[1], -1.0);
-  into.lower_z = face(bounds.min[2], -1.0);
-  into.upper_x = face(bounds.max[0], 1.0);
-  into.upper_y = face(bounds.max[1], 1.0);
-  into.upper_z = face(bounds.max[2], 1.0);
+  // A box of nothing has low > high, which Embree leaves out.
+  into.lower_x = face(0, box.low[0], -1.0F);
+  into.lower_y = face(1, box.low[1], -1.0F);
+  into.lower_z = face(2, box.low[2], -1.0F);
+  into.upper_x = face(0, box.high[0], 1.0F);
+  into.upper_y = face(1, box.high[1], 1.0F);
+  into.upper_z = face(2, box.high[2], 1.0F);
 }
 
 /// Called by Embree when a ray reaches a primitive's bounds: is a voxel hit within?
+/// Requires: rays are followed one by one.
 void test_occlusion(const RTCOccludedFunctionNArguments* arguments) {
-  const auto& primitives = *static_cast<const Primitives*>(arguments->geometryUserPtr);
-  const OccupiedBrick& brick = primitives.bricks[arguments->primID];
-  for (unsigned i = 0; i < arguments->N; ++i) {
-    if (arguments->valid[i] == 0) continue;
-    RTCRayN* rays = arguments->ray;
-    const WalkedRay ray{.origin = {RTCRayN_org_x(rays, arguments->N, i),
-                                   RTCRayN_org_y(rays, arguments->N, i),
-                                   RTCRayN_org_z(rays, arguments->N, i)},
-                        .direction = {RTCRayN_dir_x(rays, arguments->N, i),
-                                      RTCRayN_dir_y(rays, arguments->N, i),
-                                      RTCRayN_dir_z(rays, arguments->N, i)},
-                        .first = RTCRayN_tnear(rays, arguments->N, i),
-                        .last = RTCRayN_tfar(rays, arguments->N, i)};
-    if (meets_occupied(brick, primitives.resolution_m, ray)) {
-      RTCRayN_tfar(rays, arguments->N, i) = -std::numeric_limits<float>::infinity();
-    }
-  }
+  assert(arguments->N == 1);
+  auto& context = *reinterpret_cast<SightContext*>(arguments->context);
+  if (!meets_occupied(brick_of(arguments->geometryUserPtr, arguments->primID), context.ray)) return;
+  context.occluder = arguments->primID;
+  RTCRayN_tfar(arguments->ray, 1, 0) = -std::numeric_limits<float>::infinity();
 }
 
 Result<void> check(const Device& device) {
@@ -95,7 +91,8 @@ struct OcclusionScene::Scene {
   Device device;
   EmbreeScene scene;
   RTCGeometry geometry = nullptr;  // owned by the scene
-  Primitives primitives;
+  std::vector<OccupiedBrick> bricks;
+  double voxels_per_m = 1.0;
   std::vector<std::uint32_t> primitive_of_position;  // of the tree's bricks
   Revision revision = 0;
 
@@ -112,21 +109,91 @@ void OcclusionScene::Scene::take(std::uint32_t position, BrickKey key, const Bri
   std::uint32_t& primitive = primitive_of_position[position];
   if (primitive == kNoPrimitive) {
     if (!brick.occupied.any()) return;
-    primitive = static_cast<std::uint32_t>(primitives.bricks.size());
+    primitive = static_cast<std::uint32_t>(bricks.size());
     const VoxelKey corner = key.corner();
-    primitives.bricks.push_back(
-        {.corner = {corner.x - kOriginKey, corner.y - kOriginKey, corner.z - kOriginKey},
-         .occupied = {}});
+    const auto from_origin = [](std::uint16_t at) { return static_cast<float>(at - kOriginKey); };
+    bricks.emplace_back().box.corner = {
+        from_origin(corner.x), from_origin(corner.y), from_origin(corner.z)};
   }
-  primitives.bricks[primitive].occupied = brick.occupied.words;
+  bricks[primitive].occupied = brick.occupied;
+  fit_box(bricks[primitive]);
 }
+
+namespace {
+
+/// Follows lines of sight one after another. What hid the last ones is asked first, since lines to
+/// one thing are mostly hidden by the same; whether a line is hidden does not depend on it.
+class LineFollower {
+ public:
+  LineFollower(RTCScene scene, const std::vector<OccupiedBrick>& bricks, double voxels_per_m)
+      : scene_(scene), bricks_(bricks), voxels_per_m_(voxels_per_m) {
+    rtcInitIntersectContext(&context_.embree);
+  }
+
+  [[nodiscard]] bool is_hidden(const SightLine& line, double margin_m) {
+    const Eigen::Vector3d way = line.to.xyz - line.from.xyz;
+    const double length_m = way.norm();
+    const Eigen::Vector3d origin = line.from.xyz * voxels_per_m_;
+    const bool is_near = origin.cwiseAbs().maxCoeff() < kFarthest;  // false for NaN
+    if (!(length_m > margin_m) || !std::isfinite(length_m) || !is_near) return false;
+    WalkedRay& ray = context_.ray;
+    const Eigen::Vector3d direction = way * (1.0 / length_m);
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      ray.origin[axis] = static_cast<float>(origin[i]);
+      ray.direction[axis] = static_cast<float>(direction[i]);
+      ray.inverse[axis] = inverse_of(ray.direction[axis]);
+    }
+    ray.end = static_cast<float>((length_m - margin_m) * voxels_per_m_);
+    return is_hidden_again() || is_hidden_by_any();
+  }
+
+ private:
+  [[nodiscard]] bool is_hidden_again() {
+    for (std::size_t i = 0; i < recent_.size(); ++i) {
+      if (recent_[i] == kNoPrimitive || !meets_occupied(bricks_[recent_[i]], context_.ray))
+        continue;
+      std::swap(recent_[0], recent_[i]);
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool is_hidden_by_any() {
+    const WalkedRay& way = context_.ray;
+    RTCRay ray{};
+    ray.org_x = way.origin[0];
+    ray.org_y = way.origin[1];
+    ray.org_z = way.origin[2];
+    ray.dir_x = way.direction[0];
+    ray.dir_y = way.direction[1];
+    ray.dir_z = way.direction[2];
+    ray.tfar = way.end;
+    ray.mask = 0xFFFF'FFFF;
+    rtcOccluded1(scene_, &context_.embree, &ray);
+    if (ray.tfar >= 0.0F) return false;
+    recent_ = {context_.occluder, recent_[0]};
+    return true;
+  }
+
+  RTCScene scene_;
+  const std::vector<OccupiedBrick>& bricks_;
+  double voxels_per_m_;
+  SightContext context_;
+  std::array<std::uint32_t, 2> recent_{kNoPrimitive, kNoPrimitive};
+};
+
+}  // namespace
 
 OcclusionScene::OcclusionScene(std::unique_ptr<Scene> scene) : scene_(std::move(scene)) {}
 OcclusionScene::OcclusionScene(OcclusionScene&&) noexcept = default;
 OcclusionScene& OcclusionScene::operator=(OcclusionScene&&) noexcept = default;
 OcclusionScene::~OcclusionScene() = default;
 
-Result<OcclusionScene> OcclusionScene::create() {
+Result<OcclusionScene> OcclusionScene::create(SceneBuild build) {
+  // By Morton codes, or by areas.
+  const RTCBuildQuality quality =
+      build == SceneBuild::kForUpdates ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
   auto made = std::make_unique<Scene>();
   made->device.reset(rtcNewDevice("set_affinity=0"));
   if (!made->device) {
@@ -135,11 +202,10 @@ Result<OcclusionScene> OcclusionScene::create() {
   }
   made->scene.reset(rtcNewScene(made->device.get()));
   rtcSetSceneFlags(made->scene.get(), RTC_SCENE_FLAG_DYNAMIC);
-  // The build by Morton codes: some milliseconds for a million voxels.
-  rtcSetSceneBuildQuality(made->scene.get(), RTC_BUILD_QUALITY_LOW);
+  rtcSetSceneBuildQuality(made->scene.get(), quality);
   RTCGeometry geometry = rtcNewGeometry(made->device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
-  rtcSetGeometryUserData(geometry, &made->primitives);
+  rtcSetGeometryBuildQuality(geometry, quality);
+  rtcSetGeometryUserData(geometry, &made->bricks);
   rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
   rtcSetGeometryOccludedFunction(geometry, test_occlusion);
   rtcSetGeometryUserPrimitiveCount(geometry, 0);
@@ -160,14 +226,14 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
   try {
     const std::vector<std::uint32_t> changed = bricks.changed_since(scene_->revision);
     if (changed.empty()) return std::size_t{0};
-    scene_->primitives.resolution_m = tree.resolution_m();
+    scene_->voxels_per_m = 1.0 / tree.resolution_m();
     scene_->primitive_of_position.resize(bricks.size(), kNoPrimitive);
     for (const std::uint32_t position : changed) {
       scene_->take(position, bricks.key(position), bricks.brick(position));
     }
     scene_->revision = bricks.revision();
     rtcSetGeometryUserPrimitiveCount(scene_->geometry,
-                                     static_cast<unsigned>(scene_->primitives.bricks.size()));
+                                     static_cast<unsigned>(scene_->bricks.size()));
     rtcCommitGeometry(scene_->geometry);
     rtcCommitScene(scene_->scene.get());
     if (auto built = check(scene_->device); !built) {
@@ -181,23 +247,8 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
 }
 
 bool OcclusionScene::occluded(const PointInMap& from, const PointInMap& to, double margin_m) const {
-  const Eigen::Vector3d way = to.xyz - from.xyz;
-  const double length_m = way.norm();
-  if (!(length_m > margin_m) || !std::isfinite(length_m) || !from.xyz.allFinite()) return false;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(from.xyz.x());
-  ray.org_y = static_cast<float>(from.xyz.y());
-  ray.org_z = static_cast<float>(from.xyz.z());
-  ray.dir_x = static_cast<float>(way.x() / length_m);
-  ray.dir_y = static_cast<float>(way.y() / length_m);
-  ray.dir_z = static_cast<float>(way.z() / length_m);
-  ray.tnear = 0.0F;
-  ray.tfar = static_cast<float>(length_m - margin_m);
-  ray.mask = 0xFFFF'FFFF;
-  rtcOccluded1(scene_->scene.get(), &context, &ray);
-  return ray.tfar < 0.0F;
+  LineFollower follower(scene_->scene.get(), scene_->bricks, scene_->voxels_per_m);
+  return follower.is_hidden({from, to}, margin_m);
 }
 
 std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> lines,
@@ -205,8 +256,9 @@ std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> li
                                                    int num_threads) const {
   std::vector<std::uint8_t> answers(lines.size());
   const auto answer = [&](std::size_t first, std::size_t last) {
+    LineFollower follower(scene_->scene.get(), scene_->bricks, scene_->voxels_per_m);
     for (std::size_t i = first; i < last; ++i) {
-      answers[i] = occluded(lines[i].from, lines[i].to, margin_m) ? 1 : 0;
+      answers[i] = follower.is_hidden(lines[i], margin_m) ? 1 : 0;
     }
   };
   constexpr std::size_t kChunk = 1024;
@@ -224,7 +276,7 @@ std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> li
 }
 
 std::size_t OcclusionScene::num_bricks() const noexcept {
-  return scene_->primitives.bricks.size();
+  return scene_->bricks.size();
 }
 
 }  // namespace hypermap

@@ -23,8 +23,8 @@ SemanticOctree tree_of(const std::vector<VoxelKey>& occupied) {
   return tree;
 }
 
-OcclusionScene scene_of(const SemanticOctree& tree) {
-  auto scene = OcclusionScene::create().value();
+OcclusionScene scene_of(const SemanticOctree& tree, SceneBuild build = SceneBuild::kForUpdates) {
+  auto scene = OcclusionScene::create(build).value();
   EXPECT_TRUE(scene.update(tree));
   return scene;
 }
@@ -88,7 +88,8 @@ TEST(OcclusionScene, AgreesWithALookAtEveryVoxel) {
   int num_occluded = 0;
   for (int round = 0; round < 6; ++round) {
     const SemanticOctree tree = tree_of(random_voxels(random));
-    const OcclusionScene scene = scene_of(tree);
+    const OcclusionScene scene =
+        scene_of(tree, round % 2 == 0 ? SceneBuild::kForUpdates : SceneBuild::kForQueries);
     std::vector<Eigen::Vector3d> centres;
     tree.for_each_leaf([&](const LeafSample& leaf) { centres.push_back(leaf.centre_in_map); });
     for (int i = 0; i < 3000; ++i) {
@@ -133,6 +134,29 @@ TEST(OcclusionScene, LinesAlongAxesThroughVoxelsNearTheEdgesOfBricksAreNotMissed
   }
 }
 
+TEST(OcclusionScene, NothingIsSeenThroughTheSeamsBetweenBricks) {
+  std::mt19937 random(47);
+  std::uniform_real_distribution<double> within(-2.0, 2.0);
+  // A wall of one voxel's thickness in each layer of its bricks, and lines through the edges and
+  // corners where bricks meet: every 0.8 m.
+  for (std::uint16_t layer = 32768; layer < 32776; ++layer) {
+    std::vector<VoxelKey> wall;
+    for (std::uint16_t y = 32728; y < 32808; ++y) {
+      for (std::uint16_t z = 32728; z < 32808; ++z) wall.push_back({layer, y, z});
+    }
+    const SemanticOctree tree = tree_of(wall);
+    const OcclusionScene scene = scene_of(tree);
+    const double x = (layer - 32768 + 0.5) * kEdge;
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector3d seam(
+          x, 0.8 * (static_cast<int>(random() % 5) - 2), i % 2 == 0 ? 0.0 : within(random));
+      const Eigen::Vector3d way(0.5 + std::abs(within(random)), within(random), within(random));
+      EXPECT_TRUE(scene.occluded({seam - way}, {seam + way}, 0.0)) << seam.transpose();
+      EXPECT_FALSE(scene.occluded({seam - way}, {seam - 0.2 * way}, 0.0)) << seam.transpose();
+    }
+  }
+}
+
 TEST(OcclusionScene, ALineOnTheFaceOfAWallIsHidden) {
   // A wall of two voxels' thickness around the plane x = 0: whichever side the line counts to.
   std::vector<VoxelKey> wall;
@@ -167,6 +191,7 @@ TEST(OcclusionScene, AStartInsideAVoxelIsOccludedAndNonsenseIsNot) {
   EXPECT_FALSE(scene.occluded(inside, inside, 0.0));
   EXPECT_FALSE(scene.occluded(inside, {{std::nan(""), 0, 0}}, 0.0));
   EXPECT_FALSE(scene.occluded({{std::numeric_limits<double>::infinity(), 0, 0}}, {{0, 0, 0}}, 0.0));
+  EXPECT_FALSE(scene.occluded({{-1e200, 0.05, 0.05}}, {{2.0, 0.05, 0.05}}, 0.0));
 }
 
 TEST(OcclusionScene, FollowsTheTreeByItsChangedBricks) {
@@ -200,6 +225,29 @@ TEST(OcclusionScene, ManyLinesGetTheSameAnswersAsOneByOneOnAnyNumberOfThreads) {
   EXPECT_EQ(scene.occluded(lines, 0.1, 1), expected);
   EXPECT_EQ(scene.occluded(lines, 0.1, 2), expected);
   EXPECT_TRUE(scene.occluded(std::span<const SightLine>{}, 0.1).empty());
+}
+
+TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
+  std::mt19937 random(53);
+  std::uniform_real_distribution<double> within(-3.0, 3.0);
+  std::uniform_real_distribution<double> beside(-0.3, 0.3);
+  const SemanticOctree tree = tree_of(random_voxels(random));
+  const OcclusionScene scene = scene_of(tree);
+  std::vector<SightLine> lines;
+  std::vector<std::uint8_t> expected;
+  for (int thing = 0; thing < 200; ++thing) {
+    const Eigen::Vector3d camera(within(random), within(random), within(random));
+    const Eigen::Vector3d centre(within(random), within(random), within(random));
+    for (int i = 0; i < 40; ++i) {
+      const Eigen::Vector3d offset(beside(random), beside(random), beside(random));
+      lines.push_back({{camera}, {centre + offset}});
+      expected.push_back(scene.occluded(lines.back().from, lines.back().to, 0.1) ? 1 : 0);
+    }
+  }
+  EXPECT_EQ(scene.occluded(lines, 0.1, 1), expected);
+  EXPECT_EQ(scene.occluded(lines, 0.1, 3), expected);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 500);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 500);
 }
 
 }  // namespace
