@@ -82,6 +82,61 @@ std::uint32_t typical_votes(std::span<const PointVote> votes,
   return typical;
 }
 
+std::vector<PointVote> sum_of(std::span<const PointVote> mine, std::span<const PointVote> votes) {
+  std::vector<PointVote> sum;
+  sum.reserve(mine.size() + votes.size());
+  auto next = mine.begin();
+  for (const PointVote& vote : votes) {
+    while (next != mine.end() && next->cell < vote.cell) sum.push_back(*next++);
+    sum.push_back(vote);
+    if (next != mine.end() && next->cell == vote.cell) sum.back().votes += (next++)->votes;
+  }
+  sum.insert(sum.end(), next, mine.end());
+  return sum;
+}
+
+void widen(PointEvidenceState& state) {
+  state.votes = widened(state.votes);
+  state.edge_m *= 2.0;
+}
+
+/// The share asked for of what the cell of a typical vote has: half of all votes lie in cells with
+/// more. Strays are many cells but few votes.
+std::uint32_t votes_needed(const PointEvidenceState& state, const PointEvidenceOptions& options) {
+  std::uint64_t total = 0;
+  std::uint32_t most = 0;
+  for (const PointVote& vote : state.votes) {
+    total += vote.votes;
+    most = std::max(most, vote.votes);
+  }
+  const std::uint32_t typical = total == 0 ? 1 : typical_votes(state.votes, most, total);
+  const double needed = std::ceil(options.min_vote_share * typical);
+  const std::uint32_t least =
+      options.min_vote_share > 0.0 && state.num_observations >= kNumToOutvoteOne ? 2U : 1U;
+  return std::max(least, static_cast<std::uint32_t>(needed));
+}
+
+/// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
+void make_room(PointEvidenceState& state, const PointEvidenceOptions& options) {
+  while (state.votes.size() > options.max_cells) {
+    const std::uint32_t needed = votes_needed(state, options);
+    const auto num_agreed = static_cast<std::size_t>(
+        std::count_if(state.votes.begin(), state.votes.end(), [&](const PointVote& v) {
+          return v.votes >= needed;
+        }));
+    const std::size_t most = options.max_cells;
+    if (num_agreed > most / 4 * 3) {
+      widen(state);
+      continue;
+    }
+    std::stable_sort(state.votes.begin(), state.votes.end(), [](const auto& a, const auto& b) {
+      return a.votes > b.votes;
+    });
+    state.votes.resize(options.max_cells);
+    std::sort(state.votes.begin(), state.votes.end());
+  }
+}
+
 Result<void> check_edge(double edge_m, double first_edge_m) {
   double edge = first_edge_m;
   while (edge < edge_m) edge *= 2.0;
@@ -113,7 +168,7 @@ Result<void> validate(const PointEvidenceOptions& options) {
 }
 
 PointEvidence::PointEvidence(const PointEvidenceOptions& options) : options_(options) {
-  state_.edge_m = options.edge_m;
+  take({.edge_m = options.edge_m, .num_observations = 0, .votes = {}});
 }
 
 Result<PointEvidence> PointEvidence::from_state(const PointEvidenceOptions& options,
@@ -138,89 +193,40 @@ Result<PointEvidence> PointEvidence::from_state(const PointEvidenceOptions& opti
                 "points.votes[" + std::to_string(i) + "]");
   }
   PointEvidence evidence(options);
-  evidence.state_ = std::move(state);
+  evidence.votes_needed_ = votes_needed(state, options);
+  evidence.state_ = std::make_shared<const PointEvidenceState>(std::move(state));
   return evidence;
 }
 
 void PointEvidence::observe(std::span<const Eigen::Vector3f> points_in_map) {
-  ++state_.num_observations;
-  add_votes(votes_of(points_in_map, state_.edge_m));
+  take({.edge_m = state_->edge_m,
+        .num_observations = state_->num_observations + 1,
+        .votes = sum_of(state_->votes, votes_of(points_in_map, state_->edge_m))});
 }
 
 void PointEvidence::merge(const PointEvidence& other) {
   assert(options_ == other.options_);
-  PointEvidenceState added = other.state_;
-  while (added.edge_m < state_.edge_m) {
-    added.votes = widened(added.votes);
-    added.edge_m *= 2.0;
-  }
-  while (state_.edge_m < added.edge_m) {
-    state_.votes = widened(state_.votes);
-    state_.edge_m *= 2.0;
-  }
-  state_.num_observations += added.num_observations;
-  add_votes(added.votes);
+  PointEvidenceState mine = *state_;
+  PointEvidenceState added = *other.state_;
+  while (added.edge_m < mine.edge_m) widen(added);
+  while (mine.edge_m < added.edge_m) widen(mine);
+  mine.num_observations += added.num_observations;
+  mine.votes = sum_of(mine.votes, added.votes);
+  take(std::move(mine));
 }
 
-void PointEvidence::add_votes(std::span<const PointVote> votes) {
-  std::vector<PointVote> sum;
-  sum.reserve(state_.votes.size() + votes.size());
-  auto mine = state_.votes.begin();
-  for (const PointVote& vote : votes) {
-    while (mine != state_.votes.end() && mine->cell < vote.cell) sum.push_back(*mine++);
-    sum.push_back(vote);
-    if (mine != state_.votes.end() && mine->cell == vote.cell) {
-      sum.back().votes += (mine++)->votes;
-    }
-  }
-  sum.insert(sum.end(), mine, state_.votes.end());
-  state_.votes = std::move(sum);
-  make_room();
-}
-
-/// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
-void PointEvidence::make_room() {
-  while (state_.votes.size() > options_.max_cells) {
-    const std::uint32_t needed = votes_needed();
-    const auto num_agreed = static_cast<std::size_t>(
-        std::count_if(state_.votes.begin(), state_.votes.end(), [&](const PointVote& v) {
-          return v.votes >= needed;
-        }));
-    const std::size_t most = options_.max_cells;
-    if (num_agreed > most / 4 * 3) {
-      state_.votes = widened(state_.votes);
-      state_.edge_m *= 2.0;
-      continue;
-    }
-    std::stable_sort(state_.votes.begin(), state_.votes.end(), [](const auto& a, const auto& b) {
-      return a.votes > b.votes;
-    });
-    state_.votes.resize(options_.max_cells);
-    std::sort(state_.votes.begin(), state_.votes.end());
-  }
-}
-
-/// The share asked for of what the cell of a typical vote has: half of all votes lie in cells with
-/// more. Strays are many cells but few votes.
-std::uint32_t PointEvidence::votes_needed() const {
-  std::uint64_t total = 0;
-  std::uint32_t most = 0;
-  for (const PointVote& vote : state_.votes) {
-    total += vote.votes;
-    most = std::max(most, vote.votes);
-  }
-  const std::uint32_t typical = total == 0 ? 1 : typical_votes(state_.votes, most, total);
-  const double needed = std::ceil(options_.min_vote_share * typical);
-  const std::uint32_t least =
-      options_.min_vote_share > 0.0 && state_.num_observations >= kNumToOutvoteOne ? 2U : 1U;
-  return std::max(least, static_cast<std::uint32_t>(needed));
+void PointEvidence::take(PointEvidenceState state) {
+  make_room(state, options_);
+  const std::uint32_t needed = votes_needed(state, options_);
+  state_ = std::make_shared<const PointEvidenceState>(std::move(state));
+  votes_needed_ = needed;
 }
 
 std::vector<Eigen::Vector3d> PointEvidence::agreed_points() const {
-  const std::uint32_t needed = votes_needed();
   std::vector<Eigen::Vector3d> points;
-  for (const PointVote& vote : state_.votes) {
-    if (vote.votes >= needed) points.push_back(centre_of(vote.cell, state_.edge_m));
+  points.reserve(state_->votes.size());
+  for (const PointVote& vote : state_->votes) {
+    if (vote.votes >= votes_needed_) points.push_back(centre_of(vote.cell, state_->edge_m));
   }
   return points;
 }
@@ -233,14 +239,14 @@ std::optional<Box> PointEvidence::agreed_box() const {
     box.min_in_map = box.min_in_map.cwiseMin(p);
     box.max_in_map = box.max_in_map.cwiseMax(p);
   }
-  box.min_in_map.array() -= 0.25 * state_.edge_m;
-  box.max_in_map.array() += 0.25 * state_.edge_m;
+  box.min_in_map.array() -= 0.25 * state_->edge_m;
+  box.max_in_map.array() += 0.25 * state_->edge_m;
   return box;
 }
 
 Result<Polygon> PointEvidence::footprint() const {
   if (empty()) return fail(ErrorCode::kNotFound, "the object has no points of its own");
-  const double reach = 0.25 * state_.edge_m;
+  const double reach = 0.25 * state_->edge_m;
   std::vector<Eigen::Vector2d> corners;
   for (const Eigen::Vector3d& p : agreed_points()) {
     for (const double dx : {-reach, reach}) {

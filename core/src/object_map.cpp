@@ -93,16 +93,20 @@ Result<ObjectMap> ObjectMap::restore(std::vector<Object> objects, ObjectId next_
     }
   }
   ObjectMap map;
-  for (const Object& object : objects) map.index_->tree.insert(entry_of(object));
-  map.objects_ = std::move(objects);
+  for (Object& object : objects) {
+    map.index_->tree.insert(entry_of(object));
+    map.objects_.push_back(std::make_shared<const Object>(std::move(object)));
+  }
   map.next_id_ = next_id;
   return map;
 }
 
-std::vector<Object>::iterator ObjectMap::position_of(ObjectId id) {
-  return std::lower_bound(objects_.begin(), objects_.end(), id, [](const Object& o, ObjectId key) {
-    return o.id < key;
-  });
+std::size_t ObjectMap::position_of(ObjectId id) const {
+  const auto it = std::lower_bound(
+      objects_.begin(), objects_.end(), id, [](const ObjectRange::Held& held, ObjectId key) {
+        return held->id < key;
+      });
+  return static_cast<std::size_t>(it - objects_.begin());
 }
 
 ObjectId ObjectMap::add(Object object) {
@@ -110,39 +114,45 @@ ObjectId ObjectMap::add(Object object) {
   object.id = next_id_;
   ++next_id_.value;
   index_->tree.insert(entry_of(object));
-  objects_.push_back(std::move(object));
-  return objects_.back().id;
+  objects_.push_back(std::make_shared<const Object>(std::move(object)));
+  return objects_.back()->id;
 }
 
 void ObjectMap::replace(Object object) {
-  const ObjectId id = object.id;
-  modify(id, [&](Object& old) { old = std::move(object); });
+  const std::size_t position = position_of(object.id);
+  put(position, std::make_shared<const Object>(std::move(object)));
 }
 
 void ObjectMap::modify(ObjectId id, const std::function<void(Object&)>& change) {
-  const auto it = position_of(id);
-  assert(it != objects_.end() && it->id == id);
-  const Entry before = entry_of(*it);
-  change(*it);
-  assert(it->id == id && is_sound(it->box));
-  index_->tree.remove(before);
-  index_->tree.insert(entry_of(*it));
+  const std::size_t position = position_of(id);
+  assert(position < objects_.size());
+  const auto changed = std::make_shared<Object>(*objects_[position]);
+  change(*changed);
+  put(position, changed);
+}
+
+void ObjectMap::put(std::size_t position, ObjectRange::Held object) {
+  assert(position < objects_.size() && objects_[position]->id == object->id);
+  assert(is_sound(object->box));
+  if (!(object->box == objects_[position]->box)) {
+    index_->tree.remove(entry_of(*objects_[position]));
+    index_->tree.insert(entry_of(*object));
+  }
+  objects_[position] = std::move(object);
 }
 
 bool ObjectMap::erase(ObjectId id) {
-  const auto it = position_of(id);
-  if (it == objects_.end() || it->id != id) return false;
-  index_->tree.remove(entry_of(*it));
-  objects_.erase(it);
+  const std::size_t position = position_of(id);
+  if (position == objects_.size() || objects_[position]->id != id) return false;
+  index_->tree.remove(entry_of(*objects_[position]));
+  objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(position));
   return true;
 }
 
 const Object* ObjectMap::find(ObjectId id) const {
-  const auto it =
-      std::lower_bound(objects_.begin(), objects_.end(), id, [](const Object& o, ObjectId key) {
-        return o.id < key;
-      });
-  return it == objects_.end() || it->id != id ? nullptr : &*it;
+  const std::size_t position = position_of(id);
+  const bool found = position < objects_.size() && objects_[position]->id == id;
+  return found ? objects_[position].get() : nullptr;
 }
 
 const Object& ObjectMap::at(ObjectId id) const {

@@ -2,6 +2,7 @@
 #include "frame_stream.hpp"
 
 #include <system_error>
+#include <utility>
 
 namespace hypermap {
 
@@ -12,10 +13,11 @@ FrameStream::FrameStream(const DatasetReader& dataset, bool ahead)
 
 Result<RgbdFrame> FrameStream::next() {
   if (!ahead_) return dataset_.read(next_++);
-  Result<RgbdFrame> frame = pending_.get();
   ++next_;
+  std::future<Result<RgbdFrame>> ready = std::move(pending_);
+  ready.wait();  // one at a time
   start();
-  return frame;
+  return ready.get();
 }
 
 void FrameStream::start() {
@@ -23,7 +25,7 @@ void FrameStream::start() {
   const auto read = [this, index = next_] { return dataset_.read(index); };
   try {
     pending_ = std::async(std::launch::async, read);
-  } catch (const std::system_error&) {  // no thread is to be had: read when it is asked for
+  } catch (const std::system_error&) {  // no thread to be had: read when asked
     pending_ = std::async(std::launch::deferred, read);
   }
 }

@@ -10,12 +10,17 @@
 
 namespace hypermap {
 
+/// At most one frame is read ahead. Destroying the stream waits for it.
 class FrameStream {
  public:
-  /// `ahead`: read on a thread of its own. The frames are the same. Requires: `dataset` outlives
-  /// it.
+  /// `ahead`: read on another thread; else no thread is started and nothing is read before it is
+  /// asked for. The frames are the same. Requires: `dataset` outlives it.
   FrameStream(const DatasetReader& dataset, bool ahead);
+  FrameStream(const FrameStream&) = delete;
+  FrameStream& operator=(const FrameStream&) = delete;
+  ~FrameStream() = default;
 
+  /// The next frame or its error, in order; what the reader throws is thrown here.
   /// Requires: called at most dataset.size() times.
   [[nodiscard]] Result<RgbdFrame> next();
 

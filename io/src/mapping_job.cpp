@@ -70,7 +70,16 @@ DatasetOptions dataset_options(const MappingJob& job) {
   return options;
 }
 
+/// A map does not depend on the clock.
+Result<void> refuse_deadline(const DeadlineOptions& options) {
+  if (options.rule == DeadlineRule::kNone) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be none: what is mapped from a dataset may not depend on the clock",
+              "deadline.rule");
+}
+
 Result<Run> open(const MappingJob& job, MappingReport& report) {
+  HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
   Run run;
   if (job.append) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output));
@@ -93,6 +102,7 @@ void count(const FrameReport& frame, MappingReport& report) {
   ++report.num_frames;
   report.num_detections += frame.num_detections;
   report.num_segments += frame.num_segments;
+  report.num_unjudged += frame.judged ? 0U : 1U;
   report.points.num_hits += frame.integration.num_hits;
   report.points.num_beyond_range += frame.integration.num_beyond_range;
   report.points.num_not_measured += frame.integration.num_not_measured;

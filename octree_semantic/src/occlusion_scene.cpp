@@ -109,11 +109,11 @@ void OcclusionScene::Scene::take(std::uint32_t position, BrickKey key, const Bri
   std::uint32_t& primitive = primitive_of_position[position];
   if (primitive == kNoPrimitive) {
     if (!brick.occupied.any()) return;
-    primitive = static_cast<std::uint32_t>(bricks.size());
     const VoxelKey corner = key.corner();
     const auto from_origin = [](std::uint16_t at) { return static_cast<float>(at - kOriginKey); };
     bricks.emplace_back().box.corner = {
         from_origin(corner.x), from_origin(corner.y), from_origin(corner.z)};
+    primitive = static_cast<std::uint32_t>(bricks.size() - 1);
   }
   bricks[primitive].occupied = brick.occupied;
   fit_box(bricks[primitive]);

@@ -7,7 +7,7 @@
 #include "hypermap/core/stacking.hpp"
 
 #include <algorithm>
-#include <map>
+#include <new>
 #include <utility>
 
 namespace hypermap {
@@ -23,28 +23,37 @@ std::vector<Detection> lasting(std::vector<Detection> detections,
   return detections;
 }
 
-/// Those detections that the depth confirms.
+/// Those detections that the depth confirms; counts those that nobody looked at.
 std::vector<Observation> observe(const RgbdFrame& frame,
                                  std::span<const Detection> detections,
-                                 const SemanticMapperOptions& options) {
-  auto segments = segment_all(frame, detections, options.objects.segmentation, options.num_threads);
+                                 const SemanticMapperOptions& options,
+                                 const MayBegin& may_begin,
+                                 FrameReport& report) {
+  auto segments =
+      segment_all(frame, detections, options.objects.segmentation, options.num_threads, may_begin);
   std::vector<Observation> observations;
   observations.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!segments[i]) continue;
-    observations.push_back(make_observation(frame, detections[i], std::move(*segments[i])));
+    if (segments[i]) {
+      observations.push_back(make_observation(frame, detections[i], std::move(*segments[i])));
+    } else if (segments[i].error().code == ErrorCode::kOutOfMemory) {
+      throw std::bad_alloc();
+    } else if (segments[i].error().code == ErrorCode::kLimit) {
+      ++report.num_deadline_dropped;
+    }
   }
+  report.num_segments = observations.size();
   return observations;
 }
 
-std::vector<PixelLabels> pixel_labels(std::span<const Observation> observations,
+std::vector<PixelLabels> pixel_labels(std::vector<Observation> observations,
                                       const AssociationReport& association) {
   std::vector<PixelLabels> labels;
   labels.reserve(observations.size());
   for (std::size_t i = 0; i < observations.size(); ++i) {
     labels.push_back({.object = association.object_of_observation[i],
-                      .class_scores = observations[i].class_scores,
-                      .pixel_indices = observations[i].segment.pixel_indices});
+                      .class_scores = std::move(observations[i].class_scores),
+                      .pixel_indices = std::move(observations[i].segment.pixel_indices)});
   }
   return labels;
 }
@@ -70,6 +79,7 @@ Result<void> validate(const SemanticMapperOptions& options) {
   HYPERMAP_TRY(validate(options.integration));
   HYPERMAP_TRY(validate(options.objects));
   HYPERMAP_TRY(validate(options.visibility));
+  HYPERMAP_TRY(validate(options.deadline));
   if (options.num_threads < 1 || options.num_threads > 256) {
     return fail(ErrorCode::kInvalidArgument,
                 "must be in 1..256, is " + std::to_string(options.num_threads),
@@ -109,34 +119,48 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
 }
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
+  try {
+    return integrate_or_throw(frame);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "out of memory");
+  }
+}
+
+Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   FrameReport report;
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(frame));
+  hand_over_voxels();  // what an earlier frame left to be done
   HYPERMAP_ASSIGN_OR_RETURN(auto stacked,
                             stack_detections(frame.detections, options_.objects.stacking));
   report.num_detections = stacked.size();
   const auto detections = lasting(std::move(stacked), options_.transient_classes);
   report.num_transient = report.num_detections - detections.size();
 
-  const auto observations = observe(frame, detections, options_);
-  report.num_segments = observations.size();
+  const double deadline = deadline_s(options_.deadline, detections.size());
+  const auto in_time = [&] { return watch.elapsed_s() < deadline; };
+  const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
+  auto observations =
+      observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
   report.seconds.segment = watch.lap();
 
-  const auto association = associate(objects_, observations, options_.objects.association);
+  ObjectMap objects = objects_;
+  const auto association = associate(objects, observations, options_.objects.association);
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
+  std::vector<Handover> merged_voxels = handovers(objects, association.merged);
   report.seconds.associate = watch.lap();
 
-  HYPERMAP_ASSIGN_OR_RETURN(
-      report.integration,
-      integrator_.integrate(
-          octree_, frame, pixel_labels(observations, association), options_.integration));
-  hand_over_voxels(association.merged);
+  const auto labels = pixel_labels(std::move(observations), association);
+  HYPERMAP_ASSIGN_OR_RETURN(report.integration,
+                            integrator_.integrate(octree_, frame, labels, options_.integration));
+  // From here on the frame is in the map.
+  objects_ = std::move(objects);
+  handovers_ = std::move(merged_voxels);
   report.seconds.integrate = watch.lap();
 
-  HYPERMAP_ASSIGN_OR_RETURN(const auto verdicts, judge(frame, association));
-  report.num_removed = weaken_absent(frame, verdicts, seen_objects(association));
+  weaken_unseen(frame, association, report);
   report.seconds.visibility = watch.lap();
   return report;
 }
@@ -146,16 +170,57 @@ Result<void> SemanticMapper::check(const RgbdFrame& frame) const {
   return check_sensor(octree_.grid(), frame.map_from_camera.origin());
 }
 
-void SemanticMapper::hand_over_voxels(std::span<const ObjectMerge> merges) {
+std::vector<SemanticMapper::Handover> SemanticMapper::handovers(
+    const ObjectMap& objects, std::span<const ObjectMerge> merges) const {
+  std::vector<Handover> out;
   for (const auto& [from, into] : merges) {
-    const Object* object = objects_.find(into);
+    const Object* object = objects.find(into);
     if (object == nullptr) continue;
-    octree_.relabel_object(from, into, label_bounds(*object, octree_.resolution_m()));
+    out.push_back({from, into, label_bounds(*object, octree_.resolution_m())});
+  }
+  return out;
+}
+
+/// In their order, for one may take what another gave. One that fails is tried again: it starts
+/// with what is left of its voxels.
+void SemanticMapper::hand_over_voxels() {
+  while (!handovers_.empty()) {
+    const Handover& first = handovers_.front();
+    octree_.relabel_object(first.from, first.into, first.bounds);
+    handovers_.erase(handovers_.begin());
+  }
+}
+
+/// Whatever fails here leaves the frame in the map and objects as they are.
+void SemanticMapper::weaken_unseen(const RgbdFrame& frame,
+                                   const AssociationReport& association,
+                                   FrameReport& report) {
+  try {
+    hand_over_voxels();
+    if (report.num_deadline_dropped > 0) return;
+    const std::vector<ObjectId> seen_now = seen_objects(association);
+    const auto verdicts = judge(frame, seen_now);
+    if (!verdicts) return;
+    ObjectMap objects = objects_;
+    const AbsenceReport absences = apply_absences(
+        objects, *verdicts, options_.objects.absence, seen_now, frame.index, frame.stamp);
+    std::vector<Handover> freed;
+    for (const ObjectId id : absences.removed) {
+      const Box bounds = label_bounds(objects_.at(id), octree_.resolution_m());
+      freed.push_back({id, kNoObject, bounds});
+    }
+    report.num_removed = absences.removed.size();
+    report.judged = true;
+    objects_ = std::move(objects);
+    handovers_ = std::move(freed);
+    hand_over_voxels();
+  } catch (const std::bad_alloc&) {
+    return;  // the next frame goes on with what is left of `handovers_`
   }
 }
 
 Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(const RgbdFrame& frame,
-                                                             const AssociationReport& association) {
+                                                             std::span<const ObjectId> seen_now) {
   const double max_range_m = options_.integration.max_range_m;
   switch (options_.objects.absence.policy) {
     case VisibilityPolicy::kHull: {
@@ -173,26 +238,7 @@ Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(const RgbdFrame& fr
       break;
   }
   HYPERMAP_TRY(occlusion_.update(octree_));
-  return judge_visibility(
-      objects_, frame, occlusion_, options_.visibility, seen_objects(association));
-}
-
-std::size_t SemanticMapper::weaken_absent(const RgbdFrame& frame,
-                                          std::span<const VisibilityVerdict> verdicts,
-                                          std::span<const ObjectId> seen_now) {
-  std::map<ObjectId, Box> bounds;
-  for (const VisibilityVerdict& verdict : verdicts) {
-    const Object* object = objects_.find(verdict.object);
-    if (object != nullptr) {
-      bounds.emplace(object->id, label_bounds(*object, octree_.resolution_m()));
-    }
-  }
-  const AbsenceReport absences = apply_absences(
-      objects_, verdicts, options_.objects.absence, seen_now, frame.index, frame.stamp);
-  for (const ObjectId removed : absences.removed) {
-    octree_.relabel_object(removed, kNoObject, bounds.at(removed));
-  }
-  return absences.removed.size();
+  return judge_visibility(objects_, frame, occlusion_, options_.visibility, seen_now);
 }
 
 }  // namespace hypermap

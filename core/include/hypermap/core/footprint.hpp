@@ -16,6 +16,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,10 +58,11 @@ struct PointEvidenceState {
   friend bool operator==(const PointEvidenceState&, const PointEvidenceState&) = default;
 };
 
-/// A bounded set of voted cells. Frame: Map. A value; memory at most max_cells cells.
+/// A bounded set of voted cells. Frame: Map. A value; memory at most max_cells cells, shared by
+/// copies until one of them observes.
 class PointEvidence {
  public:
-  PointEvidence() = default;
+  PointEvidence() : PointEvidence(PointEvidenceOptions{}) {}
   /// Requires: validate(options).
   explicit PointEvidence(const PointEvidenceOptions& options);
   /// Errors: as validate(options); kInvalidArgument when the cells are not ascending, are more than
@@ -84,18 +86,19 @@ class PointEvidence {
   /// Errors: kNotFound when there are no points.
   [[nodiscard]] Result<Polygon> footprint() const;
 
-  [[nodiscard]] bool empty() const noexcept { return state_.votes.empty(); }
-  [[nodiscard]] const PointEvidenceState& state() const noexcept { return state_; }
+  [[nodiscard]] bool empty() const noexcept { return state_->votes.empty(); }
+  [[nodiscard]] const PointEvidenceState& state() const noexcept { return *state_; }
   [[nodiscard]] const PointEvidenceOptions& options() const noexcept { return options_; }
-  friend bool operator==(const PointEvidence&, const PointEvidence&) = default;
+  friend bool operator==(const PointEvidence& a, const PointEvidence& b) {
+    return a.options_ == b.options_ && (a.state_ == b.state_ || *a.state_ == *b.state_);
+  }
 
  private:
-  void add_votes(std::span<const PointVote> votes);
-  void make_room();
-  [[nodiscard]] std::uint32_t votes_needed() const;
+  void take(PointEvidenceState state);
 
   PointEvidenceOptions options_;
-  PointEvidenceState state_;
+  std::shared_ptr<const PointEvidenceState> state_;  ///< Never null.
+  std::uint32_t votes_needed_ = 1;  ///< Of a cell that counts. Follows from state_.
 };
 
 }  // namespace hypermap

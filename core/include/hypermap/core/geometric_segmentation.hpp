@@ -9,6 +9,7 @@
 #include "hypermap/core/rgbd_frame.hpp"
 #include "hypermap/core/segment.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -139,11 +140,19 @@ struct GeometricSegmentationOptions {
                                       const Detection& detection,
                                       const GeometricSegmentationOptions& options);
 
+/// Asked whether another detection may still be begun; by one thread at a time.
+using MayBegin = std::function<bool()>;
+
 /// `segment` for each detection, in parallel, in their order, `detections` in the place of
-/// `frame.detections`; the same result with any number of threads. Requires: threads >= 1.
+/// `frame.detections`; the same result with any number of threads. With one, on the caller's.
+///
+/// They are begun in the order of their scores, the highest first, equal ones as they stand; where
+/// `may_begin` says no, this one and all that follow have the error kLimit.
+/// Requires: threads >= 1.
 [[nodiscard]] std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
                                                        std::span<const Detection> detections,
                                                        const GeometricSegmentationOptions& options,
-                                                       int threads);
+                                                       int threads,
+                                                       const MayBegin& may_begin = {});
 
 }  // namespace hypermap

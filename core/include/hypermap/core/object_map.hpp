@@ -10,8 +10,10 @@
 #include "hypermap/core/polygon.hpp"
 #include "hypermap/core/result.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,8 +21,53 @@
 
 namespace hypermap {
 
+/// Objects in ascending order of their ids, as they stand in a map. Lives until that is next
+/// changed.
+class ObjectRange {
+ public:
+  using Held = std::shared_ptr<const Object>;
+
+  class Iterator {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = Object;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Object*;
+    using reference = const Object&;
+
+    Iterator() = default;
+    explicit Iterator(const Held* at) : at_(at) {}
+    reference operator*() const { return **at_; }
+    pointer operator->() const { return at_->get(); }
+    Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator before = *this;
+      ++at_;
+      return before;
+    }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    const Held* at_ = nullptr;
+  };
+
+  explicit ObjectRange(std::span<const Held> held) : held_(held) {}
+  [[nodiscard]] Iterator begin() const { return Iterator(held_.data()); }
+  [[nodiscard]] Iterator end() const { return Iterator(held_.data() + held_.size()); }
+  [[nodiscard]] std::size_t size() const noexcept { return held_.size(); }
+  [[nodiscard]] bool empty() const noexcept { return held_.empty(); }
+  [[nodiscard]] const Object& operator[](std::size_t i) const { return *held_[i]; }
+
+ private:
+  std::span<const Held> held_;
+};
+
 /// Objects in ascending order of their ids, with an R-tree over their boxes. A value: copies are
-/// independent. Ids are given from 1 on and never again, also not after erasing.
+/// independent, and cheap, since they share objects until one side changes them. Ids are given from
+/// 1 on and never again, also not after erasing.
 class ObjectMap {
  public:
   ObjectMap();
@@ -39,8 +86,8 @@ class ObjectMap {
   ObjectId add(Object object);
   /// Requires: contains(object.id), a finite box. Cost: O(log n).
   void replace(Object object);
-  /// Lets `change` alter an object in place and brings the R-tree up to date.
-  /// Requires: contains(id); `change` leaves the id and a finite box.
+  /// Lets `change` alter a copy of an object, which then takes its place, and brings the R-tree up
+  /// to date. Requires: contains(id); `change` leaves the id and a finite box.
   void modify(ObjectId id, const std::function<void(Object&)>& change);
   /// False when there is none.
   bool erase(ObjectId id);
@@ -50,8 +97,8 @@ class ObjectMap {
   [[nodiscard]] const Object* find(ObjectId id) const;
   /// Requires: contains(id).
   [[nodiscard]] const Object& at(ObjectId id) const;
-  /// In ascending order of ids. The span lives until the map is next changed.
-  [[nodiscard]] std::span<const Object> objects() const noexcept { return objects_; }
+  /// In ascending order of ids. The range lives until the map is next changed.
+  [[nodiscard]] ObjectRange objects() const noexcept { return ObjectRange(objects_); }
   [[nodiscard]] std::size_t size() const noexcept { return objects_.size(); }
   [[nodiscard]] bool empty() const noexcept { return objects_.empty(); }
   /// The id that the next object will get.
@@ -69,14 +116,18 @@ class ObjectMap {
                                                 std::optional<ClassId> class_id) const;
 
   friend bool operator==(const ObjectMap& a, const ObjectMap& b) {
-    return a.next_id_ == b.next_id_ && a.objects_ == b.objects_;
+    const ObjectRange left = a.objects();
+    const ObjectRange right = b.objects();
+    return a.next_id_ == b.next_id_ &&
+           std::equal(left.begin(), left.end(), right.begin(), right.end());
   }
 
  private:
   struct Index;  ///< The R-tree.
-  [[nodiscard]] std::vector<Object>::iterator position_of(ObjectId id);
+  [[nodiscard]] std::size_t position_of(ObjectId id) const;
+  void put(std::size_t position, ObjectRange::Held object);
 
-  std::vector<Object> objects_;
+  std::vector<ObjectRange::Held> objects_;
   ObjectId next_id_{1};
   std::unique_ptr<Index> index_;
 };

@@ -56,6 +56,7 @@ struct MappingReport {
   std::vector<Finding> findings;  ///< Repairs and unknown keys while opening the dataset.
   std::size_t num_detections = 0;
   std::size_t num_segments = 0;
+  std::size_t num_unjudged = 0;   ///< Frames after which absent objects were not asked for.
   IntegrationReport points;       ///< Summed over the frames.
   std::size_t num_objects = 0;    ///< Published.
   std::size_t num_tentative = 0;  ///< Not sure enough to be published.
@@ -66,9 +67,10 @@ struct MappingReport {
   MappingSeconds seconds;
 };
 
-/// Errors: those of open_dataset, OnnxDetector::load, SemanticMapper::create and save_archive;
-/// kLimit when more frames were skipped than allowed, naming the first. Nothing is written on an
-/// error.
+/// With more than one thread the next frame is read and decoded while one is worked on.
+/// Errors: kInvalidArgument when the mapper has a deadline; those of open_dataset,
+/// OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when more frames were
+/// skipped than allowed, naming the first. Nothing is written on an error.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 

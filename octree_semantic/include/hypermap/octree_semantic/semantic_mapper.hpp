@@ -7,6 +7,8 @@
 
 #include "hypermap/core/absence.hpp"
 #include "hypermap/core/association.hpp"
+#include "hypermap/core/box.hpp"
+#include "hypermap/core/deadline.hpp"
 #include "hypermap/core/object_map.hpp"
 #include "hypermap/core/object_pipeline_options.hpp"
 #include "hypermap/core/result.hpp"
@@ -30,6 +32,8 @@ struct SemanticMapperOptions {
   IntegrationOptions integration;
   ObjectPipelineOptions objects;
   VisibilityOptions visibility;
+  /// Bounds the work on a frame, for live use; off to begin with.
+  DeadlineOptions deadline;
   /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
   /// The ids of `objects.transient_class_names`.
   std::set<ClassId> transient_classes;
@@ -54,10 +58,15 @@ struct FrameReport {
   std::size_t num_detections = 0;  ///< After stacking.
   std::size_t num_transient = 0;   ///< Of a class that does not stay.
   std::size_t num_segments = 0;    ///< Detections that were found in the depth.
+  /// Detections that nobody looked at because the time was up, those of the lowest scores.
+  std::size_t num_deadline_dropped = 0;
   std::size_t num_created = 0;
   std::size_t num_matched = 0;
   std::size_t num_merged = 0;   ///< Objects that proved to be another one.
   std::size_t num_removed = 0;  ///< Objects that proved absent.
+  /// False when nothing was asked about objects that were not seen: detections had been dropped, so
+  /// that not to be seen means nothing, or there was no memory or no Embree for it.
+  bool judged = false;
   IntegrationReport integration;
   StageSeconds seconds;
 };
@@ -78,11 +87,13 @@ class SemanticMapper {
   /// Puts one frame into the map: whole, or on an error not at all.
   ///
   /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
-  /// that cannot be found in the depth is counted, no error. All but kOutOfMemory are found before
-  /// anything is changed; after kOutOfMemory objects may have learned what the octree has not.
+  /// that cannot be found in the depth is counted, no error. Objects learn on a copy that takes
+  /// their place when the octree has the frame; should memory end after that, what is left of the
+  /// frame's work waits for the next one, see `FrameReport::judged`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
-  /// What the stages of a frame are timed by; the wall clock to begin with. Requires: not empty.
+  /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
+  /// empty.
   void set_clock(Clock clock) { clock_ = std::move(clock); }
 
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
@@ -94,13 +105,22 @@ class SemanticMapper {
                  SemanticOctree octree,
                  ObjectMap objects,
                  OcclusionScene occlusion);
+  /// Voxels of one object are to become those of another, or of none.
+  struct Handover {
+    ObjectId from;
+    ObjectId into;
+    Box bounds;
+  };
+  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
-  void hand_over_voxels(std::span<const ObjectMerge> merges);
+  [[nodiscard]] std::vector<Handover> handovers(const ObjectMap& objects,
+                                                std::span<const ObjectMerge> merges) const;
+  void hand_over_voxels();
+  void weaken_unseen(const RgbdFrame& frame,
+                     const AssociationReport& association,
+                     FrameReport& report);
   [[nodiscard]] Result<std::vector<VisibilityVerdict>> judge(const RgbdFrame& frame,
-                                                             const AssociationReport& association);
-  std::size_t weaken_absent(const RgbdFrame& frame,
-                            std::span<const VisibilityVerdict> verdicts,
-                            std::span<const ObjectId> seen_now);
+                                                             std::span<const ObjectId> seen_now);
 
   SemanticMapperOptions options_;
   SemanticOctree octree_;
@@ -108,6 +128,7 @@ class SemanticMapper {
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   Clock clock_ = wall_clock_s;
+  std::vector<Handover> handovers_;  ///< Still to be done; mostly none.
 };
 
 }  // namespace hypermap
