@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/deadline.hpp"
 
-#include "number_text.hpp"
+#include "out_of_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,7 @@ namespace hypermap {
 
 Result<void> validate(const DeadlineOptions& options) {
   if (options.frame_s > 0.0 && options.frame_s <= 3600.0) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be above 0 and at most 3600, is " + number_text(options.frame_s),
-              "deadline.frame_s");
+  return out_of_range("deadline.frame_s", "must be above 0 and at most 3600", options.frame_s);
 }
 
 double object_lifetime_s(std::size_t num_active) {
