@@ -243,8 +243,10 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
 
 TEST(Simulator, EndsWhenItsProgressSaysSo) {
   const test::TempDir dir;
-  const auto report = simulate(
-      room(), small_options(), dir / "out", [](std::size_t done, std::size_t) { return done < 3; });
+  const auto report =
+      simulate(room_scene(), small_options(), dir / "out", [](std::size_t done, std::size_t) {
+        return done < 3;
+      });
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kInterrupted);
   EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
