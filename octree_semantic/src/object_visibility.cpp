@@ -12,7 +12,7 @@ namespace hypermap {
 namespace {
 
 /// What a ray to one point of the object found.
-enum class Sight { kOutside, kUntold, kOpen, kThrough, kHidden };
+enum class Sight : std::uint8_t { kOutside, kUntold, kOpen, kThrough, kHidden };
 
 struct SightCounts {
   int total = 0;
@@ -56,17 +56,18 @@ double entry_share(const Box& box, const Eigen::Vector3d& from, const Eigen::Vec
   return std::min(entry, 1.0);
 }
 
-/// Judges rays of one frame.
+/// Judges rays of one frame by what it measured; where it measured nothing, there is a line to ask
+/// the map about.
 class RayJudge {
  public:
-  RayJudge(const RgbdFrame& frame, const OcclusionScene& scene, const VisibilityOptions& options)
+  RayJudge(const RgbdFrame& frame, const VisibilityOptions& options)
       : frame_(&frame),
-        scene_(&scene),
         options_(&options),
         camera_from_map_(frame.map_from_camera.inverse()),
         camera_in_map_(frame.map_from_camera.origin()) {}
 
-  [[nodiscard]] Sight judge(const Eigen::Vector3d& point_in_map, const Box& box) const {
+  /// kUntold: the last of `lines()` is about this point.
+  [[nodiscard]] Sight judge(const Eigen::Vector3d& point_in_map, const Box& box) {
     const PointInCamera point = camera_from_map_ * PointInMap{point_in_map};
     const auto pixel = frame_->camera.project(point);
     if (!pixel || !(point.xyz.norm() <= options_->max_range_m)) return Sight::kOutside;
@@ -76,11 +77,16 @@ class RayJudge {
         options_->depth_tolerance_m + options_->depth_tolerance_per_m2 * depth_m * depth_m;
     const double entry_m = depth_m * entry_share(box, camera_in_map_.xyz, point_in_map);
     const auto measured = measured_around(*pixel, depth_m);
-    if (!measured) return judge_by_map(point_in_map, tolerance_m);
+    if (!measured) {
+      lines_.push_back({camera_in_map_, PointInMap{point_in_map}, 2.0 * tolerance_m});
+      return Sight::kUntold;
+    }
     if (*measured > depth_m + tolerance_m) return Sight::kThrough;
     // In front of the point but within the object's box: its own near side.
     return *measured < entry_m - tolerance_m ? Sight::kHidden : Sight::kOpen;
   }
+
+  [[nodiscard]] const std::vector<SightLine>& lines() const { return lines_; }
 
  private:
   [[nodiscard]] bool in_picture(const PixelPoint& pixel) const {
@@ -106,24 +112,53 @@ class RayJudge {
     return best;
   }
 
-  /// Nothing was measured: is there something in the map that must hide the point?
-  [[nodiscard]] Sight judge_by_map(const Eigen::Vector3d& point_in_map, double tolerance_m) const {
-    const bool hidden =
-        scene_->occluded(camera_in_map_, PointInMap{point_in_map}, 2.0 * tolerance_m);
-    return hidden ? Sight::kHidden : Sight::kUntold;
-  }
-
   const RgbdFrame* frame_;
-  const OcclusionScene* scene_;
   const VisibilityOptions* options_;
   Transform<frame::Camera, frame::Map> camera_from_map_;
   PointInMap camera_in_map_;
+  std::vector<SightLine> lines_;
 };
 
-SightCounts count(const Object& object, const RayJudge& judge, const VisibilityOptions& options) {
+/// What the rays to each object found, one object after another.
+struct Sights {
+  std::vector<Sight> all;
+  std::vector<std::size_t> ends;  ///< Behind the last one of each object.
+};
+
+/// What the frame left untold the map may tell: there is something that must hide the point.
+Result<void> ask_the_map(std::vector<Sight>& sights,
+                         std::span<const SightLine> lines,
+                         const AnswerLines& answer) {
+  if (lines.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<std::uint8_t> hidden, answer(lines));
+  std::size_t next = 0;
+  for (Sight& sight : sights) {
+    if (sight == Sight::kUntold && hidden[next++] != 0) sight = Sight::kHidden;
+  }
+  return {};
+}
+
+Result<Sights> look_at(const ObjectMap& objects,
+                       std::span<const ObjectId> ids,
+                       const RgbdFrame& frame,
+                       const AnswerLines& answer,
+                       const VisibilityOptions& options) {
+  RayJudge judge(frame, options);
+  Sights sights;
+  for (const ObjectId id : ids) {
+    const Object& object = objects.at(id);
+    for (const Eigen::Vector3d& point : sample_points(object, options.max_rays)) {
+      sights.all.push_back(judge.judge(point, object.box));
+    }
+    sights.ends.push_back(sights.all.size());
+  }
+  HYPERMAP_TRY(ask_the_map(sights.all, judge.lines(), answer));
+  return sights;
+}
+
+SightCounts count(std::span<const Sight> sights) {
   SightCounts counts;
-  for (const Eigen::Vector3d& point : sample_points(object, options.max_rays)) {
-    const Sight sight = judge.judge(point, object.box);
+  for (const Sight sight : sights) {
     ++counts.total;
     counts.in_view += sight != Sight::kOutside ? 1 : 0;
     counts.open += sight == Sight::kOpen ? 1 : 0;
@@ -195,21 +230,25 @@ Result<void> validate(const VisibilityOptions& options) {
   return {};
 }
 
-std::vector<VisibilityVerdict> judge_visibility(const ObjectMap& objects,
-                                                const RgbdFrame& frame,
-                                                const OcclusionScene& scene,
-                                                const VisibilityOptions& options,
-                                                std::span<const ObjectId> seen_now) {
-  const RayJudge judge(frame, scene, options);
+Result<std::vector<VisibilityVerdict>> judge_visibility(const ObjectMap& objects,
+                                                        const RgbdFrame& frame,
+                                                        const AnswerLines& answer,
+                                                        const VisibilityOptions& options,
+                                                        std::span<const ObjectId> seen_now) {
+  const std::vector<ObjectId> ids = objects.query(overlooked(frame, options.max_range_m));
+  HYPERMAP_ASSIGN_OR_RETURN(const Sights sights, look_at(objects, ids, frame, answer, options));
   const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
   std::vector<VisibilityVerdict> verdicts;
-  for (const ObjectId id : objects.query(overlooked(frame, options.max_range_m))) {
-    const Object& object = objects.at(id);
-    const SightCounts counts = count(object, judge, options);
-    Visibility state = state_of(counts, options);
-    if (std::binary_search(seen_now.begin(), seen_now.end(), id)) state = state_of_detected(state);
-    verdicts.push_back({.object = id,
-                        .state = state,
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Object& object = objects.at(ids[i]);
+    const std::size_t end = sights.ends[i];
+    const SightCounts counts = count(std::span(sights.all).subspan(begin, end - begin));
+    begin = end;
+    const bool is_seen = std::binary_search(seen_now.begin(), seen_now.end(), ids[i]);
+    const Visibility by_rays = state_of(counts, options);
+    verdicts.push_back({.object = ids[i],
+                        .state = is_seen ? state_of_detected(by_rays) : by_rays,
                         .visible_fraction = share(counts.open, counts.total),
                         .absent_fraction = share(counts.through, counts.total),
                         .bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera),

@@ -17,6 +17,7 @@
 #include <limits>
 #include <new>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace hypermap {
@@ -28,7 +29,7 @@ constexpr float kInflateVoxels = 1e-3F;
 constexpr float kInflateRelative = 1e-6F;
 /// Farther from the map's origin a ray has no voxel's precision left. Unit: voxel.
 constexpr double kFarthest = 1e9;
-constexpr std::uint32_t kNoPrimitive = 0xFFFF'FFFF;
+constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;
 
 struct DeviceRelease {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -39,15 +40,26 @@ struct SceneRelease {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceRelease>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneRelease>;
 
+/// Bricks that lie together are one geometry: what changes in one is built again without the
+/// others. Unit of the edge: bricks, as a power of two.
+constexpr unsigned kRegionEdgeLog2 = 3;
+
 /// A line of sight on its way through Embree, which hands the context on to the callback.
 struct SightContext {
   RTCIntersectContext embree{};  // first: it is what Embree knows
   WalkedRay ray;
-  std::uint32_t occluder = kNoPrimitive;
+  const OccupiedBrick* occluder = nullptr;
 };
 
-const OccupiedBrick& brick_of(void* bricks, unsigned primitive) {
-  return (*static_cast<const std::vector<OccupiedBrick>*>(bricks))[primitive];
+/// The occupied bricks of one region; Embree asks for them by their numbers.
+struct Region {
+  std::vector<OccupiedBrick> bricks;
+  RTCGeometry geometry = nullptr;  // owned by the scene
+  bool is_changed = false;
+};
+
+const OccupiedBrick& brick_of(void* region, unsigned primitive) {
+  return static_cast<const Region*>(region)->bricks[primitive];
 }
 
 /// Called by Embree for each primitive when it builds its tree.
@@ -72,9 +84,15 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
 void test_occlusion(const RTCOccludedFunctionNArguments* arguments) {
   assert(arguments->N == 1);
   auto& context = *reinterpret_cast<SightContext*>(arguments->context);
-  if (!meets_occupied(brick_of(arguments->geometryUserPtr, arguments->primID), context.ray)) return;
-  context.occluder = arguments->primID;
+  const OccupiedBrick& brick = brick_of(arguments->geometryUserPtr, arguments->primID);
+  if (!meets_occupied(brick, context.ray)) return;
+  context.occluder = &brick;
   RTCRayN_tfar(arguments->ray, 1, 0) = -std::numeric_limits<float>::infinity();
+}
+
+/// Morton code of the region of a brick.
+std::uint64_t region_of(BrickKey key) {
+  return key.code >> (3 * kRegionEdgeLog2);
 }
 
 Result<void> check(const Device& device) {
@@ -88,15 +106,28 @@ Result<void> check(const Device& device) {
 }  // namespace
 
 struct OcclusionScene::Scene {
+  /// Where a brick of the tree is kept.
+  struct Place {
+    std::uint32_t region = kNowhere;
+    std::uint32_t brick = 0;
+  };
+
   Device device;
   EmbreeScene scene;
-  RTCGeometry geometry = nullptr;  // owned by the scene
-  std::vector<OccupiedBrick> bricks;
+  RTCBuildQuality quality = RTC_BUILD_QUALITY_LOW;
+  std::vector<std::unique_ptr<Region>> regions;
+  std::unordered_map<std::uint64_t, std::uint32_t> region_by_code;
+  std::vector<std::uint32_t> changed_regions;
+  std::vector<Place> place_of_position;  // of the tree's bricks
+  std::size_t num_bricks = 0;
   double voxels_per_m = 1.0;
-  std::vector<std::uint32_t> primitive_of_position;  // of the tree's bricks
   Revision revision = 0;
 
   void take(std::uint32_t position, BrickKey key, const Brick& brick);
+  /// The region of a brick, made when it is the first one there.
+  std::uint32_t region_for(BrickKey key);
+  void note_change(std::uint32_t region);
+  void commit();
 
   /// After a failed build: releasing the scene would then end the program (Embree 3.13).
   void keep_for_ever() {
@@ -105,18 +136,60 @@ struct OcclusionScene::Scene {
   }
 };
 
+std::uint32_t OcclusionScene::Scene::region_for(BrickKey key) {
+  const std::uint64_t code = region_of(key);
+  const auto found = region_by_code.find(code);
+  if (found != region_by_code.end()) return found->second;
+  auto region = std::make_unique<Region>();
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryBuildQuality(geometry, quality);
+  rtcSetGeometryUserData(geometry, region.get());
+  rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, test_occlusion);
+  rtcAttachGeometry(scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  region->geometry = geometry;
+  regions.push_back(std::move(region));
+  const auto number = static_cast<std::uint32_t>(regions.size() - 1);
+  region_by_code.emplace(code, number);
+  return number;
+}
+
+void OcclusionScene::Scene::note_change(std::uint32_t region) {
+  if (regions[region]->is_changed) return;
+  changed_regions.push_back(region);
+  regions[region]->is_changed = true;
+}
+
 void OcclusionScene::Scene::take(std::uint32_t position, BrickKey key, const Brick& brick) {
-  std::uint32_t& primitive = primitive_of_position[position];
-  if (primitive == kNoPrimitive) {
+  Place& place = place_of_position[position];
+  if (place.region == kNowhere) {
     if (!brick.occupied.any()) return;
+    const std::uint32_t number = region_for(key);
+    std::vector<OccupiedBrick>& bricks = regions[number]->bricks;
     const VoxelKey corner = key.corner();
     const auto from_origin = [](std::uint16_t at) { return static_cast<float>(at - kOriginKey); };
     bricks.emplace_back().box.corner = {
         from_origin(corner.x), from_origin(corner.y), from_origin(corner.z)};
-    primitive = static_cast<std::uint32_t>(bricks.size() - 1);
+    place = {number, static_cast<std::uint32_t>(bricks.size() - 1)};
+    ++num_bricks;
   }
-  bricks[primitive].occupied = brick.occupied;
-  fit_box(bricks[primitive]);
+  note_change(place.region);
+  OccupiedBrick& mine = regions[place.region]->bricks[place.brick];
+  mine.occupied = brick.occupied;
+  fit_box(mine);
+}
+
+/// Builds the changed regions, and the tree over all of them.
+void OcclusionScene::Scene::commit() {
+  for (const std::uint32_t number : changed_regions) {
+    Region& region = *regions[number];
+    rtcSetGeometryUserPrimitiveCount(region.geometry, static_cast<unsigned>(region.bricks.size()));
+    rtcCommitGeometry(region.geometry);
+    region.is_changed = false;
+  }
+  changed_regions.clear();
+  rtcCommitScene(scene.get());
 }
 
 namespace {
@@ -125,17 +198,16 @@ namespace {
 /// one thing are mostly hidden by the same; whether a line is hidden does not depend on it.
 class LineFollower {
  public:
-  LineFollower(RTCScene scene, const std::vector<OccupiedBrick>& bricks, double voxels_per_m)
-      : scene_(scene), bricks_(bricks), voxels_per_m_(voxels_per_m) {
+  LineFollower(RTCScene scene, double voxels_per_m) : scene_(scene), voxels_per_m_(voxels_per_m) {
     rtcInitIntersectContext(&context_.embree);
   }
 
-  [[nodiscard]] bool is_hidden(const SightLine& line, double margin_m) {
+  [[nodiscard]] bool is_hidden(const SightLine& line) {
     const Eigen::Vector3d way = line.to.xyz - line.from.xyz;
     const double length_m = way.norm();
     const Eigen::Vector3d origin = line.from.xyz * voxels_per_m_;
     const bool is_near = origin.cwiseAbs().maxCoeff() < kFarthest;  // false for NaN
-    if (!(length_m > margin_m) || !std::isfinite(length_m) || !is_near) return false;
+    if (!(length_m > line.margin_m) || !std::isfinite(length_m) || !is_near) return false;
     WalkedRay& ray = context_.ray;
     const Eigen::Vector3d direction = way * (1.0 / length_m);
     for (int i = 0; i < 3; ++i) {
@@ -144,15 +216,14 @@ class LineFollower {
       ray.direction[axis] = static_cast<float>(direction[i]);
       ray.inverse[axis] = inverse_of(ray.direction[axis]);
     }
-    ray.end = static_cast<float>((length_m - margin_m) * voxels_per_m_);
+    ray.end = static_cast<float>((length_m - line.margin_m) * voxels_per_m_);
     return is_hidden_again() || is_hidden_by_any();
   }
 
  private:
   [[nodiscard]] bool is_hidden_again() {
     for (std::size_t i = 0; i < recent_.size(); ++i) {
-      if (recent_[i] == kNoPrimitive || !meets_occupied(bricks_[recent_[i]], context_.ray))
-        continue;
+      if (recent_[i] == nullptr || !meets_occupied(*recent_[i], context_.ray)) continue;
       std::swap(recent_[0], recent_[i]);
       return true;
     }
@@ -177,10 +248,9 @@ class LineFollower {
   }
 
   RTCScene scene_;
-  const std::vector<OccupiedBrick>& bricks_;
   double voxels_per_m_;
   SightContext context_;
-  std::array<std::uint32_t, 2> recent_{kNoPrimitive, kNoPrimitive};
+  std::array<const OccupiedBrick*, 2> recent_{};
 };
 
 }  // namespace
@@ -203,16 +273,7 @@ Result<OcclusionScene> OcclusionScene::create(SceneBuild build) {
   made->scene.reset(rtcNewScene(made->device.get()));
   rtcSetSceneFlags(made->scene.get(), RTC_SCENE_FLAG_DYNAMIC);
   rtcSetSceneBuildQuality(made->scene.get(), quality);
-  RTCGeometry geometry = rtcNewGeometry(made->device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryBuildQuality(geometry, quality);
-  rtcSetGeometryUserData(geometry, &made->bricks);
-  rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
-  rtcSetGeometryOccludedFunction(geometry, test_occlusion);
-  rtcSetGeometryUserPrimitiveCount(geometry, 0);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(made->scene.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  made->geometry = geometry;
+  made->quality = quality;
   rtcCommitScene(made->scene.get());
   if (auto built = check(made->device); !built) {
     made->keep_for_ever();
@@ -227,15 +288,12 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
     const std::vector<std::uint32_t> changed = bricks.changed_since(scene_->revision);
     if (changed.empty()) return std::size_t{0};
     scene_->voxels_per_m = 1.0 / tree.resolution_m();
-    scene_->primitive_of_position.resize(bricks.size(), kNoPrimitive);
+    scene_->place_of_position.resize(bricks.size());
     for (const std::uint32_t position : changed) {
       scene_->take(position, bricks.key(position), bricks.brick(position));
     }
     scene_->revision = bricks.revision();
-    rtcSetGeometryUserPrimitiveCount(scene_->geometry,
-                                     static_cast<unsigned>(scene_->bricks.size()));
-    rtcCommitGeometry(scene_->geometry);
-    rtcCommitScene(scene_->scene.get());
+    scene_->commit();
     if (auto built = check(scene_->device); !built) {
       scene_->keep_for_ever();
       return Unexpected(std::move(built).error());
@@ -246,19 +304,18 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
   }
 }
 
-bool OcclusionScene::occluded(const PointInMap& from, const PointInMap& to, double margin_m) const {
-  LineFollower follower(scene_->scene.get(), scene_->bricks, scene_->voxels_per_m);
-  return follower.is_hidden({from, to}, margin_m);
+bool OcclusionScene::occluded(const SightLine& line) const {
+  LineFollower follower(scene_->scene.get(), scene_->voxels_per_m);
+  return follower.is_hidden(line);
 }
 
 std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> lines,
-                                                   double margin_m,
                                                    int num_threads) const {
   std::vector<std::uint8_t> answers(lines.size());
   const auto answer = [&](std::size_t first, std::size_t last) {
-    LineFollower follower(scene_->scene.get(), scene_->bricks, scene_->voxels_per_m);
+    LineFollower follower(scene_->scene.get(), scene_->voxels_per_m);
     for (std::size_t i = first; i < last; ++i) {
-      answers[i] = follower.is_hidden(lines[i], margin_m) ? 1 : 0;
+      answers[i] = follower.is_hidden(lines[i]) ? 1 : 0;
     }
   };
   constexpr std::size_t kChunk = 1024;
@@ -276,7 +333,7 @@ std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> li
 }
 
 std::size_t OcclusionScene::num_bricks() const noexcept {
-  return scene_->bricks.size();
+  return scene_->num_bricks;
 }
 
 }  // namespace hypermap

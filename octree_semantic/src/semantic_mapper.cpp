@@ -237,8 +237,11 @@ Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(const RgbdFrame& fr
     case VisibilityPolicy::kRays:
       break;
   }
-  HYPERMAP_TRY(occlusion_.update(octree_));
-  return judge_visibility(objects_, frame, occlusion_, options_.visibility, seen_now);
+  const auto answer = [&](std::span<const SightLine> lines) -> Result<std::vector<std::uint8_t>> {
+    HYPERMAP_TRY(occlusion_.update(octree_));
+    return occlusion_.occluded(lines, options_.num_threads);
+  };
+  return judge_visibility(objects_, frame, answer, options_.visibility, seen_now);
 }
 
 }  // namespace hypermap

@@ -100,14 +100,14 @@ Place make_place(double resolution_m) {
   return place;
 }
 
-std::vector<SightLine> lines_in(const Place& place, bool scattered) {
+std::vector<SightLine> lines_in(const Place& place, bool scattered, double margin_m) {
   std::mt19937 random(3);
   const auto within = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
   };
   std::vector<SightLine> lines;
   lines.reserve(kNumLines);
-  SightLine line;
+  SightLine line{.from = {}, .to = {}, .margin_m = margin_m};
   Eigen::Vector3d object;
   for (std::size_t i = 0; i < kNumLines; ++i) {
     if (scattered || i % kLinesPerObject == 0) {
@@ -122,17 +122,18 @@ std::vector<SightLine> lines_in(const Place& place, bool scattered) {
 }
 
 /// Millions of castRay's answers per second.
-double cast_rate(const Place& place, std::span<const SightLine> lines, double margin_m) {
+double cast_rate(const Place& place, std::span<const SightLine> lines) {
   const double seconds = cpu_time_of([&] {
     octomap::point3d end;
     for (const SightLine& line : lines) {
       const Eigen::Vector3f from = line.from.xyz.cast<float>();
       const Eigen::Vector3f way = (line.to.xyz - line.from.xyz).cast<float>();
-      benchmark::DoNotOptimize(place.octomap.castRay({from.x(), from.y(), from.z()},
-                                                     {way.x(), way.y(), way.z()},
-                                                     end,
-                                                     true,
-                                                     static_cast<double>(way.norm()) - margin_m));
+      benchmark::DoNotOptimize(
+          place.octomap.castRay({from.x(), from.y(), from.z()},
+                                {way.x(), way.y(), way.z()},
+                                end,
+                                true,
+                                static_cast<double>(way.norm()) - line.margin_m));
     }
   });
   return static_cast<double>(lines.size()) / seconds * 1e-6;
@@ -147,20 +148,19 @@ double update_ms(SemanticOctree& tree, OcclusionScene& scene) {
 
 void sight_lines(benchmark::State& state, double resolution_m, bool scattered, SceneBuild kind) {
   Place place = make_place(resolution_m);
-  const std::vector<SightLine> lines = lines_in(place, scattered);
-  const double margin_m = 2.0 * resolution_m;
+  const std::vector<SightLine> lines = lines_in(place, scattered, 2.0 * resolution_m);
   auto scene = OcclusionScene::create(kind).value();
   const double build = cpu_time_of([&] { benchmark::DoNotOptimize(scene.update(place.tree)); });
   std::vector<std::uint8_t> answers;
   double best = 1e9;
   for (auto _ : state) {
-    const double seconds = cpu_time_of([&] { answers = scene.occluded(lines, margin_m); });
+    const double seconds = cpu_time_of([&] { answers = scene.occluded(lines); });
     state.SetIterationTime(seconds);
     best = std::min(best, seconds);
   }
   const double rate = static_cast<double>(lines.size()) / best * 1e-6;
   state.counters["million_per_s"] = rate;
-  state.counters["ratio"] = rate / cast_rate(place, std::span(lines).first(kNumCasts), margin_m);
+  state.counters["ratio"] = rate / cast_rate(place, std::span(lines).first(kNumCasts));
   state.counters["build_ms"] = build * 1e3;
   state.counters["update_ms"] = update_ms(place.tree, scene);
   state.counters["occupied"] = static_cast<double>(place.tree.num_leaves().occupied);

@@ -145,38 +145,6 @@ void register_one(const std::string& scene, const Sequence& (*sequence)(), doubl
   add("exact_vs_insertPointCloud", IntegrationMode::kExact, false);
 }
 
-/// Lines of sight from the sensors to what they measured, against the map of all frames. Reports
-/// millions of answers per second of CPU time and the time to build the scene.
-void sight_lines(benchmark::State& state) {
-  const double resolution_m = 0.001 * static_cast<double>(state.range(0));
-  auto tree = SemanticOctree::create({.resolution_m = resolution_m}).value();
-  FrameIntegrator integrator;
-  std::vector<SightLine> lines;
-  for (const LabelledFrame& labelled : room().frames) {
-    if (!integrator.integrate(tree, labelled.frame, {}, {})) {
-      state.SkipWithError("a frame was refused");
-      return;
-    }
-    const std::vector<Eigen::Vector3f> points = measured_points(labelled.frame);
-    for (std::size_t i = 0; i < points.size(); i += 16) {
-      lines.push_back({labelled.frame.map_from_camera.origin(), {points[i].cast<double>()}});
-    }
-  }
-  auto scene = OcclusionScene::create().value();
-  const double build = cpu_time_of([&] { benchmark::DoNotOptimize(scene.update(tree)); });
-  double seconds = 0.0;
-  for (auto _ : state) {
-    seconds +=
-        cpu_time_of([&] { benchmark::DoNotOptimize(scene.occluded(lines, 2.0 * resolution_m)); });
-  }
-  const double answers =
-      static_cast<double>(lines.size()) * static_cast<double>(state.iterations());
-  state.counters["million_per_s"] = answers / seconds * 1e-6;
-  state.counters["build_ms"] = build * 1e3;
-  state.counters["occupied"] = static_cast<double>(tree.num_leaves().occupied);
-  state.counters["bricks"] = static_cast<double>(scene.num_bricks());
-}
-
 }  // namespace
 }  // namespace hypermap::test
 
@@ -185,10 +153,6 @@ int main(int argc, char** argv) {
     hypermap::test::register_one("room", hypermap::test::room, resolution_m);
     hypermap::test::register_one("kitchen", hypermap::test::kitchen, resolution_m);
   }
-  benchmark::RegisterBenchmark("sight_lines/room/mm", hypermap::test::sight_lines)
-      ->Arg(50)
-      ->Arg(20)
-      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -188,6 +188,24 @@ std::size_t num_frames_wanted() {
   return static_cast<std::size_t>(std::max(wanted, static_cast<long>(kNumTenths)));
 }
 
+void add(StageSeconds& sum, const StageSeconds& frame) {
+  sum.segment += frame.segment;
+  sum.associate += frame.associate;
+  sum.integrate += frame.integrate;
+  sum.visibility += frame.visibility;
+}
+
+/// Wall time of a frame by stages.
+void report_stages(benchmark::State& state,
+                   const StageSeconds& sum,
+                   const std::string& tenth,
+                   double num_frames) {
+  state.counters["segment_ms_tenth" + tenth] = 1e3 * sum.segment / num_frames;
+  state.counters["associate_ms_tenth" + tenth] = 1e3 * sum.associate / num_frames;
+  state.counters["integrate_ms_tenth" + tenth] = 1e3 * sum.integrate / num_frames;
+  state.counters["visibility_ms_tenth" + tenth] = 1e3 * sum.visibility / num_frames;
+}
+
 void go(benchmark::State& state, World (*world_of)(), MapFromCamera (*pose_of)(std::size_t)) {
   const World world = world_of();
   const std::size_t num_frames = num_frames_wanted();
@@ -197,18 +215,20 @@ void go(benchmark::State& state, World (*world_of)(), MapFromCamera (*pose_of)(s
     std::size_t num_detections = 0;
     for (std::size_t tenth = 0; tenth < kNumTenths; ++tenth) {
       double seconds = 0.0;
+      StageSeconds stages;
       const std::size_t begin = tenth * num_frames / kNumTenths;
       const std::size_t end = (tenth + 1) * num_frames / kNumTenths;
       for (std::size_t i = begin; i < end; ++i) {
         const RgbdFrame frame = paint(world, pose_of(i), i);
         num_detections += frame.detections.size();
         const double taken =
-            cpu_time_of([&] { benchmark::DoNotOptimize(mapper.integrate(frame).value()); });
+            cpu_time_of([&] { add(stages, mapper.integrate(frame).value().seconds); });
         seconds += taken;
         times_ms.push_back(1e3 * taken);
       }
       const std::string name = (tenth < 9 ? "0" : "") + std::to_string(tenth + 1);
       state.counters["ms_tenth" + name] = 1e3 * seconds / static_cast<double>(end - begin);
+      report_stages(state, stages, name, static_cast<double>(end - begin));
       state.counters["rss_mb_tenth" + name] = 1e-6 * static_cast<double>(resident_bytes());
       state.counters["octree_mb_tenth" + name] =
           1e-6 * static_cast<double>(mapper.octree().memory_bytes());

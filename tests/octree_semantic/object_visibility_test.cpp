@@ -46,6 +46,14 @@ Object cube_ahead(double aside = 0.0) {
 struct World {
   ObjectMap objects;
   OcclusionScene scene = OcclusionScene::create().value();
+  int num_questions = 0;  ///< How often the scene was asked.
+
+  AnswerLines answer() {
+    return [this](std::span<const SightLine> lines) -> Result<std::vector<std::uint8_t>> {
+      ++num_questions;
+      return scene.occluded(lines);
+    };
+  }
 };
 
 VisibilityVerdict judge(World& world,
@@ -54,7 +62,7 @@ VisibilityVerdict judge(World& world,
                         const std::vector<ObjectId>& seen = {}) {
   world.objects = ObjectMap();
   const ObjectId id = world.objects.add(object);
-  const auto verdicts = judge_visibility(world.objects, frame, world.scene, {}, seen);
+  const auto verdicts = judge_visibility(world.objects, frame, world.answer(), {}, seen).value();
   if (verdicts.empty()) return {.object = id, .state = Visibility::kOutOfView};
   EXPECT_EQ(verdicts.size(), 1U);
   EXPECT_EQ(verdicts.front().object, id);
@@ -152,6 +160,21 @@ TEST(ObjectVisibility, WhereNothingIsMeasuredAndNothingHidesNothingCanBeTold) {
   EXPECT_EQ(judge(world, frame, cube_ahead()).state, Visibility::kOutOfView);
 }
 
+TEST(ObjectVisibility, TheMapIsAskedOnceAndOnlyAboutWhatWasNotMeasured) {
+  World world;
+  EXPECT_EQ(judge(world, frame_with_depth(2.0F), cube_ahead()).state, Visibility::kVisible);
+  EXPECT_EQ(world.num_questions, 0);
+  EXPECT_EQ(judge(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOutOfView);
+  EXPECT_EQ(world.num_questions, 1);
+
+  const auto refuse = [](std::span<const SightLine>) -> Result<std::vector<std::uint8_t>> {
+    return fail(ErrorCode::kOutOfMemory, "no memory for the occlusion scene");
+  };
+  const auto verdicts = judge_visibility(world.objects, frame_with_depth(0.0F), refuse);
+  ASSERT_FALSE(verdicts);
+  EXPECT_EQ(verdicts.error().code, ErrorCode::kOutOfMemory);
+}
+
 TEST(ObjectVisibility, WhatWasDetectedInThisFrameIsNeverHiddenOrGone) {
   World world;
   const std::vector<ObjectId> seen{ObjectId{1}};
@@ -171,7 +194,7 @@ TEST(ObjectVisibility, VerdictsComeByAscendingId) {
   World world;
   for (int i = 0; i < 5; ++i) world.objects.add(cube_ahead(0.1 * i));
   const auto verdicts =
-      judge_visibility(world.objects, frame_with_depth(2.0F), world.scene, {}, {});
+      judge_visibility(world.objects, frame_with_depth(2.0F), world.answer()).value();
   ASSERT_EQ(verdicts.size(), 5U);
   for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(verdicts[i].object, ObjectId{i + 1});
 }

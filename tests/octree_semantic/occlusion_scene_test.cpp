@@ -78,7 +78,7 @@ bool meets_any(const std::vector<Eigen::Vector3d>& centres,
 
 TEST(OcclusionScene, NothingHidesAnythingInAnEmptyScene) {
   const auto scene = OcclusionScene::create().value();
-  EXPECT_FALSE(scene.occluded({{0, 0, 0}}, {{5, 5, 5}}, 0.0));
+  EXPECT_FALSE(scene.occluded({{{0, 0, 0}}, {{5, 5, 5}}, 0.0}));
   EXPECT_EQ(scene.num_bricks(), 0U);
 }
 
@@ -97,7 +97,7 @@ TEST(OcclusionScene, AgreesWithALookAtEveryVoxel) {
       const Eigen::Vector3d to(within(random), within(random), within(random));
       const double margin_m = i % 3 == 0 ? 0.3 : 0.0;
       if ((to - from).norm() <= margin_m) continue;
-      const bool occluded = scene.occluded({from}, {to}, margin_m);
+      const bool occluded = scene.occluded({{from}, {to}, margin_m});
       num_occluded += occluded ? 1 : 0;
       // Within a thousandth of a voxel of an edge, either answer is right.
       if (meets_any(centres, from, to, margin_m, -1e-3 * kEdge)) {
@@ -125,8 +125,8 @@ TEST(OcclusionScene, LinesAlongAxesThroughVoxelsNearTheEdgesOfBricksAreNotMissed
             target[(axis + 1) % 3] += u * kEdge;
             target[(axis + 2) % 3] += v * kEdge;
             const Eigen::Vector3d way = sign * Eigen::Vector3d::Unit(axis);
-            EXPECT_TRUE(scene.occluded({target - 2.0 * way}, {target + 2.0 * way}, 0.0));
-            EXPECT_FALSE(scene.occluded({target - 2.0 * way}, {target - 0.06 * way}, 0.0));
+            EXPECT_TRUE(scene.occluded({{target - 2.0 * way}, {target + 2.0 * way}, 0.0}));
+            EXPECT_FALSE(scene.occluded({{target - 2.0 * way}, {target - 0.06 * way}, 0.0}));
           }
         }
       }
@@ -151,8 +151,8 @@ TEST(OcclusionScene, NothingIsSeenThroughTheSeamsBetweenBricks) {
       const Eigen::Vector3d seam(
           x, 0.8 * (static_cast<int>(random() % 5) - 2), i % 2 == 0 ? 0.0 : within(random));
       const Eigen::Vector3d way(0.5 + std::abs(within(random)), within(random), within(random));
-      EXPECT_TRUE(scene.occluded({seam - way}, {seam + way}, 0.0)) << seam.transpose();
-      EXPECT_FALSE(scene.occluded({seam - way}, {seam - 0.2 * way}, 0.0)) << seam.transpose();
+      EXPECT_TRUE(scene.occluded({{seam - way}, {seam + way}, 0.0})) << seam.transpose();
+      EXPECT_FALSE(scene.occluded({{seam - way}, {seam - 0.2 * way}, 0.0})) << seam.transpose();
     }
   }
 }
@@ -168,8 +168,8 @@ TEST(OcclusionScene, ALineOnTheFaceOfAWallIsHidden) {
   }
   const SemanticOctree tree = tree_of(wall);
   const OcclusionScene scene = scene_of(tree);
-  EXPECT_TRUE(scene.occluded({{0.0, -1.0, 0.0}}, {{0.0, 1.0, 0.0}}, 0.0));
-  EXPECT_TRUE(scene.occluded({{0.0, -3.0, 0.05}}, {{0.0, 3.0, 0.05}}, 0.0));
+  EXPECT_TRUE(scene.occluded({{{0.0, -1.0, 0.0}}, {{0.0, 1.0, 0.0}}, 0.0}));
+  EXPECT_TRUE(scene.occluded({{{0.0, -3.0, 0.05}}, {{0.0, 3.0, 0.05}}, 0.0}));
 }
 
 TEST(OcclusionScene, TheMarginSparesTheThingItself) {
@@ -177,21 +177,22 @@ TEST(OcclusionScene, TheMarginSparesTheThingItself) {
   const OcclusionScene scene = scene_of(tree);
   const PointInMap from{{0.05, 0.05, 0.05}};
   const PointInMap within{{1.05, 0.05, 0.05}};
-  EXPECT_TRUE(scene.occluded(from, within, 0.0));
-  EXPECT_TRUE(scene.occluded(from, within, 0.04));
-  EXPECT_FALSE(scene.occluded(from, within, 0.06));
-  EXPECT_FALSE(scene.occluded(from, within, 2.0));
+  EXPECT_TRUE(scene.occluded({from, within, 0.0}));
+  EXPECT_TRUE(scene.occluded({from, within, 0.04}));
+  EXPECT_FALSE(scene.occluded({from, within, 0.06}));
+  EXPECT_FALSE(scene.occluded({from, within, 2.0}));
 }
 
 TEST(OcclusionScene, AStartInsideAVoxelIsOccludedAndNonsenseIsNot) {
   const SemanticOctree tree = tree_of({{32768, 32768, 32768}});
   const OcclusionScene scene = scene_of(tree);
   const PointInMap inside{{0.05, 0.05, 0.05}};
-  EXPECT_TRUE(scene.occluded(inside, {{2.0, 0.05, 0.05}}, 0.0));
-  EXPECT_FALSE(scene.occluded(inside, inside, 0.0));
-  EXPECT_FALSE(scene.occluded(inside, {{std::nan(""), 0, 0}}, 0.0));
-  EXPECT_FALSE(scene.occluded({{std::numeric_limits<double>::infinity(), 0, 0}}, {{0, 0, 0}}, 0.0));
-  EXPECT_FALSE(scene.occluded({{-1e200, 0.05, 0.05}}, {{2.0, 0.05, 0.05}}, 0.0));
+  EXPECT_TRUE(scene.occluded({inside, {{2.0, 0.05, 0.05}}, 0.0}));
+  EXPECT_FALSE(scene.occluded({inside, inside, 0.0}));
+  EXPECT_FALSE(scene.occluded({inside, {{std::nan(""), 0, 0}}, 0.0}));
+  EXPECT_FALSE(
+      scene.occluded({{{std::numeric_limits<double>::infinity(), 0, 0}}, {{0, 0, 0}}, 0.0}));
+  EXPECT_FALSE(scene.occluded({{{-1e200, 0.05, 0.05}}, {{2.0, 0.05, 0.05}}, 0.0}));
 }
 
 TEST(OcclusionScene, FollowsTheTreeByItsChangedBricks) {
@@ -201,13 +202,13 @@ TEST(OcclusionScene, FollowsTheTreeByItsChangedBricks) {
   EXPECT_EQ(scene.update(tree).value(), 0U) << "nothing changed";
   const PointInMap from{{-1.0, 0.05, 0.05}};
   const PointInMap to{{1.0, 0.05, 0.05}};
-  EXPECT_TRUE(scene.occluded(from, to, 0.0));
+  EXPECT_TRUE(scene.occluded({from, to, 0.0}));
   ASSERT_TRUE(tree.set_leaf({.key = {32768, 32768, 32768}, .log_odds = kFree}));
   EXPECT_EQ(scene.update(tree).value(), 1U) << "one brick changed";
-  EXPECT_FALSE(scene.occluded(from, to, 0.0));
+  EXPECT_FALSE(scene.occluded({from, to, 0.0}));
   ASSERT_TRUE(tree.set_leaf({.key = {32774, 32768, 32768}, .log_odds = kOccupied}));
   EXPECT_EQ(scene.update(tree).value(), 1U);
-  EXPECT_TRUE(scene.occluded(from, to, 0.0));
+  EXPECT_TRUE(scene.occluded({from, to, 0.0}));
 }
 
 TEST(OcclusionScene, ManyLinesGetTheSameAnswersAsOneByOneOnAnyNumberOfThreads) {
@@ -220,11 +221,12 @@ TEST(OcclusionScene, ManyLinesGetTheSameAnswersAsOneByOneOnAnyNumberOfThreads) {
   for (SightLine& line : lines) {
     line.from.xyz = {within(random), within(random), within(random)};
     line.to.xyz = {within(random), within(random), within(random)};
-    expected.push_back(scene.occluded(line.from, line.to, 0.1) ? 1 : 0);
+    line.margin_m = 0.1;
+    expected.push_back(scene.occluded(line) ? 1 : 0);
   }
-  EXPECT_EQ(scene.occluded(lines, 0.1, 1), expected);
-  EXPECT_EQ(scene.occluded(lines, 0.1, 2), expected);
-  EXPECT_TRUE(scene.occluded(std::span<const SightLine>{}, 0.1).empty());
+  EXPECT_EQ(scene.occluded(lines, 1), expected);
+  EXPECT_EQ(scene.occluded(lines, 2), expected);
+  EXPECT_TRUE(scene.occluded(std::span<const SightLine>{}).empty());
 }
 
 TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
@@ -240,12 +242,12 @@ TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
     const Eigen::Vector3d centre(within(random), within(random), within(random));
     for (int i = 0; i < 40; ++i) {
       const Eigen::Vector3d offset(beside(random), beside(random), beside(random));
-      lines.push_back({{camera}, {centre + offset}});
-      expected.push_back(scene.occluded(lines.back().from, lines.back().to, 0.1) ? 1 : 0);
+      lines.push_back({{camera}, {centre + offset}, 0.1});
+      expected.push_back(scene.occluded(lines.back()) ? 1 : 0);
     }
   }
-  EXPECT_EQ(scene.occluded(lines, 0.1, 1), expected);
-  EXPECT_EQ(scene.occluded(lines, 0.1, 3), expected);
+  EXPECT_EQ(scene.occluded(lines, 1), expected);
+  EXPECT_EQ(scene.occluded(lines, 3), expected);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 500);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 500);
 }

@@ -15,6 +15,8 @@
 #include "hypermap/core/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/occlusion_scene.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,18 +40,23 @@ struct VisibilityOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const VisibilityOptions& options);
 
+/// Answers lines of sight, 1 where hidden, in their order; as OcclusionScene::occluded.
+using AnswerLines = std::function<Result<std::vector<std::uint8_t>>(std::span<const SightLine>)>;
+
 /// One verdict for each object whose box meets the space that the camera overlooks, by ascending
 /// id. `seen_now`, ascending, are objects that this frame detected: those are never occluded or
-/// absent.
+/// absent. `answer` is asked once with all lines along which this frame measured nothing, and not
+/// at all when there are none: then the map need not be brought up to date for it.
 ///
+/// Errors: those of `answer`.
 /// Boundary: where the frame measured nothing and the map hides nothing, nothing can be told; an
 /// object of which nothing can be told is out of view. An object without points is judged by the
 /// corners and the centre of its box.
 /// Requires: validate(options), validate(frame).
-[[nodiscard]] std::vector<VisibilityVerdict> judge_visibility(
+[[nodiscard]] Result<std::vector<VisibilityVerdict>> judge_visibility(
     const ObjectMap& objects,
     const RgbdFrame& frame,
-    const OcclusionScene& scene,
+    const AnswerLines& answer,
     const VisibilityOptions& options = {},
     std::span<const ObjectId> seen_now = {});
 

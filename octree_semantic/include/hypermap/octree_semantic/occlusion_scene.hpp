@@ -23,6 +23,8 @@ namespace hypermap {
 struct SightLine {
   PointInMap from;
   PointInMap to;
+  /// So much before `to` is left out: the thing itself should not hide itself.
+  double margin_m = 0.0;
 };
 
 /// What a scene is built for.
@@ -51,18 +53,16 @@ class OcclusionScene {
   /// Errors: kOutOfMemory.
   [[nodiscard]] Result<std::size_t> update(const SemanticOctree& tree);
 
-  /// Whether an occupied voxel lies on the way from `from` to `to`, the last `margin_m` before `to`
-  /// left out (the thing itself should not hide itself).
+  /// Whether an occupied voxel lies on the way from `from` to `to` less the margin.
   ///
   /// Boundary: on a face the voxel is hit by one of its neighbours; within a thousandth of a voxel
   /// and a millionth of the coordinates from an edge, either answer. A start inside an occupied
   /// voxel is occluded. Not longer than the margin, not finite, or starting beyond 10^9 voxels from
   /// the origin: not occluded.
-  [[nodiscard]] bool occluded(const PointInMap& from, const PointInMap& to, double margin_m) const;
+  [[nodiscard]] bool occluded(const SightLine& line) const;
   /// One answer per line: 1 when occluded. Faster for lines in an order in which neighbours are
   /// alike. The result does not depend on the number of threads.
   [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const SightLine> lines,
-                                                   double margin_m,
                                                    int num_threads = 1) const;
 
   [[nodiscard]] std::size_t num_bricks() const noexcept;
