@@ -28,16 +28,15 @@ bool WindowGeometry::cover(const KeyBox& box, double max_cells) {
     num_cells *= static_cast<double>(num_bricks[i]);
   }
   if (num_cells > max_cells) return false;
-  const std::array<std::size_t, 3> stride{num_bricks[1] * num_bricks[2], num_bricks[2], 1};
+  corner_ = corner;
+  num_bricks_ = num_bricks;
   for (std::size_t i = 0; i < 3; ++i) {
     summands_[i].resize(num_bricks[i] * 8);
     for (std::size_t offset = 0; offset < summands_[i].size(); ++offset) {
-      const auto brick = static_cast<std::uint32_t>(offset / 8 * stride[i]);
+      const auto brick = static_cast<std::uint32_t>(offset / 8 * brick_stride(i));
       summands_[i][offset] = brick << 9U | spread_in_brick(offset) << i;
     }
   }
-  corner_ = corner;
-  num_bricks_ = num_bricks;
   return true;
 }
 

@@ -49,6 +49,11 @@ class WindowGeometry {
   [[nodiscard]] std::size_t num_bricks(std::size_t axis) const noexcept {
     return num_bricks_[axis];
   }
+  /// From the number of a brick to that of the next one along an axis.
+  [[nodiscard]] std::size_t brick_stride(std::size_t axis) const noexcept {
+    if (axis == 0) return num_bricks_[1] * num_bricks_[2];
+    return axis == 1 ? num_bricks_[2] : 1;
+  }
   /// Summand of axis `axis` for the voxel at `offset` from the window's corner.
   [[nodiscard]] const std::uint32_t* summands(std::size_t axis) const noexcept {
     return summands_[axis].data();
@@ -86,6 +91,8 @@ class BitMarker {
     words_[cell >> 6U] |= std::uint64_t{1} << (cell & 63U);
     touched_[cell >> 9U] = 1;
   }
+  [[nodiscard]] std::uint64_t* words() const noexcept { return words_; }
+  [[nodiscard]] std::uint8_t* touched() const noexcept { return touched_; }
 
  private:
   std::uint64_t* words_;

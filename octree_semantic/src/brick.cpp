@@ -39,6 +39,13 @@ bool same_content(const Brick& a, const Brick& b) noexcept {
   return !a_labelled || *a.labels == *b.labels;
 }
 
+bool same_unlabelled(const Brick& a, const Brick& b) noexcept {
+  const auto is_labelled = [](const Brick& brick) {
+    return brick.labels && brick.labels->size() != 0;
+  };
+  return a.known == b.known && a.log_odds == b.log_odds && !is_labelled(a) && !is_labelled(b);
+}
+
 Brick& BrickRef::writable() {
   // Acquire: whoever gave up the brick last has finished reading it.
   if (brick_->num_owners_.load(std::memory_order_acquire) != 1) {

@@ -8,6 +8,8 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kFirstNumSlots = 64;
+/// Bricks kept for later, 76 KiB: what a frame's noise takes back of the free space.
+constexpr std::size_t kMaxSpares = 64;
 
 /// Fibonacci hashing: neighbours in Morton order are spread over the table.
 std::size_t slot_of(BrickKey key, std::size_t num_slots) noexcept {
@@ -27,10 +29,20 @@ std::uint32_t BrickTable::position(BrickKey key) const noexcept {
 
 std::uint32_t BrickTable::prepare(BrickKey key) {
   const std::uint32_t found = position(key);
-  if (found != kNone) {
-    static_cast<void>(bricks_[found].writable());
-    return found;
-  }
+  if (found == kNone) return make(key);
+  unshare(found);
+  return found;
+}
+
+std::uint32_t BrickTable::prepare_to_free(BrickKey key) {
+  const std::uint32_t found = position(key);
+  if (found == kNone) return make(key);
+  if (!is_freest(found)) unshare(found);
+  return found;
+}
+
+std::uint32_t BrickTable::make(BrickKey key) {
+  if (shares_free_space_ && !freest_) make_freest();
   if (slots_.size() < 2 * (bricks_.size() + 1)) grow_slots();
   if (keys_.size() == keys_.capacity()) keys_.reserve(2 * keys_.size() + kFirstNumSlots);
   if (bricks_.size() == bricks_.capacity()) bricks_.reserve(2 * bricks_.size() + kFirstNumSlots);
@@ -41,6 +53,30 @@ std::uint32_t BrickTable::prepare(BrickKey key) {
   while (slots_[slot] != kNone) slot = (slot + 1) & (slots_.size() - 1);
   slots_[slot] = made;
   return made;
+}
+
+void BrickTable::make_freest() {
+  spares_.reserve(kMaxSpares);
+  BrickRef made = BrickRef::make();
+  Brick& brick = made.writable();
+  brick.known.words.fill(~std::uint64_t{0});
+  brick.log_odds.fill(freest_log_odds_);
+  freest_ = std::move(made);
+}
+
+void BrickTable::unshare(std::uint32_t position) {
+  if (is_freest(position) && !spares_.empty()) {
+    bricks_[position] = std::move(spares_.back());
+    spares_.pop_back();
+  }
+  static_cast<void>(bricks_[position].writable());
+}
+
+void BrickTable::share_if_freest(std::uint32_t position) noexcept {
+  BrickRef& brick = bricks_[position];
+  if (!freest_ || brick.shares(freest_) || !same_unlabelled(*brick, *freest_)) return;
+  if (spares_.size() < spares_.capacity()) spares_.push_back(std::move(brick));
+  brick = freest_;
 }
 
 void BrickTable::grow_slots() {
@@ -63,7 +99,7 @@ std::vector<std::uint32_t> BrickTable::in_morton_order() const {
 }
 
 void BrickTable::reserve_changes(std::size_t num_changes) {
-  if (changes_.size() > 2 * bricks_.size() + kFirstNumSlots) {
+  if (changes_.size() > bricks_.size() + kFirstNumSlots) {
     const std::size_t dropped = changes_.size() / 2;
     forgotten_ = changes_[dropped - 1].revision;
     changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(dropped));
@@ -94,8 +130,12 @@ std::vector<std::uint32_t> BrickTable::changed_since(Revision since) const {
 std::size_t BrickTable::memory_bytes() const {
   std::size_t total = slots_.capacity() * sizeof(std::uint32_t) +
                       keys_.capacity() * sizeof(BrickKey) + bricks_.capacity() * sizeof(BrickRef) +
-                      changes_.capacity() * sizeof(Change);
-  for (const BrickRef& brick : bricks_) total += brick->memory_bytes();
+                      changes_.capacity() * sizeof(Change) + spares_.capacity() * sizeof(BrickRef);
+  for (const BrickRef& brick : bricks_) {
+    if (!freest_ || !brick.shares(freest_)) total += brick->memory_bytes();
+  }
+  if (freest_) total += freest_->memory_bytes();
+  for (const BrickRef& spare : spares_) total += spare->memory_bytes();
   return total;
 }
 

@@ -37,8 +37,8 @@ kernels::CellGrid cell_grid(const WindowGeometry& window,
     grid.end[i] = std::min(window.edge(i), kKeysPerAxis - corner);
     grid.sensor[i] = sensor[i];
   }
-  grid.stride[0] = static_cast<std::int32_t>(window.num_bricks(1) * window.num_bricks(2));
-  grid.stride[1] = static_cast<std::int32_t>(window.num_bricks(2));
+  grid.stride[0] = static_cast<std::int32_t>(window.brick_stride(0));
+  grid.stride[1] = static_cast<std::int32_t>(window.brick_stride(1));
   return grid;
 }
 

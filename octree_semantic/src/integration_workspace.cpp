@@ -18,7 +18,7 @@ constexpr double kEverywhereM = 1e9;
 /// Measurements beyond the range are united by voxel within a window of at most so many cells, that
 /// is 32 MiB of bits; else each gets a ray of its own.
 constexpr double kMaxFarCells = 268435456.0;
-constexpr std::size_t kRaysPerChunk = 256;
+constexpr std::size_t kRaysPerChunk = RayMarker::kMaxRays;
 constexpr std::size_t kBricksPerChunk = 32;
 
 std::size_t num_chunks_of(std::size_t size, std::size_t per_chunk) {
@@ -37,6 +37,14 @@ template <class T>
 void append(std::vector<T>& all, std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
   more.clear();
+}
+
+std::size_t count_bits(const std::uint64_t* words) {
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < kBrickVolume / 64; ++i) {
+    total += static_cast<std::size_t>(std::popcount(words[i]));
+  }
+  return total;
 }
 
 kernels::EvidenceSteps steps_of(const SensorModel& model) {
@@ -71,7 +79,7 @@ Result<IntegrationReport> IntegrationWorkspace::integrate(SemanticOctree& tree,
     cast_rays(resolution_m, points.sensor());  // what rays passed through
     count_votes(labels, report);               // which labels ended where
     const std::size_t num_bricks_before = tree.num_bricks();
-    stage(tree);  // all memory that the map will need
+    stage(tree, report);  // all memory that the map will need
     report.num_new_bricks = tree.num_bricks() - num_bricks_before;
   } catch (const std::bad_alloc&) {
     clear();
@@ -128,14 +136,12 @@ void IntegrationWorkspace::find_ends(const MeasuredPoints& points,
 void IntegrationWorkspace::cast_rays(double resolution_m, const PointF& sensor) {
   const RayMarker marker(window_, resolution_m, sensor);
   const std::vector<PointF>& rays = ray_ends();
-  workers_.for_each(num_chunks_of(rays.size(), kRaysPerChunk),
-                    [&](std::size_t slot, std::size_t chunk) {
-                      const BitMarker into = slots_[slot].passed.marker();
-                      const std::size_t end = std::min(rays.size(), (chunk + 1) * kRaysPerChunk);
-                      for (std::size_t i = chunk * kRaysPerChunk; i < end; ++i) {
-                        marker.mark(rays[i], into);
-                      }
-                    });
+  workers_.for_each(
+      num_chunks_of(rays.size(), kRaysPerChunk), [&](std::size_t slot, std::size_t chunk) {
+        const std::size_t first = chunk * kRaysPerChunk;
+        const std::size_t size = std::min(rays.size() - first, kRaysPerChunk);
+        marker.mark(std::span(rays).subspan(first, size), slots_[slot].passed.marker());
+      });
   for (std::size_t i = 1; i < slots_.size(); ++i) passed().take(slots_[i].passed);
 }
 
@@ -176,24 +182,33 @@ void IntegrationWorkspace::count_votes(std::span<const PixelLabels> labels,
   votes_.finish();
 }
 
-void IntegrationWorkspace::stage(SemanticOctree& tree) {
+void IntegrationWorkspace::stage(SemanticOctree& tree, IntegrationReport& report) {
   staged_.clear();
   for (std::size_t group = 0; group < hit().num_groups(); ++group) {
     if ((hit().touched_group(group) | passed().touched_group(group)) == 0) continue;
     for (std::size_t brick = group * 8; brick < group * 8 + 8; ++brick) {
-      if (hit().touched(brick) || passed().touched(brick)) stage_brick(tree, brick);
+      if (hit().touched(brick) || passed().touched(brick)) stage_brick(tree, brick, report);
     }
   }
   tree.bricks().reserve_changes(staged_.size());
 }
 
-void IntegrationWorkspace::stage_brick(SemanticOctree& tree, std::size_t window_brick) {
+void IntegrationWorkspace::stage_brick(SemanticOctree& tree,
+                                       std::size_t window_brick,
+                                       IntegrationReport& report) {
   const auto [x, y, z] = window_.brick_corner(window_brick);
   // Rounding may carry a ray along the edge of the volume one voxel too far.
   if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kKeysPerAxis) return;
   const VoxelKey corner{
       static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
-  const std::uint32_t position = tree.bricks().prepare(BrickKey::of(corner));
+  const BrickKey key = BrickKey::of(corner);
+  const bool is_hit = hit().touched(window_brick);
+  const std::uint32_t position =
+      is_hit ? tree.bricks().prepare(key) : tree.bricks().prepare_to_free(key);
+  if (!is_hit && tree.bricks().is_freest(position)) {
+    report.num_free_voxels += count_bits(passed().words(window_brick));
+    return;
+  }
   stage_labels(tree.bricks().writable(position), window_brick);
   staged_.push_back({window_brick, position, false});
 }
@@ -219,6 +234,7 @@ void IntegrationWorkspace::commit(SemanticOctree& tree, IntegrationReport& repor
       report.num_labelled_voxels += static_cast<std::size_t>(labelled->count());
     }
     if (changed) tree.bricks().note_change(position);
+    tree.bricks().share_if_freest(position);
   }
   tree.bricks().commit();
   clear();

@@ -59,8 +59,8 @@ class IntegrationWorkspace {
                double resolution_m,
                double max_range_m);
   void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
-  void stage(SemanticOctree& tree);
-  void stage_brick(SemanticOctree& tree, std::size_t window_brick);
+  void stage(SemanticOctree& tree, IntegrationReport& report);
+  void stage_brick(SemanticOctree& tree, std::size_t window_brick, IntegrationReport& report);
   void stage_labels(Brick& brick, std::size_t window_brick) const;
   void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
   void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;

@@ -70,6 +70,7 @@ Result<SemanticOctree> SemanticOctree::from_leaves(const OctreeOptions& options,
     }
     HYPERMAP_TRY(tree.set_leaf(leaf));
   }
+  for (std::uint32_t i = 0; i < tree.bricks_.size(); ++i) tree.bricks_.share_if_freest(i);
   return tree;
 }
 

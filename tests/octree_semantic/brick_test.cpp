@@ -106,6 +106,69 @@ TEST(BrickTable, FindsWhatWasMade) {
   EXPECT_TRUE(std::is_sorted(codes.begin(), codes.end()));
 }
 
+constexpr MilliLogOdds kFreest = -2000;
+
+void make_freest(Brick& brick) {
+  brick.known.words.fill(~std::uint64_t{0});
+  brick.log_odds.fill(kFreest);
+}
+
+TEST(BrickTable, BricksAsFreeAsCanBeShareOne) {
+  BrickTable table(kFreest);
+  for (std::uint64_t code = 0; code < 1000; ++code) {
+    make_freest(table.writable(table.prepare(BrickKey{code})));
+  }
+  const std::size_t before = table.memory_bytes();
+  for (std::uint32_t i = 0; i < 1000; ++i) table.share_if_freest(i);
+  EXPECT_LT(table.memory_bytes(), before / 2);
+  EXPECT_EQ(&table.brick(3), &table.brick(999));
+  EXPECT_TRUE(table.is_freest(3));
+
+  // Who only frees gets the shared one; who writes gets one of his own.
+  EXPECT_EQ(table.prepare_to_free(BrickKey{3}), 3U);
+  EXPECT_TRUE(table.is_freest(3));
+  ASSERT_EQ(table.prepare(BrickKey{3}), 3U);
+  EXPECT_FALSE(table.is_freest(3));
+  table.writable(3).log_odds[5] = 100;
+  EXPECT_EQ(table.brick(3).log_odds[4], kFreest);
+  EXPECT_EQ(table.brick(4).log_odds[5], kFreest);
+}
+
+TEST(BrickTable, OnlyWhatIsKnownAndFreestAllOverIsShared) {
+  BrickTable table(kFreest);
+  for (std::uint64_t code = 0; code < 4; ++code) {
+    make_freest(table.writable(table.prepare(BrickKey{code})));
+  }
+  table.writable(0).log_odds[511] = kFreest + 1;
+  table.writable(1).known.reset(17);
+  table.writable(2).labels = std::make_unique<LabelTable>();
+  table.writable(2).labels->at(7).object = ObjectId{1};
+  table.writable(3).labels = std::make_unique<LabelTable>();
+  for (std::uint32_t i = 0; i < 4; ++i) table.share_if_freest(i);
+  EXPECT_FALSE(table.is_freest(0));
+  EXPECT_FALSE(table.is_freest(1));
+  EXPECT_FALSE(table.is_freest(2));
+  EXPECT_TRUE(table.is_freest(3)) << "an empty table of labels says nothing";
+}
+
+TEST(BrickTable, WhatACopySharesIsNotWrittenByTheOther) {
+  BrickTable table(kFreest);
+  for (std::uint64_t code = 0; code < 2; ++code) {
+    make_freest(table.writable(table.prepare(BrickKey{code})));
+    table.share_if_freest(static_cast<std::uint32_t>(code));
+  }
+  BrickTable copy = table;
+  table.writable(table.prepare(BrickKey{0})).log_odds[0] = 1;
+  copy.writable(copy.prepare(BrickKey{1})).log_odds[0] = 2;
+  copy.writable(copy.prepare(BrickKey{0})).log_odds[1] = 3;
+  EXPECT_EQ(table.brick(0).log_odds[0], 1);
+  EXPECT_EQ(table.brick(0).log_odds[1], kFreest);
+  EXPECT_TRUE(table.is_freest(1));
+  EXPECT_EQ(copy.brick(0).log_odds[0], kFreest);
+  EXPECT_EQ(copy.brick(0).log_odds[1], 3);
+  EXPECT_EQ(copy.brick(1).log_odds[0], 2);
+}
+
 TEST(BrickTable, TellsWhatChangedSinceAMoment) {
   BrickTable table;
   for (std::uint64_t code = 0; code < 10; ++code) table.prepare(BrickKey{code});

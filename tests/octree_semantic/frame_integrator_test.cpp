@@ -487,6 +487,24 @@ TEST_P(IntegrationModes, AReusedIntegratorWorksAsAFreshOne) {
   EXPECT_EQ(reused, fresh);
 }
 
+TEST_P(IntegrationModes, FreeSpaceSeenOftenIsSharedAndStaysWhatItIs) {
+  // Once every voxel of a brick is clamped, further frames neither change nor copy it.
+  const LabelledFrame labelled = room_frames(1, 160).front();
+  SemanticOctree tree = empty_tree(0.02);
+  const auto again = [&] { return integrate(tree, labelled.frame, {GetParam(), 3.0, 1}); };
+  const IntegrationReport first = again();
+  const std::size_t bytes_once = tree.memory_bytes();
+  for (int i = 0; i < 10; ++i) again();
+  EXPECT_LT(tree.memory_bytes(), bytes_once * 19 / 20);
+  const SemanticOctree before = tree;
+  const IntegrationReport last = again();
+  EXPECT_EQ(last.num_free_voxels, first.num_free_voxels);
+  EXPECT_EQ(tree, before);
+  std::vector<StoredLeaf> leaves;
+  tree.for_each_stored_leaf([&](const StoredLeaf& leaf) { leaves.push_back(leaf); });
+  EXPECT_EQ(SemanticOctree::from_leaves(tree.options(), leaves).value(), tree);
+}
+
 TEST_P(IntegrationModes, EveryMeasurementIsCountedOnce) {
   const LabelledFrame labelled = room_frames(1, 160).front();
   SemanticOctree tree = empty_tree(0.05);

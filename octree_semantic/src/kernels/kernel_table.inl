@@ -10,6 +10,7 @@
 #include "kernels/depth_rows.inl"
 #include "kernels/find_cells.inl"
 #include "kernels/kernels.hpp"
+#include "kernels/march_rays.inl"
 #include "kernels/merge_brick.inl"
 #include "kernels/see_corners.inl"
 
@@ -26,6 +27,7 @@ inline const Kernels& kernel_table() {
                                   .farthest = farthest,
                                   .find_cells = find_cells,
                                   .see_corners = see_corners,
+                                  .march_rays = march_rays,
                                   .merge_brick = merge_brick};
   return kTable;
 }

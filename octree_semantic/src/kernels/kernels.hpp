@@ -86,6 +86,31 @@ struct CornerProjection {
   alignas(64) float z[512] = {};
 };
 
+/// The bits of a voxel's place in its brick, in Morton order, that belong to x; shifted by one to
+/// y, by two to z.
+inline constexpr std::int64_t kAxisBits = 0b001'001'001;
+
+/// A ray that walks from voxel to voxel. Distances along it.
+///
+/// A cell's number is that of its brick's first cell plus the places along the three axes, each in
+/// the bits of its axis.
+struct MarchedRay {
+  double next[3] = {};       ///< To the next face across each axis,
+  double per_voxel[3] = {};  ///< and from that to the one behind it.
+  double limit = 0.0;        ///< It ends when all next faces lie beyond,
+  std::int64_t place[3] = {};
+  std::int64_t step[3] = {};        ///< Added to a place, then all bits but the axis' are cleared.
+  std::int64_t behind[3] = {};      ///< The place at which it has left the brick,
+  std::int64_t brick_step[3] = {};  ///< whose first cell changes by this then.
+  std::int64_t brick = 0;
+  std::int64_t last_cell = 0;  ///< or here, the last voxel left out. Not the first one.
+};
+/// Where the voxels that rays pass are marked.
+struct CellMarks {
+  std::uint64_t* words = nullptr;   ///< One bit for each cell,
+  std::uint8_t* touched = nullptr;  ///< one byte for each brick.
+};
+
 /// Steps of log-odds and their limits.
 struct EvidenceSteps {
   std::int16_t hit = 0;
@@ -131,6 +156,10 @@ struct Kernels {
                       const float* first,
                       bool check_range,
                       std::uint64_t* seen);
+  /// Marks the voxels that rays pass, from the first to the one before the last. On a tie of next
+  /// faces z goes before y before x.
+  /// Requires: all rays begin in the same voxel.
+  void (*march_rays)(const MarchedRay* rays, std::size_t size, const CellMarks& marks);
   /// Adds a hit to the voxels of `hit` and a miss to those of `passed` that are not hit, and
   /// clamps. 8 words of bits each.
   MergeCounts (*merge_brick)(const BrickArrays& brick,

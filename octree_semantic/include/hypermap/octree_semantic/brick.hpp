@@ -119,6 +119,9 @@ struct Brick {
 /// Same voxels known, with the same log-odds and labels.
 [[nodiscard]] bool same_content(const Brick& a, const Brick& b) noexcept;
 
+/// Same voxels known, with the same log-odds, and neither has labels.
+[[nodiscard]] bool same_unlabelled(const Brick& a, const Brick& b) noexcept;
+
 /// Shared ownership of a brick; whoever is the only owner may write. Copies of a map share their
 /// bricks until one of them is written.
 class BrickRef {
@@ -133,6 +136,9 @@ class BrickRef {
   }
   ~BrickRef() { release(); }
 
+  [[nodiscard]] explicit operator bool() const noexcept { return brick_ != nullptr; }
+  /// Whether both own one brick.
+  [[nodiscard]] bool shares(const BrickRef& other) const noexcept { return brick_ == other.brick_; }
   [[nodiscard]] const Brick& operator*() const noexcept { return *brick_; }
   [[nodiscard]] const Brick* operator->() const noexcept { return brick_; }
   /// The brick, to write to. When others own it too, it becomes a copy of its own first.

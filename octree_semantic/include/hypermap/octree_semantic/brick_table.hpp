@@ -19,8 +19,15 @@ using Revision = std::uint64_t;
 ///
 /// Bricks have a position 0, 1, 2, ... in the order in which they came to be, which stays the same
 /// for the life of the table. A brick may be blank (no voxel known); it counts as absent.
+///
+/// Empty space makes up most of a map, and all its bricks are alike once each of their voxels is as
+/// free as it can be: those share one brick.
 class BrickTable {
  public:
+  BrickTable() = default;  ///< Shares no free space.
+  /// `freest`: the log-odds at which a voxel cannot become any freer.
+  explicit BrickTable(MilliLogOdds freest) : freest_log_odds_(freest), shares_free_space_(true) {}
+
   /// "No such brick".
   static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
@@ -39,6 +46,17 @@ class BrickTable {
   /// The position of the brick with this key, made when absent and unshared when shared, so that
   /// `writable` below cannot fail. Throws std::bad_alloc, and the content is unchanged then.
   std::uint32_t prepare(BrickKey key);
+  /// As `prepare`, for one who would only make voxels freer: where nothing is left to do
+  /// (`is_freest`) the brick stays shared and is not to be written.
+  std::uint32_t prepare_to_free(BrickKey key);
+  /// Whether all of a brick's voxels are known to be as free as they can be, and it is the shared
+  /// one.
+  [[nodiscard]] bool is_freest(std::uint32_t position) const noexcept {
+    return freest_ && bricks_[position].shares(freest_);
+  }
+  /// Shares a brick that has become as free as it can be. Its memory serves the next brick that
+  /// ceases to be.
+  void share_if_freest(std::uint32_t position) noexcept;
   /// Requires: `prepare` returned this position and the table was not copied since.
   [[nodiscard]] Brick& writable(std::uint32_t position) { return bricks_[position].writable(); }
 
@@ -63,6 +81,9 @@ class BrickTable {
     std::uint32_t position = 0;
   };
   void grow_slots();
+  std::uint32_t make(BrickKey key);
+  void unshare(std::uint32_t position);
+  void make_freest();
 
   std::vector<std::uint32_t> slots_;  // open addressing; positions, kNone where empty
   std::vector<BrickKey> keys_;
@@ -70,6 +91,10 @@ class BrickTable {
   std::vector<Change> changes_;  // ascending revisions, all after forgotten_
   Revision revision_ = 0;
   Revision forgotten_ = 0;
+  MilliLogOdds freest_log_odds_ = 0;
+  bool shares_free_space_ = false;
+  BrickRef freest_;               ///< Null until there is a brick.
+  std::vector<BrickRef> spares_;  ///< Of the content of `freest_`, not in use.
 };
 
 }  // namespace hypermap

@@ -116,7 +116,8 @@ class SemanticOctree {
   [[nodiscard]] LeafCount num_leaves() const;
   [[nodiscard]] bool empty() const { return num_leaves() == LeafCount{}; }
   [[nodiscard]] std::size_t num_bricks() const noexcept { return bricks_.size(); }
-  /// Heap and table, shared bricks counted in full.
+  /// Heap and table; bricks shared with a copy counted in full, the one that all free space of this
+  /// tree shares counted once.
   [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Replaces one voxel. Errors: kInvalidArgument when the log-odds lie beyond the clamps of the
@@ -136,7 +137,7 @@ class SemanticOctree {
 
  private:
   SemanticOctree(const OctreeOptions& options, const SensorModel& model)
-      : options_(options), grid_(options.resolution_m), model_(model) {}
+      : options_(options), grid_(options.resolution_m), model_(model), bricks_(model.clamp_min) {}
   [[nodiscard]] LeafSample sample(const VoxelKey& key, const Brick& brick, std::size_t cell) const;
 
   OctreeOptions options_;
