@@ -133,7 +133,7 @@ class Limits(Case):
                 result = limited(*arguments, RLIMIT_FSIZE=1024)
                 self.assertEqual(result.returncode, 3, result.stderr)
                 self.assertIn("File too large", result.stderr)
-                self.assertEqual(len(result.error_lines), 1)
+                self.assertEqual(len(result.error_lines), 1, result.stderr)
                 self.assert_names("a.hmap")
         self.assertEqual(output.read_bytes(), OLD)
 

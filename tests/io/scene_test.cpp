@@ -2,11 +2,15 @@
 #include "hypermap/io/scene.hpp"
 
 #include "hypermap/io/scene_file.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace hypermap {
 namespace {
@@ -142,7 +146,8 @@ TEST(Scene, InTheScenesThatShipNothingCollides) {
     ASSERT_TRUE(scene) << to_string(scene.error());
     const auto path = CameraPath::create(scene->waypoints, scene->path);
     ASSERT_TRUE(path);
-    for (const std::uint64_t seed : {0U, 1U, 2U, 3U, 101U, 105U, 110U}) {
+    constexpr std::array<std::uint64_t, 7> kSeeds{0, 1, 2, 3, 101, 105, 110};
+    for (const std::uint64_t seed : std::span(kSeeds).first(test::repetitions(kSeeds.size()))) {
       const auto furnished = furnish(*scene, seed);
       ASSERT_TRUE(furnished) << to_string(furnished.error());
       for (const PlacedObject& a : furnished->objects) {

@@ -3,6 +3,7 @@
 #include "hypermap/octree_semantic/frame_integrator.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "octree_semantic/support/octomap_oracle.hpp"
+#include "support/sanitized.hpp"
 #include "support/test_data.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ Agreement map_both(const std::vector<LabelledFrame>& frames,
 }
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
-  const Agreement agreement = map_both(room_frames(8, 320), 0.05, 5.0, IntegrationMode::kExact);
+  const Agreement agreement =
+      map_both(room_frames(repetitions(8), 320), 0.05, 5.0, IntegrationMode::kExact);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known, 0U);
   EXPECT_EQ(agreement.only_theirs_known, 0U);
@@ -62,21 +64,23 @@ TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
 }
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoomAtTwoCentimetres) {
-  const Agreement agreement = map_both(room_frames(4, 320), 0.02, 5.0, IntegrationMode::kExact);
+  const Agreement agreement =
+      map_both(room_frames(repetitions(4), 320), 0.02, 5.0, IntegrationMode::kExact);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
 }
 
 TEST(OctomapAgreement, ExactModeClearsUpToTheRangeOnly) {
-  const Agreement agreement = map_both(room_frames(6, 160), 0.05, 2.5, IntegrationMode::kExact);
+  const Agreement agreement =
+      map_both(room_frames(repetitions(6), 160), 0.05, 2.5, IntegrationMode::kExact);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
 }
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRule) {
   const Agreement agreement =
-      map_both(room_frames(8, 320), 0.05, 20.0, IntegrationMode::kDiscretize);
+      map_both(room_frames(repetitions(8), 320), 0.05, 20.0, IntegrationMode::kDiscretize);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
@@ -84,7 +88,7 @@ TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRule) {
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRuleBeyondTheRangeToo) {
   const Agreement agreement =
-      map_both(room_frames(8, 320), 0.05, 3.0, IntegrationMode::kDiscretize);
+      map_both(room_frames(repetitions(8), 320), 0.05, 3.0, IntegrationMode::kDiscretize);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
@@ -92,7 +96,8 @@ TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRuleBeyondTheRangeToo) {
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement = map_both(kitchen_frames(10, 20), 0.05, 5.0, IntegrationMode::kExact);
+  const Agreement agreement =
+      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kExact);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U) << "all differences come from 16-bit log-odds";
@@ -101,7 +106,7 @@ TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRealKitchen) {
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
   const Agreement agreement =
-      map_both(kitchen_frames(10, 20), 0.05, 5.0, IntegrationMode::kDiscretize);
+      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kDiscretize);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
@@ -113,19 +118,19 @@ TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapInTheRealKitchen) {
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoom) {
   const Agreement agreement =
-      map_both(room_frames(8, 640), 0.05, 5.0, IntegrationMode::kProjective);
+      map_both(room_frames(repetitions(8), 640), 0.05, 5.0, IntegrationMode::kProjective);
   EXPECT_GE(agreement.occupied_iou(), 0.99);
 }
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoomAtTwoCentimetres) {
   const Agreement agreement =
-      map_both(room_frames(3, 640), 0.02, 5.0, IntegrationMode::kProjective);
+      map_both(room_frames(repetitions(3), 640), 0.02, 5.0, IntegrationMode::kProjective);
   EXPECT_GE(agreement.occupied_iou(), 0.99);
 }
 
 TEST(OctomapAgreement, ProjectiveModeClearsUpToTheRangeOnly) {
   const Agreement agreement =
-      map_both(room_frames(6, 320), 0.05, 2.5, IntegrationMode::kProjective);
+      map_both(room_frames(repetitions(6), 320), 0.05, 2.5, IntegrationMode::kProjective);
   EXPECT_GE(agreement.occupied_iou(), 0.99);
   EXPECT_GE(agreement.free_iou(), 0.95);
 }
@@ -133,7 +138,7 @@ TEST(OctomapAgreement, ProjectiveModeClearsUpToTheRangeOnly) {
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
   const Agreement agreement =
-      map_both(kitchen_frames(10, 20), 0.05, 5.0, IntegrationMode::kProjective);
+      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kProjective);
   EXPECT_GE(agreement.occupied_iou(), 0.97);
 }
 

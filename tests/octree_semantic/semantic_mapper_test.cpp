@@ -2,6 +2,7 @@
 #include "hypermap/octree_semantic/semantic_mapper.hpp"
 
 #include "octree_semantic/support/detected_frame.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <new>
 #include <vector>
 
+#if !HYPERMAP_THREAD_SANITIZER
 namespace {
 
 /// Allocations of this thread that are still granted.
@@ -30,12 +32,17 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return std::malloc(size == 0 ? 1
+                               : size);  // asked for by those who do without, as std::stable_sort
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
+#endif
 
 namespace hypermap {
 namespace {
@@ -118,6 +125,7 @@ TEST(SemanticMapper, ADeadlineLeavesObjectsThatNobodyLookedFor) {
   EXPECT_TRUE(mapper.objects() == before);
 }
 
+#if !HYPERMAP_THREAD_SANITIZER
 TEST(SemanticMapper, WithoutMemoryAFrameIsWholeOrNotAtAll) {
   const RgbdFrame& frame = frames()[1];
   SemanticMapper expected = mapper_with();
@@ -148,6 +156,7 @@ TEST(SemanticMapper, WithoutMemoryAFrameIsWholeOrNotAtAll) {
   }
   EXPECT_GE(num_refused, 20U);
 }
+#endif
 
 TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
   SemanticMapper mapper = mapper_with();
