@@ -2,7 +2,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # Our own code is compiled with strict warnings; the target is never exported to users.
-# GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635).
+# GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635), and in unity
+# builds takes sources, which may have types of their own, for headers.
 # -ffp-contract=off: no fused operations, so that the same input gives the same bytes everywhere.
 add_library(hypermap_warnings INTERFACE)
 target_compile_options(hypermap_warnings INTERFACE
@@ -10,6 +11,7 @@ target_compile_options(hypermap_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
   -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   $<$<BOOL:${HYPERMAP_WERROR}>:-Werror>)
 
 # hypermap_add_module(<name> SOURCES ... [PUBLIC_LINK ...] [PRIVATE_LINK ...])

@@ -12,7 +12,7 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::vector<std::string> files;
   std::optional<std::string> kind;
   std::optional<std::string> size;
@@ -49,7 +49,7 @@ ExitCode judge(const std::string& file, const FileCheckOptions& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   const std::vector<std::string> kinds(file_kind_names().begin(), file_kind_names().end());
   CLI::App& command =
       *program.add_subcommand("check", "Judge any file of a kind that is read here");

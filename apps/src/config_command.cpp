@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct ConfigArguments {
   std::string preset = "default";
   std::string file;
   bool json = false;
@@ -32,7 +32,7 @@ void print_json(const MapOptions& options) {
   std::printf("%s\n", list.dump(2).c_str());
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run(const ConfigArguments& arguments) {
   MapOptions options;
   options.mapper.objects = preset(*preset_of(arguments.preset));
   if (!arguments.file.empty()) {
@@ -51,7 +51,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_config_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConfigArguments>();
   CLI::App& command = *program.add_subcommand(
       "config", "Every option as a file for --config: value, unit, range, source, effect");
   command.add_option("--preset", arguments->preset, "whose values")

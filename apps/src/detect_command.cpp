@@ -11,13 +11,13 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct DetectArguments {
   DatasetArguments dataset;
   std::string model;
   std::string output;
 };
 
-Result<DetectionJobReport> run(const Arguments& arguments, const std::string& progress_when) {
+Result<DetectionJobReport> run(const DetectArguments& arguments, const std::string& progress_when) {
   DetectionJob job;
   job.input = arguments.dataset.input;
   job.model = arguments.model;
@@ -32,7 +32,7 @@ Result<DetectionJobReport> run(const Arguments& arguments, const std::string& pr
 }  // namespace
 
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<DetectArguments>();
   CLI::App& command =
       *program.add_subcommand("detect", "Run a detector (ONNX, YOLOX) over a dataset's pictures");
   arguments->dataset.add_to(command);

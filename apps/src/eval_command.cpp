@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct EvalArguments {
   std::string map;
   std::string truth;
   std::optional<std::string> against;
@@ -71,7 +71,7 @@ Result<Comparison> compare(const EvaluationReport& first, const EvaluationReport
   return Comparison{jaccard, distance};
 }
 
-Result<Outcome> run(const Arguments& arguments) {
+Result<Outcome> run(const EvalArguments& arguments) {
   EvaluationOptions options;
   options.classes = arguments.classes;
   HYPERMAP_ASSIGN_OR_RETURN(const auto truth, objects_of(arguments.truth, arguments.layer));
@@ -173,7 +173,7 @@ void print_table(const Outcome& outcome) {
 }  // namespace
 
 void add_eval_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command =
       *program.add_subcommand("eval", "How good a map is, measured against a truth");
   command.add_option("--map", arguments->map, "archive to judge")->required();

@@ -11,13 +11,13 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string file;
   std::string format;
   ExportRequest request;
 };
 
-Result<std::vector<std::filesystem::path>> run(const Arguments& arguments) {
+Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
   auto written = export_map(loaded.value, arguments.request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
@@ -27,7 +27,7 @@ Result<std::vector<std::filesystem::path>> run(const Arguments& arguments) {
 }  // namespace
 
 void add_export_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   CLI::App& command =
       *program.add_subcommand("export", "A map in the forms that other programs read");
   command.add_option("file", arguments->file, "archive or configuration")->required();

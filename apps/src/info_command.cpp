@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct InfoArguments {
   std::string file;
   bool json = false;
 };
@@ -89,7 +89,7 @@ ExitCode show(const ArchiveInfo& info, bool json) {
   return ExitCode::kDone;
 }
 
-ExitCode show_archive(const Arguments& arguments) {
+ExitCode show_archive(const InfoArguments& arguments) {
   const auto loaded = load_archive(arguments.file);
   if (!loaded) return report(loaded.error());
   show(describe(loaded->value), arguments.json);
@@ -97,7 +97,7 @@ ExitCode show_archive(const Arguments& arguments) {
 }
 
 /// An archive with this one part says of it what there is to say.
-ExitCode show_octree(const Arguments& arguments) {
+ExitCode show_octree(const InfoArguments& arguments) {
   auto loaded = read_octomap(arguments.file);
   if (!loaded) return report(loaded.error());
   ExtensionEntry entry{.format = std::string(kOctomapFormat), .version = 1, .name = "octree"};
@@ -108,7 +108,7 @@ ExitCode show_octree(const Arguments& arguments) {
   return report_all(loaded->findings);
 }
 
-ExitCode show_map(const Arguments& arguments) {
+ExitCode show_map(const InfoArguments& arguments) {
   auto loaded = read_map(arguments.file);
   if (!loaded) return report(loaded.error());
   MapArchive archive;
@@ -163,7 +163,7 @@ void print(const DatasetSummary& summary) {
               summary.unpaired.size());
 }
 
-ExitCode show_dataset(const Arguments& arguments) {
+ExitCode show_dataset(const InfoArguments& arguments) {
   ClassRegistry classes;
   const auto dataset = open_dataset(arguments.file, {}, classes);
   if (!dataset) return report(dataset.error());
@@ -177,7 +177,7 @@ ExitCode show_dataset(const Arguments& arguments) {
   return report_all(summary.findings);
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run(const InfoArguments& arguments) {
   const auto kind = find_file_kind(arguments.file);
   if (!kind) return report(kind.error());
   switch (*kind) {
@@ -195,7 +195,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_info_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command =
       *program.add_subcommand("info", "What is in an archive, octree, map_server YAML or dataset");
   command.add_option("file", arguments->file, "file, or folder of a dataset")->required();

@@ -19,7 +19,7 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct MapArguments {
   DatasetArguments dataset;
   MappingJob job;
   std::vector<std::string> detections;
@@ -38,7 +38,7 @@ const std::map<std::string, IntegrationMode> kModes{{"exact", IntegrationMode::k
                                                     {"projective", IntegrationMode::kProjective}};
 
 /// Preset, then the options file, then the command line.
-Result<MappingJob> job_of(const Arguments& arguments) {
+Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
   job.input = arguments.dataset.input;
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
@@ -64,7 +64,7 @@ Result<MappingJob> job_of(const Arguments& arguments) {
   return job;
 }
 
-void print(const MappingReport& report, const Arguments& arguments) {
+void print(const MappingReport& report, const MapArguments& arguments) {
   std::printf("%zu frames, %zu detections, %zu of them found in the depth\n",
               report.num_frames,
               report.num_detections,
@@ -81,7 +81,7 @@ void print(const MappingReport& report, const Arguments& arguments) {
               arguments.job.output.c_str());
 }
 
-ExitCode run(const Arguments& arguments, const std::string& progress_when) {
+ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
   Result<MappingReport> mapped;
@@ -102,7 +102,7 @@ ExitCode run(const Arguments& arguments, const std::string& progress_when) {
   return written ? worst : report(written.error());
 }
 
-void add_options(CLI::App& command, Arguments& arguments) {
+void add_options(CLI::App& command, MapArguments& arguments) {
   arguments.dataset.add_to(command);
   command.add_option("--output", arguments.job.output, "archive to write")->required();
   command.add_option(
@@ -136,7 +136,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--stats", arguments.stats, "JSON file for counts and times");
 }
 
-void keep_outputs_apart(const Arguments& arguments) {
+void keep_outputs_apart(const MapArguments& arguments) {
   const DatasetArguments& dataset = arguments.dataset;
   std::vector<std::filesystem::path> read{dataset.description.value_or(""),
                                           dataset.classes.value_or(""),
@@ -153,7 +153,7 @@ void keep_outputs_apart(const Arguments& arguments) {
 }  // namespace
 
 void add_map_command(CLI::App& program, const CommonOptions& common, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MapArguments>();
   CLI::App& command = *program.add_subcommand("map", "The main job: a dataset becomes an archive");
   add_options(command, *arguments);
   command.callback([arguments, &common, &action] {

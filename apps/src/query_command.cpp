@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct QueryArguments {
   std::string file;
   std::optional<std::string> layer;
   std::optional<std::string> at;
@@ -50,7 +50,7 @@ std::vector<QueryAnswer> as_answers(const std::vector<LayerAnswer>& found) {
   return answers;
 }
 
-Result<std::optional<Polygon>> area_of(const Arguments& arguments) {
+Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
   if (!arguments.area) return std::optional<Polygon>();
   HYPERMAP_ASSIGN_OR_RETURN(auto ring, parse_points(*arguments.area, "--area"));
   auto polygon = make_polygon(std::move(ring));
@@ -58,7 +58,7 @@ Result<std::optional<Polygon>> area_of(const Arguments& arguments) {
   return std::optional<Polygon>(std::move(*polygon));
 }
 
-Result<Answers> ask_layer(const MapArchive& archive, const Arguments& arguments) {
+Result<Answers> ask_layer(const MapArchive& archive, const QueryArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*arguments.layer));
   const QueryScope scope{*arguments.layer, arguments.frame};
   Answers answers{.frame = arguments.frame.empty() ? layer->info.frame_id : arguments.frame,
@@ -80,7 +80,7 @@ Result<Answers> ask_layer(const MapArchive& archive, const Arguments& arguments)
   return answers;
 }
 
-Result<Answers> ask_objects(const MapArchive& archive, const Arguments& arguments) {
+Result<Answers> ask_objects(const MapArchive& archive, const QueryArguments& arguments) {
   ObjectQuery query{.name = arguments.text};
   HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
   if (arguments.at) {
@@ -90,7 +90,7 @@ Result<Answers> ask_objects(const MapArchive& archive, const Arguments& argument
   return Answers{.frame = "map", .found = find_objects(archive, query)};
 }
 
-Result<Answers> ask(const MapArchive& archive, const Arguments& arguments) {
+Result<Answers> ask(const MapArchive& archive, const QueryArguments& arguments) {
   if (arguments.nearest) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto point, parse_numbers(*arguments.at, 2, 3, "--at"));
     HYPERMAP_ASSIGN_OR_RETURN(auto found, nearest_object(archive, *arguments.nearest, point));
@@ -139,7 +139,7 @@ void print_table(const Answers& answers) {
 }
 
 /// What must be given together; the texts are for people.
-std::optional<std::string> usage_fault(const Arguments& arguments) {
+std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
     return std::nullopt;
@@ -152,7 +152,7 @@ std::optional<std::string> usage_fault(const Arguments& arguments) {
   return std::nullopt;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run(const QueryArguments& arguments) {
   const auto loaded = load_archive(arguments.file);
   if (!loaded) return report(loaded.error());
   auto answers = ask(loaded->value, arguments);
@@ -168,7 +168,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_query_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<QueryArguments>();
   CLI::App& command = *program.add_subcommand("query", "What is where in a map, and where is what");
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command.add_option("--layer", arguments->layer, "a 2D layer, or objects for those of the 3D map");

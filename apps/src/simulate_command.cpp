@@ -14,14 +14,14 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
   std::string scene = "laboratory";
   std::string output;
   std::string detector = "noisy";
   SimulationOptions simulation;
 };
 
-Result<SimulationReport> run(const Arguments& arguments, const std::string& progress_when) {
+Result<SimulationReport> run(const SimulateArguments& arguments, const std::string& progress_when) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto path, find_scene(arguments.scene, data_dir()));
   HYPERMAP_ASSIGN_OR_RETURN(const Scene scene, load_scene(path));
   Progress progress("simulating", progress_when);
@@ -50,7 +50,7 @@ void print(const SimulationReport& report, const std::string& output) {
 }  // namespace
 
 void add_simulate_command(CLI::App& program, const CommonOptions& common, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SimulateArguments>();
   CLI::App& command = *program.add_subcommand(
       "simulate", "Render a posed RGB-D sequence of a furnished scene, with detections and truth");
   command.add_option("--scene", arguments->scene, "laboratory, floor, or a scene file")

@@ -18,7 +18,7 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct SnapshotArguments {
   std::string file;
   std::string output;
   std::string view = "iso";
@@ -28,7 +28,7 @@ struct Arguments {
   std::optional<double> cut_above_m;
 };
 
-Result<SnapshotOptions> options_of(const Arguments& arguments) {
+Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
   SnapshotOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.view, parse_snapshot_view(arguments.view));
   HYPERMAP_ASSIGN_OR_RETURN(const SnapshotSize size, parse_picture_size(arguments.size));
@@ -77,7 +77,7 @@ SnapshotScene scene_of(const MapArchive& archive, const std::string& title) {
   return scene;
 }
 
-Result<void> run(const Arguments& arguments, const SnapshotOptions& options) {
+Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
   const std::string title =
       arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
@@ -90,7 +90,7 @@ Result<void> run(const Arguments& arguments, const SnapshotOptions& options) {
 }  // namespace
 
 void add_snapshot_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SnapshotArguments>();
   CLI::App& command = *program.add_subcommand("snapshot", "A picture of a map, without a screen");
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command.add_option("--output", arguments->output, "PNG to write")->required();

@@ -17,7 +17,7 @@
 namespace hypermap::app {
 namespace {
 
-struct Arguments {
+struct TuneArguments {
   DatasetArguments dataset;
   std::vector<std::string> detections;
   std::size_t frame = 0;
@@ -40,7 +40,7 @@ const std::map<std::string, SegmentationPolicy>& policies() {
 }
 
 /// The source's own values for a source's policy, then what was asked for.
-Result<GeometricSegmentationOptions> options_of(const Arguments& arguments) {
+Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) {
   GeometricSegmentationOptions options;
   const SegmentationPolicy policy = policies().at(arguments.policy);
   if (policy == SegmentationPolicy::kCluster) options = smap_segmentation();
@@ -119,7 +119,7 @@ void print(const SegmentationTrace& trace,
       segment.box_confidence.value());
 }
 
-Result<void> tune(const Arguments& arguments, const GeometricSegmentationOptions& options) {
+Result<void> tune(const TuneArguments& arguments, const GeometricSegmentationOptions& options) {
   ClassRegistry classes;
   HYPERMAP_ASSIGN_OR_RETURN(DatasetOptions dataset_options, arguments.dataset.options());
   dataset_options.detections.assign(arguments.detections.begin(), arguments.detections.end());
@@ -148,7 +148,7 @@ Result<void> tune(const Arguments& arguments, const GeometricSegmentationOptions
 }  // namespace
 
 void add_tune_command(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TuneArguments>();
   CLI::App& command =
       *program.add_subcommand("tune", "The segmentation of one frame's detections, step by step");
   arguments->dataset.add_to(command);

@@ -120,7 +120,9 @@ Result<ValueTree> parse_tree(std::string_view bytes, const YamlLimits& limits) {
 Result<YamlDocument> parse_yaml(std::string_view bytes,
                                 const SourceName& source,
                                 const YamlLimits& limits) {
-  const auto refuse = [&](Error error) { return tl::make_unexpected(with_source(error, source)); };
+  const auto refuse = [&](Error error) {
+    return tl::make_unexpected(with_source(std::move(error), source));
+  };
   if (bytes.size() > limits.max_bytes) {
     return refuse({.code = ErrorCode::kLimit,
                    .what = "has " + std::to_string(bytes.size()) +

@@ -25,17 +25,17 @@ Bytef* input_of(std::string_view bytes) {
 
 /// A z_stream that is ended whatever happens.
 template <int (*End)(z_streamp)>
-struct Stream {
+struct DeflateStream {
   z_stream z{};
   bool open = false;
-  Stream() = default;
-  ~Stream() {
+  DeflateStream() = default;
+  ~DeflateStream() {
     if (open) End(&z);
   }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-  Stream(Stream&&) = delete;
-  Stream& operator=(Stream&&) = delete;
+  DeflateStream(const DeflateStream&) = delete;
+  DeflateStream& operator=(const DeflateStream&) = delete;
+  DeflateStream(DeflateStream&&) = delete;
+  DeflateStream& operator=(DeflateStream&&) = delete;
 };
 
 /// Lets the stream write behind `out`, at most `max_step` bytes.
@@ -58,7 +58,7 @@ Unexpected no_memory() {
 }
 
 Result<std::string> try_pack(std::string_view content, Packing packing) {
-  Stream<deflateEnd> stream;
+  DeflateStream<deflateEnd> stream;
   const int strategy = packing == Packing::kBest ? Z_DEFAULT_STRATEGY : Z_HUFFMAN_ONLY;
   if (deflateInit2(&stream.z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRawWindowBits, 8, strategy) !=
       Z_OK)
@@ -81,7 +81,7 @@ Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes)
                 std::string("inflates to ") + relation + " than its declared size of " +
                     std::to_string(num_bytes) + " bytes");
   };
-  Stream<inflateEnd> stream;
+  DeflateStream<inflateEnd> stream;
   if (inflateInit2(&stream.z, kRawWindowBits) != Z_OK) return no_memory();
   stream.open = true;
   std::string content;

@@ -64,7 +64,7 @@ RTCIntersectContext coherent_context() {
   return context;
 }
 
-Unexpected no_memory() {
+Unexpected no_memory_for_triangles() {
   return fail(ErrorCode::kOutOfMemory, "no memory for the scene's triangles", "embree");
 }
 
@@ -88,7 +88,7 @@ Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> mes
   const RTCError error = rtcGetDeviceError(device);
   if (!complete || error != RTC_ERROR_NONE) {
     // Kept for ever: releasing a scene whose build failed ends the program (Embree 3.13).
-    if (error == RTC_ERROR_OUT_OF_MEMORY) return no_memory();
+    if (error == RTC_ERROR_OUT_OF_MEMORY) return no_memory_for_triangles();
     return refused("cannot hold the scene's triangles");
   }
   EmbreeScene result;

@@ -166,7 +166,10 @@ OptionRow option_row(const char* name, OptionRange range, OptionNotes notes, Get
 
 /// A row for an enumeration whose values are named in the order of its enumerators from 0 on.
 template <class Get>
-OptionRow choice_row(const char* name, std::vector<std::string> names, OptionNotes notes, Get get) {
+OptionRow choice_row(const char* name,
+                     const std::vector<std::string>& names,
+                     OptionNotes notes,
+                     Get get) {
   std::string range;
   for (const std::string& choice : names) range += (range.empty() ? "" : ", ") + choice;
   return {name,
@@ -189,6 +192,7 @@ OptionRow choice_row(const char* name, std::vector<std::string> names, OptionNot
           }};
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member cannot stand in parentheses
 /// The field of the mapper's options that `path` names, for const and other options alike.
 #define HYPERMAP_OPTION_FIELD(path) \
   [](auto& options) -> auto& {      \
@@ -199,6 +203,7 @@ OptionRow choice_row(const char* name, std::vector<std::string> names, OptionNot
   [](auto& options) -> auto& {            \
     return options.layers.path;           \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// The table, in parts.
 [[nodiscard]] std::vector<OptionRow> map_option_rows();

@@ -40,7 +40,8 @@ int steps(std::int64_t size, int start, int step) {
 }
 
 std::size_t row_bytes(const PngHeader& header, int width) {
-  const auto bits = static_cast<std::size_t>(header.bits * stored_channels(header.color));
+  const auto bits = static_cast<std::size_t>(header.bits) *
+                    static_cast<std::size_t>(stored_channels(header.color));
   return (bits * static_cast<std::size_t>(width) + 7) / 8;
 }
 

@@ -57,14 +57,14 @@ void undo_filter(std::uint8_t filter,
 
 }  // namespace
 
-struct PngRows::Stream {
+struct PngRows::ZlibStream {
   z_stream z{};
   std::size_t next_part = 0;
   bool ready = false;
 };
 
 PngRows::PngRows(std::span<const std::string_view> parts)
-    : parts_(parts), stream_(std::make_unique<Stream>()) {
+    : parts_(parts), stream_(std::make_unique<ZlibStream>()) {
   if (inflateInit(&stream_->z) != Z_OK) throw std::bad_alloc();
   stream_->ready = true;
 }

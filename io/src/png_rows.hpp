@@ -35,11 +35,11 @@ class PngRows {
   [[nodiscard]] Result<void> finish();
 
  private:
-  struct Stream;
+  struct ZlibStream;
   [[nodiscard]] Result<void> inflate_exactly(std::span<std::uint8_t> target);
 
   std::span<const std::string_view> parts_;
-  std::unique_ptr<Stream> stream_;
+  std::unique_ptr<ZlibStream> stream_;
   std::vector<std::uint8_t> previous_;
   std::vector<std::uint8_t> current_;  ///< Filter type, then the row.
   std::size_t pixel_bytes_ = 1;

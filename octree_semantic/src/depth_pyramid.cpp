@@ -73,7 +73,7 @@ void DepthPyramid::reduce_rows(std::span<const float> depth_m, int tile_row, Col
   }
   Level& level = levels_.front();
   for (int tile = 0; tile < level.width; ++tile) {
-    const auto begin = static_cast<std::size_t>(tile * kTile);
+    const auto begin = static_cast<std::size_t>(tile) * kTile;
     const std::size_t end = std::min(width, begin + kTile);
     DepthBounds bounds{columns.min[begin], columns.max[begin]};
     float num_measured = 0.0F;

@@ -126,7 +126,8 @@ void FreeProjection::set_up(const RgbdFrame& frame,
 void FreeProjection::see_column(const DepthPyramid& pyramid,
                                 std::size_t column,
                                 const WindowGeometry& window) {
-  const auto x = static_cast<double>(column / window.num_bricks(1));
+  const std::size_t row = column / window.num_bricks(1);
+  const auto x = static_cast<double>(row);
   const auto y = static_cast<double>(column % window.num_bricks(1));
   for (std::size_t z = 0; z < window.num_bricks(2); ++z) {
     const std::size_t brick = column * window.num_bricks(2) + z;

@@ -3,6 +3,7 @@
 // answers per second on one thread, against OctoMap's castRay in the same run (which says more: it
 // finds the voxel). `ratio` is ours over OctoMap's. Lines come as an object's do: 64 from one
 // camera to places within 0.25 m of each other; `scattered`: each from anywhere to anywhere.
+#include "bench/cpu_time.hpp"
 #include "hypermap/octree_semantic/occlusion_scene.hpp"
 
 #include <benchmark/benchmark.h>
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <random>
 #include <span>
 #include <string>
@@ -24,20 +24,6 @@ namespace {
 constexpr std::size_t kNumLines = 320'000;
 constexpr std::size_t kNumCasts = 20'000;
 constexpr std::size_t kLinesPerObject = 64;
-
-/// Of all threads: Embree builds on several.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double cpu_time_of(Work&& work) {
-  const double before = cpu_seconds();
-  work();
-  return cpu_seconds() - before;
-}
 
 struct Cuboid {
   std::array<double, 3> low;
@@ -153,7 +139,7 @@ void sight_lines(benchmark::State& state, double resolution_m, bool scattered, S
   const double build = cpu_time_of([&] { benchmark::DoNotOptimize(scene.update(place.tree)); });
   std::vector<std::uint8_t> answers;
   double best = 1e9;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const double seconds = cpu_time_of([&] { answers = scene.occluded(lines); });
     state.SetIterationTime(seconds);
     best = std::min(best, seconds);

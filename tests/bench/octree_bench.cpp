@@ -3,16 +3,16 @@
 // insertPointCloud (without labels) on the same points in the same run. `cpu_ratio` is OctoMap's
 // time over ours; a ray is a measured depth pixel. `occupied_iou` and `free_iou` compare our voxels
 // with OctoMap's.
+#include "bench/cpu_time.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
-#include "hypermap/octree_semantic/occlusion_scene.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "octree_semantic/support/octomap_oracle.hpp"
 
 #include <benchmark/benchmark.h>
 #include <octomap/octomap.h>
 
+#include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -20,20 +20,6 @@ namespace hypermap::test {
 namespace {
 
 constexpr double kMaxRangeM = 5.0;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Runs `work` and returns the CPU time it took, of all threads.
-template <class Work>
-double cpu_time_of(Work&& work) {
-  const double before = cpu_seconds();
-  work();
-  return cpu_seconds() - before;
-}
 
 struct Sequence {
   std::vector<LabelledFrame> frames;
@@ -113,7 +99,7 @@ void compare(benchmark::State& state,
   const IntegrationOptions options{.mode = mode, .max_range_m = kMaxRangeM, .num_threads = 1};
   double ours = 0.0;
   double octomaps = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     auto tree = SemanticOctree::create({.resolution_m = resolution_m}).value();
     octomap::OcTree theirs(resolution_m);
     const double seconds = integrate(sequence, tree, options, state);
@@ -129,9 +115,44 @@ void compare(benchmark::State& state,
   state.counters["cpu_ratio"] = octomaps / ours;
 }
 
+/// How the cost of a ray grows as voxels shrink: ours alone, for OctoMap takes minutes at 1 cm.
+void by_resolution(benchmark::State& state, IntegrationMode mode) {
+  const double resolution_m = 0.01 * static_cast<double>(state.range(0));
+  const Sequence& sequence = room();
+  const IntegrationOptions options{.mode = mode, .max_range_m = kMaxRangeM, .num_threads = 1};
+  double seconds = 0.0;
+  for ([[maybe_unused]] const auto _ : state) {
+    auto tree = SemanticOctree::create({.resolution_m = resolution_m}).value();
+    const double taken = integrate(sequence, tree, options, state);
+    state.SetIterationTime(taken);
+    seconds += taken;
+    state.counters["occupied"] = static_cast<double>(tree.num_leaves().occupied);
+    state.counters["bytes_per_occupied"] =
+        static_cast<double>(tree.memory_bytes()) / static_cast<double>(tree.num_leaves().occupied);
+  }
+  state.counters["ns_per_ray"] = 1e9 * seconds / static_cast<double>(sequence.num_rays) /
+                                 static_cast<double>(state.iterations());
+}
+
+void register_by_resolution() {
+  for (const auto& [name, mode] : {std::pair{"projective", IntegrationMode::kProjective},
+                                   {"discretize", IntegrationMode::kDiscretize},
+                                   {"exact", IntegrationMode::kExact}}) {
+    benchmark::RegisterBenchmark(
+        (std::string("resolution/") + name + "/cm").c_str(), by_resolution, mode)
+        ->Arg(1)
+        ->Arg(2)
+        ->Arg(5)
+        ->Arg(10)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
 void register_one(const std::string& scene, const Sequence& (*sequence)(), double resolution_m) {
   const std::string suffix =
-      "/" + scene + "/" + std::to_string(static_cast<int>(resolution_m * 100.0 + 0.5)) + "cm";
+      "/" + scene + "/" + std::to_string(std::lround(resolution_m * 100.0)) + "cm";
   const auto add = [&](const std::string& name, IntegrationMode mode, bool octomap_discretize) {
     benchmark::RegisterBenchmark(
         (name + suffix).c_str(), compare, sequence, resolution_m, mode, octomap_discretize)
@@ -153,6 +174,7 @@ int main(int argc, char** argv) {
     hypermap::test::register_one("room", hypermap::test::room, resolution_m);
     hypermap::test::register_one("kitchen", hypermap::test::kitchen, resolution_m);
   }
+  hypermap::test::register_by_resolution();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

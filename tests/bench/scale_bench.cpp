@@ -210,7 +210,7 @@ void go(benchmark::State& state, World (*world_of)(), MapFromCamera (*pose_of)(s
   const World world = world_of();
   const std::size_t num_frames = num_frames_wanted();
   auto mapper = SemanticMapper::create({}).value();
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     std::vector<double> times_ms;
     std::size_t num_detections = 0;
     for (std::size_t tenth = 0; tenth < kNumTenths; ++tenth) {

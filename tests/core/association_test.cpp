@@ -288,6 +288,7 @@ TEST(AssignmentPolicy, TwoDetectionsOfOneThingInAFrameTeachOnce) {
 
 TEST(AssignmentPolicy, TheOrderOfObservationsDoesNotMatter) {
   std::vector<Observation> frame;
+  frame.reserve(6);
   for (int i = 0; i < 6; ++i) {
     frame.push_back(seen(box_at({0.3 * i, 0, 0.8}, {0.2, 0.2, 0.3}),
                          ClassId{static_cast<std::uint32_t>(i) % 2}));

@@ -144,7 +144,7 @@ bool is_simple_by_pairs(const Ring& ring) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = i + 2; k < n; ++k) {
       if (i == 0 && k == n - 1) continue;
-      const Eigen::Vector2d a = ring[i], b = ring[i + 1], c = ring[k], d = ring[(k + 1) % n];
+      const Eigen::Vector2d &a = ring[i], &b = ring[i + 1], &c = ring[k], &d = ring[(k + 1) % n];
       if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return false;
       if (on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b)) return false;
     }

@@ -54,8 +54,8 @@ TEST(Wilcoxon, TheApproximationContinuesTheExactDistribution) {
   // balanced history hardly moves it.
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.3, 1.0);
-  std::vector<double> a;
-  for (int i = 0; i < 30; ++i) a.push_back(noise(random));
+  std::vector<double> a(30);
+  for (double& value : a) value = noise(random);
   const auto exact = test_of(a, std::vector<double>(30, 0.0));
   a.push_back(0.001);
   const auto normal = test_of(a, std::vector<double>(31, 0.0));

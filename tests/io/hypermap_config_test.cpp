@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const SourceName test_source{.file = "a.hmap", .entry = "hmap_config.yaml"};
+const SourceName kTestSource{.file = "a.hmap", .entry = "hmap_config.yaml"};
 
 constexpr const char* kExample = R"(layers:
   - {class: OccupancyGridLayer, name: occupancy, frame_id: map, load_file: true, file: map}
@@ -26,7 +26,7 @@ layer_cnt: 2
 )";
 
 std::string error_of(const std::string& text) {
-  const auto config = parse_hypermap_config(text, test_source);
+  const auto config = parse_hypermap_config(text, kTestSource);
   return config ? "no error" : to_string(config.error());
 }
 
@@ -35,7 +35,7 @@ std::string layer(const std::string& entry) {
 }
 
 TEST(HypermapConfig, ReadsLayersTransformsAndExtensions) {
-  const auto loaded = parse_hypermap_config(kExample, test_source);
+  const auto loaded = parse_hypermap_config(kExample, kTestSource);
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   const HypermapConfig& config = loaded->value;
   ASSERT_EQ(config.layers.size(), 2U);
@@ -55,11 +55,11 @@ TEST(HypermapConfig, ReadsLayersTransformsAndExtensions) {
 }
 
 TEST(HypermapConfig, UnknownKeysAndFormatsAreFindingsAndSurvive) {
-  const auto loaded = parse_hypermap_config(kExample, test_source);
+  const auto loaded = parse_hypermap_config(kExample, kTestSource);
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->findings.size(), 2U);  // format weather, layer_cnt
   const std::string text = write_hypermap_config(loaded->value);
-  const auto again = parse_hypermap_config(text, test_source);
+  const auto again = parse_hypermap_config(text, kTestSource);
   ASSERT_TRUE(again) << to_string(again.error()) << text;
   EXPECT_EQ(again->value.layers, loaded->value.layers);
   EXPECT_EQ(again->value.frames, loaded->value.frames);
@@ -76,7 +76,7 @@ TEST(HypermapConfig, NumbersKeepAllTheirDigits) {
                                  .x_m = 0.1,
                                  .y_m = 1.0 / 3.0,
                                  .yaw_rad = 3.141592653589793}));
-  const auto again = parse_hypermap_config(write_hypermap_config(config), test_source);
+  const auto again = parse_hypermap_config(write_hypermap_config(config), kTestSource);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_EQ(again->value.frames, config.frames);
 }

@@ -68,7 +68,8 @@ TEST(DepthPyramid, BoundsContainEveryRectangleAndAreTightOnTiles) {
     DepthBounds bounds{std::numeric_limits<float>::infinity(), 0.0F};
     for (int v = rect.v_min; v <= rect.v_max; ++v) {
       for (int u = rect.u_min; u <= rect.u_max; ++u) {
-        const float value = pyramid.clean()[static_cast<std::size_t>(v * kWidth + u)];
+        const float value =
+            pyramid.clean()[static_cast<std::size_t>(v) * kWidth + static_cast<std::size_t>(u)];
         bounds = {std::min(bounds.min_m, value), std::max(bounds.max_m, value)};
       }
     }
@@ -106,6 +107,14 @@ bool sees(const RgbdFrame& frame, const Eigen::Vector3d& point) {
   return std::isfinite(depth_m) && static_cast<double>(depth_m) > in_camera.xyz.z();
 }
 
+bool sees_a_corner(const RgbdFrame& frame, const Eigen::Vector3d& centre) {
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d side((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5);
+    if (sees(frame, centre + side * kEdge)) return true;
+  }
+  return false;
+}
+
 TEST(FreeProjection, AgreesWithTheRuleCornerByCorner) {
   for (const LabelledFrame& labelled : room_frames(3, 320)) {
     const RgbdFrame& frame = labelled.frame;
@@ -123,12 +132,7 @@ TEST(FreeProjection, AgreesWithTheRuleCornerByCorner) {
         for (std::uint16_t z = low.z; z <= high.z; ++z) {
           const auto leaf = tree.at(VoxelKey{x, y, z});
           if (leaf && leaf->occupied) continue;
-          bool expected = false;
-          const Eigen::Vector3d centre = tree.grid().centre({x, y, z}).xyz;
-          for (int i = 0; i < 8 && !expected; ++i) {
-            const Eigen::Vector3d side((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5);
-            expected = sees(frame, centre + side * kEdge);
-          }
+          const bool expected = sees_a_corner(frame, tree.grid().centre({x, y, z}).xyz);
           num_free += expected ? 1U : 0U;
           num_differing += leaf.has_value() != expected ? 1U : 0U;
         }

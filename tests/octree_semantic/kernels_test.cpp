@@ -181,7 +181,8 @@ TEST_P(EverySet, SeesTheSameCorners) {
   for (std::size_t i = 0; i < 512; ++i) {
     projection.x[i] = 60.0F * 0.05F * static_cast<float>(i % 8);
     projection.y[i] = 61.0F * 0.05F * static_cast<float>(i / 8 % 8);
-    projection.z[i] = 0.05F * static_cast<float>(i / 64);
+    const std::size_t layer = i / 64;
+    projection.z[i] = 0.05F * static_cast<float>(layer);
   }
   std::uniform_real_distribution<float> place(-2.0F, 2.0F);
   int num_seen = 0;
@@ -315,7 +316,7 @@ struct RayWorld {
       ray.place[i] = cell(first) & axis;
       ray.step[i] = step[i] == 0 ? 0 : step[i] > 0 ? -axis : -(std::int64_t{1} << i);
       ray.behind[i] = step[i] > 0 ? 0 : axis;
-      ray.brick_step[i] = step[i] * 512 * stride[i];
+      ray.brick_step[i] = std::int64_t{step[i]} * 512 * stride[i];
     }
     ray.brick = cell(first) & ~std::int64_t{511};
     ray.limit = limit;

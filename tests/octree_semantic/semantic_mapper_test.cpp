@@ -18,6 +18,7 @@
 namespace {
 
 /// Allocations of this thread that are still granted.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): operator new has no owner
 thread_local long allocations_left = std::numeric_limits<long>::max();
 
 }  // namespace

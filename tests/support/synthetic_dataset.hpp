@@ -71,9 +71,10 @@ inline SyntheticDataset write_tum(const std::filesystem::path& folder) {
   std::string poses = "# ground truth\n";
   for (int i = 0; i < kSyntheticFrames; ++i) {
     const std::string second = std::to_string(100 + i);
-    rgb += second + ".010 rgb/" + second + ".010.pgm\n";
-    depth += second + ".000 depth/" + second + ".000.pgm\n";
-    poses += second + ".005 " + std::to_string(i) + " 0 0 0 0 0 1\n";
+    const std::string index = std::to_string(i);
+    rgb.append(second).append(".010 rgb/").append(second).append(".010.pgm\n");
+    depth.append(second).append(".000 depth/").append(second).append(".000.pgm\n");
+    poses.append(second).append(".005 ").append(index).append(" 0 0 0 0 0 1\n");
     write_text(folder / ("rgb/" + second + ".010.pgm"), pgm8(200));
     write_text(folder / ("depth/" + second + ".000.pgm"),
                pgm16(static_cast<std::uint16_t>(5000 * (i + 1))));

@@ -21,8 +21,9 @@ inline std::vector<RgbdFrame> detected_room_frames(int num_frames, int width_px)
       if (label.pixel_indices.size() < 80) continue;
       PixelBox box{1e9, 1e9, 0, 0};
       for (const std::uint32_t pixel : label.pixel_indices) {
+        const std::uint32_t row = pixel / static_cast<std::uint32_t>(width_px);
         const double u = pixel % static_cast<std::uint32_t>(width_px);
-        const double v = pixel / static_cast<std::uint32_t>(width_px);
+        const double v = row;
         box = {std::min(box.u_min_px, u),
                std::min(box.v_min_px, v),
                std::max(box.u_max_px, u + 1.0),
