@@ -8,7 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
+#include <vector>
 
 namespace hypermap::test {
 namespace {
@@ -54,6 +58,17 @@ Agreement map_both(const std::vector<LabelledFrame>& frames,
   return agreement;
 }
 
+/// Twenty frames spread over the recorded kitchen, or as many of its 200 as HYPERMAP_KITCHEN_FRAMES
+/// says.
+std::vector<LabelledFrame> kitchen() {
+  constexpr std::size_t kNumRecorded = 200;
+  const char* wanted = std::getenv("HYPERMAP_KITCHEN_FRAMES");
+  const std::size_t num_frames =
+      wanted == nullptr ? repetitions(std::size_t{20}) : std::strtoul(wanted, nullptr, 10);
+  return kitchen_frames(kNumRecorded / std::clamp<std::size_t>(num_frames, 1, kNumRecorded),
+                        num_frames);
+}
+
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
   const Agreement agreement =
       map_both(room_frames(repetitions(8), 320), 0.05, 5.0, IntegrationMode::kExact);
@@ -96,8 +111,7 @@ TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRuleBeyondTheRangeToo) {
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement =
-      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kExact);
+  const Agreement agreement = map_both(kitchen(), 0.05, 5.0, IntegrationMode::kExact);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U) << "all differences come from 16-bit log-odds";
@@ -105,8 +119,7 @@ TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRealKitchen) {
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement =
-      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kDiscretize);
+  const Agreement agreement = map_both(kitchen(), 0.05, 5.0, IntegrationMode::kDiscretize);
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
@@ -137,8 +150,7 @@ TEST(OctomapAgreement, ProjectiveModeClearsUpToTheRangeOnly) {
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement =
-      map_both(kitchen_frames(10, repetitions(20)), 0.05, 5.0, IntegrationMode::kProjective);
+  const Agreement agreement = map_both(kitchen(), 0.05, 5.0, IntegrationMode::kProjective);
   EXPECT_GE(agreement.occupied_iou(), 0.97);
 }
 
