@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "hypermap/core/class_registry.hpp"
 #include "hypermap/core/map_evaluation.hpp"
 #include "hypermap/core/wilcoxon.hpp"
 #include "hypermap/io/evaluated_objects.hpp"
@@ -77,6 +78,12 @@ Result<Outcome> run(const EvalArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto truth, objects_of(arguments.truth, arguments.layer));
   HYPERMAP_ASSIGN_OR_RETURN(const auto map, objects_of(arguments.map, arguments.layer));
   Outcome outcome{.report = evaluate(map, truth, options), .against = std::nullopt};
+  for (const std::string& name : arguments.classes) {
+    if (outcome.report.classes.contains(canonical_class_name(name))) continue;
+    return fail(ErrorCode::kNotFound,
+                "neither the map nor the truth has an object of class '" + printable(name) + "'",
+                "--classes");
+  }
   if (arguments.against) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other, objects_of(*arguments.against, arguments.layer));
     HYPERMAP_ASSIGN_OR_RETURN(outcome.against,

@@ -39,7 +39,8 @@ void add_export_command(CLI::App& program, Action& action) {
   command
       .add_option("--output",
                   arguments->request.output,
-                  "file; for ros-map the stem or .yaml, for class-grids a folder")
+                  "file; for ros-map the stem or .yaml, for class-grids a folder, for geojson "
+                  "a name in .local.geojson")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -53,6 +54,11 @@ void add_export_command(CLI::App& program, Action& action) {
     }
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
+    if (*format == ExportFormat::kGeojson &&
+        !arguments->request.output.string().ends_with(".local.geojson")) {
+      throw CLI::ValidationError("--output",
+                                 "must end in .local.geojson: it is in metres of the map");
+    }
     arguments->request.format = *format;
     action = [arguments] {
       const auto written = run(*arguments);

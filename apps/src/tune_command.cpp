@@ -135,6 +135,12 @@ Result<void> tune(const TuneArguments& arguments, const GeometricSegmentationOpt
   if (frame.detections.empty()) {
     return fail(ErrorCode::kNotFound, "nothing was detected in it", frame.name);
   }
+  if (arguments.detection && *arguments.detection >= frame.detections.size()) {
+    return fail(ErrorCode::kNotFound,
+                "the frame has detections 0.." + std::to_string(frame.detections.size() - 1) +
+                    ", asked for " + std::to_string(*arguments.detection),
+                "--detection");
+  }
   for (std::size_t i = 0; i < frame.detections.size(); ++i) {
     if (arguments.detection && *arguments.detection != i) continue;
     const SegmentationTrace trace = trace_segmentation(frame, frame.detections[i], options);
@@ -154,7 +160,8 @@ void add_tune_command(CLI::App& program, Action& action) {
   arguments->dataset.add_to(command);
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
   command.add_option("--frame", arguments->frame, "which frame, counted from 0")->required();
-  command.add_option("--detection", arguments->detection, "only this one, counted from 0");
+  command.add_option(
+      "--detection", arguments->detection, "only this one of the frame, counted from 0");
   command.add_option("--output", arguments->output, "folder for a picture of each step");
   std::vector<std::string> names;
   for (const auto& [name, policy] : policies()) names.push_back(name);

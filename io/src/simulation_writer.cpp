@@ -12,11 +12,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <new>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -167,14 +169,39 @@ class FramePipeline {
   SimulationReport report_;
 };
 
-/// A simulation may be written where nothing is, in an empty folder, or over another simulation.
+/// An entry of a folder that no simulation wrote there.
+std::optional<std::string> foreign_entry(const fs::path& folder) {
+  constexpr std::array<std::string_view, 8> kOurs{"depth",
+                                                  "depth.txt",
+                                                  "detections.jsonl",
+                                                  "groundtruth.txt",
+                                                  "intrinsics.json",
+                                                  "rgb",
+                                                  "rgb.txt",
+                                                  "truth.hmap"};
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    if (std::ranges::find(kOurs, name) == kOurs.end()) return name;
+  }
+  return std::nullopt;
+}
+
+/// A simulation may be written where nothing is, in an empty folder, or over another simulation
+/// beside which nothing else was put.
 Result<void> require_replaceable(const fs::path& output_dir) {
   std::error_code code;
   if (!fs::exists(output_dir, code)) return {};
   if (fs::is_directory(output_dir, code)) {
     if (fs::is_empty(output_dir, code)) return {};
-    if (fs::exists(output_dir / "truth.hmap", code) && fs::exists(output_dir / "rgb.txt", code))
-      return {};
+    if (fs::exists(output_dir / "truth.hmap", code) && fs::exists(output_dir / "rgb.txt", code)) {
+      const auto foreign = foreign_entry(output_dir);
+      if (!foreign) return {};
+      return tl::make_unexpected(
+          Error{ErrorCode::kInvalidArgument,
+                "is a simulation, but '" + printable(*foreign) + "' in it is no part of one",
+                output_dir.string()});
+    }
   }
   return tl::make_unexpected(Error{ErrorCode::kInvalidArgument,
                                    "exists and is neither empty nor a simulation",

@@ -143,6 +143,17 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(report["one_to_one"]["recall"], 1.0)
         self.assertEqual(report["one_to_one"]["distance_m"], 0.0)
 
+    def test_what_is_not_there_is_no_success(self):
+        result = run("tune", "--input", self.dataset, "--frame", 0, "--detection", 999)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("--detection", result.stderr)
+        result = run("eval", "--map", self.archive, "--truth", self.dataset / "truth.hmap", "--classes", "chiar")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("chiar", result.stderr)
+        result = run("export", self.archive, "--format", "geojson", "--output", self.folder / "lab.geojson")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn(".local.geojson", result.stderr)
+
     def test_exports_are_made_and_checked(self):
         for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson"):
             with self.subTest(form):

@@ -270,9 +270,15 @@ TEST(Simulator, OnlyEmptyFoldersAndOldSimulationsAreReplaced) {
   const test::TempDir dir;
   fs::create_directory(dir / "empty");
   EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
-  std::ofstream(dir / "empty/stale.txt") << "old";
+  std::ofstream(dir / "empty/rgb/stale.jpg") << "old";
   EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
-  EXPECT_FALSE(fs::exists(dir / "empty/stale.txt"));
+  EXPECT_FALSE(fs::exists(dir / "empty/rgb/stale.jpg"));
+  std::ofstream(dir / "empty/map.hmap") << "what somebody made of it";
+  const auto kept = simulate(room_scene(), small_options(), dir / "empty");
+  ASSERT_FALSE(kept);
+  EXPECT_EQ(kept.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_THAT(kept.error().what, HasSubstr("map.hmap"));
+  EXPECT_TRUE(fs::exists(dir / "empty/map.hmap"));
   fs::create_directory(dir / "photos");
   std::ofstream(dir / "photos/holiday.jpg") << "precious";
   const auto refused = simulate(room_scene(), small_options(), dir / "photos");

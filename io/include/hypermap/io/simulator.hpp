@@ -101,7 +101,7 @@ struct SimulationReport {
 ///
 /// Written beside `output_dir` under a temporary name and renamed at the end: a failure leaves
 /// nothing. An `output_dir` that exists is replaced only when it is empty or holds a simulation
-/// (has a `truth.hmap` and an `rgb.txt`).
+/// (has a `truth.hmap` and an `rgb.txt`) and nothing else beside its files.
 /// Errors: those of `Simulator::create`; kIo; kInvalidArgument when `output_dir` is something else.
 [[nodiscard]] Result<SimulationReport> simulate(const Scene& scene,
                                                 const SimulationOptions& options,
