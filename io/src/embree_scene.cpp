@@ -92,9 +92,11 @@ Result<EmbreeScene> EmbreeScene::create(std::span<const TriangleMesh* const> mes
     return refused("cannot hold the scene's triangles");
   }
   EmbreeScene result;
-  result.scene_ = std::shared_ptr<void>(
-      scene, [](void* owned) { rtcReleaseScene(static_cast<RTCScene>(owned)); });
-  rtcReleaseDevice(device);  // the scene holds it
+  // The device outlives its scene, which does not keep it (Embree 3.13).
+  result.scene_ = std::shared_ptr<void>(scene, [device](void* owned) {
+    rtcReleaseScene(static_cast<RTCScene>(owned));
+    rtcReleaseDevice(device);
+  });
   return result;
 }
 
