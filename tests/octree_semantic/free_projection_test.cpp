@@ -133,8 +133,8 @@ TEST(FreeProjection, AgreesWithTheRuleCornerByCorner) {
           const auto leaf = tree.at(VoxelKey{x, y, z});
           if (leaf && leaf->occupied) continue;
           const bool expected = sees_a_corner(frame, tree.grid().centre({x, y, z}).xyz);
-          num_free += expected ? 1U : 0U;
-          num_differing += leaf.has_value() != expected ? 1U : 0U;
+          num_free += static_cast<std::size_t>(expected);
+          num_differing += static_cast<std::size_t>(leaf.has_value() != expected);
         }
       }
     }
