@@ -2,6 +2,17 @@
 #include "hypermap/octree_semantic/brick.hpp"
 
 namespace hypermap {
+namespace {
+
+bool same_occupancy(const Brick& a, const Brick& b) noexcept {
+  return a.known == b.known && a.log_odds == b.log_odds;
+}
+
+bool is_labelled(const Brick& brick) noexcept {
+  return brick.labels && brick.labels->size() != 0;
+}
+
+}  // namespace
 
 VoxelLabel& LabelTable::at(std::size_t cell) {
   const std::size_t rank = labelled_.rank(cell);
@@ -32,18 +43,12 @@ Brick::Brick(const Brick& other)
       labels(other.labels ? std::make_unique<LabelTable>(*other.labels) : nullptr) {}
 
 bool same_content(const Brick& a, const Brick& b) noexcept {
-  if (a.known != b.known || a.log_odds != b.log_odds) return false;
-  const bool a_labelled = a.labels && a.labels->size() != 0;
-  const bool b_labelled = b.labels && b.labels->size() != 0;
-  if (a_labelled != b_labelled) return false;
-  return !a_labelled || *a.labels == *b.labels;
+  if (!same_occupancy(a, b) || is_labelled(a) != is_labelled(b)) return false;
+  return !is_labelled(a) || *a.labels == *b.labels;
 }
 
 bool same_unlabelled(const Brick& a, const Brick& b) noexcept {
-  const auto is_labelled = [](const Brick& brick) {
-    return brick.labels && brick.labels->size() != 0;
-  };
-  return a.known == b.known && a.log_odds == b.log_odds && !is_labelled(a) && !is_labelled(b);
+  return same_occupancy(a, b) && !is_labelled(a) && !is_labelled(b);
 }
 
 Brick& BrickRef::writable() {

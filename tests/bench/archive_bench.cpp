@@ -4,6 +4,7 @@
 // time to make it, reading the frames included. CPU time of all threads, one thread's worth of
 // work.
 #include "bench/cpu_time.hpp"
+#include "bench/run_benchmarks.hpp"
 #include "hypermap/io/map_archive.hpp"
 #include "hypermap/io/mapping_job.hpp"
 #include "hypermap/io/scene_file.hpp"
@@ -88,9 +89,5 @@ int main(int argc, char** argv) {
         ->Iterations(5)
         ->Unit(benchmark::kMillisecond);
   }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return hypermap::test::run_benchmarks(argc, argv);
 }

@@ -4,6 +4,7 @@
 // finds the voxel). `ratio` is ours over OctoMap's. Lines come as an object's do: 64 from one
 // camera to places within 0.25 m of each other; `scattered`: each from anywhere to anywhere.
 #include "bench/cpu_time.hpp"
+#include "bench/run_benchmarks.hpp"
 #include "hypermap/octree_semantic/occlusion_scene.hpp"
 
 #include <benchmark/benchmark.h>
@@ -174,9 +175,5 @@ int main(int argc, char** argv) {
   add("sight_lines", false, SceneBuild::kForQueries);
   add("sight_lines_for_updates", false, SceneBuild::kForUpdates);
   add("scattered", true, SceneBuild::kForQueries);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return hypermap::test::run_benchmarks(argc, argv);
 }

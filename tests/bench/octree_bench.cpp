@@ -4,6 +4,7 @@
 // time over ours; a ray is a measured depth pixel. `occupied_iou` and `free_iou` compare our voxels
 // with OctoMap's.
 #include "bench/cpu_time.hpp"
+#include "bench/run_benchmarks.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "octree_semantic/support/octomap_oracle.hpp"
@@ -175,9 +176,5 @@ int main(int argc, char** argv) {
     hypermap::test::register_one("kitchen", hypermap::test::kitchen, resolution_m);
   }
   hypermap::test::register_by_resolution();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return hypermap::test::run_benchmarks(argc, argv);
 }

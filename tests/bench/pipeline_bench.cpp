@@ -6,6 +6,7 @@
 // `frame_wall_ms` are CPU time of all threads; of each frame the least over the passes counts, so
 // that another program on the machine hardly shows.
 #include "bench/cpu_time.hpp"
+#include "bench/run_benchmarks.hpp"
 #include "hypermap/io/dataset_reader.hpp"
 #include "hypermap/io/scene_file.hpp"
 #include "hypermap/io/simulator.hpp"
@@ -152,9 +153,5 @@ void register_all() {
 
 int main(int argc, char** argv) {
   hypermap::test::register_all();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return hypermap::test::run_benchmarks(argc, argv);
 }

@@ -5,8 +5,10 @@
 //
 // HYPERMAP_SCALE_FRAMES: how many frames (1,000); 10,000 go the whole way.
 #include "bench/cpu_time.hpp"
+#include "bench/run_benchmarks.hpp"
 #include "hypermap/core/box.hpp"
 #include "hypermap/octree_semantic/semantic_mapper.hpp"
+#include "support/camera_pose.hpp"
 
 #include <benchmark/benchmark.h>
 #include <unistd.h>
@@ -64,30 +66,18 @@ World room() {
   return world;
 }
 
-MapFromCamera pose_at(const Eigen::Vector3d& origin, double yaw_rad) {
-  constexpr double kPitchRad = -0.15;
-  const Eigen::Vector3d forward(std::cos(kPitchRad) * std::cos(yaw_rad),
-                                std::cos(kPitchRad) * std::sin(yaw_rad),
-                                std::sin(kPitchRad));
-  const Eigen::Vector3d right(std::sin(yaw_rad), -std::cos(yaw_rad), 0.0);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear().col(0) = right;
-  pose.linear().col(1) = forward.cross(right);
-  pose.linear().col(2) = forward;
-  pose.translation() = origin;
-  return MapFromCamera(pose);
-}
+constexpr double kPitchRad = -0.15;
 
 /// Five centimetres a frame, and back again.
 MapFromCamera along_corridor(std::size_t i) {
   const double way_m = std::fmod(0.05 * static_cast<double>(i), 2.0 * kCorridorLengthM);
   const double x = way_m < kCorridorLengthM ? way_m : 2.0 * kCorridorLengthM - way_m;
-  return pose_at({0.5 + x, 1.3, 1.3}, 0.4 * std::sin(0.02 * static_cast<double>(i)));
+  return camera_at({0.5 + x, 1.3, 1.3}, 0.4 * std::sin(0.02 * static_cast<double>(i)), kPitchRad);
 }
 
 MapFromCamera round_room(std::size_t i) {
   const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / 200.0;
-  return pose_at({4.0 + 1.5 * std::cos(turn), 3.0 + std::sin(turn), 1.3}, turn);
+  return camera_at({4.0 + 1.5 * std::cos(turn), 3.0 + std::sin(turn), 1.3}, turn, kPitchRad);
 }
 
 /// What one ray meets.
@@ -256,9 +246,5 @@ int main(int argc, char** argv) {
       "one_room/5cm", hypermap::test::go, hypermap::test::room, hypermap::test::round_room)
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return hypermap::test::run_benchmarks(argc, argv);
 }

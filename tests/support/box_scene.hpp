@@ -7,6 +7,7 @@
 #include "hypermap/core/depth_cloud.hpp"
 #include "hypermap/core/rgbd_frame.hpp"
 #include "hypermap/core/segmentation_trace.hpp"
+#include "support/camera_pose.hpp"
 
 #include <Eigen/Geometry>
 
@@ -29,18 +30,6 @@ inline PinholeCamera kinect_camera() {
           .fy_px = 525,
           .cx_px = 319.5,
           .cy_px = 239.5};
-}
-
-/// A camera at `eye` whose axis goes through `target`, not rolled.
-inline MapFromCamera look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-  const Eigen::Vector3d forward = (target - eye).normalized();
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear().col(0) = right;
-  pose.linear().col(1) = forward.cross(right);
-  pose.linear().col(2) = forward;
-  pose.translation() = eye;
-  return MapFromCamera(pose);
 }
 
 /// What a camera sees, and which solid each pixel shows (0: none).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/box.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
+#include "support/camera_pose.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,16 +88,8 @@ MapFromCamera camera_pose(double turn) {
   const Eigen::Vector3d origin(
       4.0 + 2.2 * std::cos(turn), 3.0 + 1.3 * std::sin(turn), 1.25 + 0.1 * std::sin(3.0 * turn));
   const double yaw = turn + 2.4 + 0.5 * std::sin(2.0 * turn);
-  const double pitch = -0.22;
-  const Eigen::Vector3d forward(
-      std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch));
-  const Eigen::Vector3d right(std::sin(yaw), -std::cos(yaw), 0.0);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear().col(0) = right;
-  pose.linear().col(1) = forward.cross(right);
-  pose.linear().col(2) = forward;
-  pose.translation() = origin;
-  return MapFromCamera(pose);
+  constexpr double kPitchRad = -0.22;
+  return camera_at(origin, yaw, kPitchRad);
 }
 
 void render(LabelledFrame& into, const std::vector<Furniture>& room, std::mt19937& random) {
