@@ -33,11 +33,12 @@ Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor) {
 
 Result<void> check_labels(std::span<const PixelLabels> labels, std::size_t num_measurements) {
   for (const PixelLabels& label : labels) {
-    for (const std::uint32_t index : label.pixel_indices) {
-      if (index < num_measurements) continue;
+    std::uint32_t largest = 0;
+    for (const std::uint32_t index : label.pixel_indices) largest = std::max(largest, index);
+    if (!label.pixel_indices.empty() && largest >= num_measurements) {
       return fail(
           ErrorCode::kInvalidArgument,
-          "must be below " + std::to_string(num_measurements) + ", is " + std::to_string(index),
+          "must be below " + std::to_string(num_measurements) + ", is " + std::to_string(largest),
           "pixel_indices");
     }
     const auto& scores = label.class_scores;

@@ -279,7 +279,8 @@ bool IntegrationWorkspace::commit_labels(Brick& brick,
   bool changed = brick.labels->labelled() != before;
   if (const BrickBits* labelled = votes_.labelled(window_brick)) {
     labelled->for_each([&](std::size_t cell) {
-      observe(brick.labels->at(cell), evidence_.of(votes_.votes(window_brick, cell)), limit);
+      VoxelLabel& label = brick.labels->at(cell);
+      observe(label, evidence_.of(votes_.votes(window_brick, cell), label), limit);
     });
     changed = true;
   }

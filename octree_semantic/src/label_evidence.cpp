@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace hypermap {
 namespace {
@@ -15,6 +16,16 @@ constexpr double kCertain = 60'000.0;
 
 bool stronger(const ScoredClass& a, const ScoredClass& b) {
   return a.evidence > b.evidence || (a.evidence == b.evidence && a.class_id < b.class_id);
+}
+
+bool more_probable(const ClassEvidence& a, const ClassEvidence& b) {
+  return a.probability > b.probability || (a.probability == b.probability && a.id < b.id);
+}
+
+bool keeps(const VoxelLabel& label, ClassId id) {
+  return std::any_of(label.classes.begin(), label.classes.end(), [&](const ClassWeight& kept) {
+    return kept.class_id == id.value;
+  });
 }
 
 /// logit(p) - logit(1/N) = ln(p / (1 - p)) + ln(N - 1), for N = 1 as for two classes.
@@ -66,7 +77,8 @@ void LabelEvidence::start(std::span<const PixelLabels> labels) {
   mixed_.best.reserve(kNumBest);
 }
 
-VoxelEvidence LabelEvidence::of(std::span<const LabelVote> votes) noexcept {
+VoxelEvidence LabelEvidence::of(std::span<const LabelVote> votes,
+                                const VoxelLabel& label) noexcept {
   ObjectId object = kNoObject;
   std::uint32_t most = 0;
   for (const LabelVote& vote : votes) {
@@ -81,14 +93,14 @@ VoxelEvidence LabelEvidence::of(std::span<const LabelVote> votes) noexcept {
       most = count;
     }
   }
-  if (votes.size() != 1) return mixed(votes, object);
+  if (votes.size() != 1) return mixed(votes, label, object);
   const Prepared& prepared = prepared_[votes.front().label];
   return {std::span(scored_.by_id).subspan(prepared.by_id.first, prepared.by_id.count),
           std::span(scored_.best).subspan(prepared.best.first, prepared.best.count),
           object};
 }
 
-VoxelEvidence LabelEvidence::mixed(std::span<const LabelVote> votes, ObjectId object) noexcept {
+void LabelEvidence::average(std::span<const LabelVote> votes) noexcept {
   double total = 0.0;
   for (const LabelVote& vote : votes) {
     if (!labels_[vote.label].class_scores.empty()) total += vote.count;
@@ -110,9 +122,27 @@ VoxelEvidence LabelEvidence::mixed(std::span<const LabelVote> votes, ObjectId ob
     }
     std::swap(sum_, merged_);
   }
+}
+
+VoxelEvidence LabelEvidence::mixed(std::span<const LabelVote> votes,
+                                   const VoxelLabel& label,
+                                   ObjectId object) noexcept {
+  average(votes);
   mixed_.by_id.clear();
   mixed_.best.clear();
-  append_scored(sum_, mixed_.by_id, mixed_.best);
+  const auto score = [&](const ClassEvidence& one) {
+    return ScoredClass{static_cast<std::uint16_t>(one.id.value),
+                       evidence_of(one.probability.value(), sum_.size())};
+  };
+  // Logarithms only of those that count: the more probable, the stronger.
+  std::array<ClassEvidence, kNumBest> likeliest;
+  const auto end = std::partial_sort_copy(
+      sum_.begin(), sum_.end(), likeliest.begin(), likeliest.end(), more_probable);
+  std::transform(likeliest.begin(), end, std::back_inserter(mixed_.best), score);
+  std::sort(mixed_.best.begin(), mixed_.best.end(), stronger);
+  for (const ClassEvidence& one : sum_) {
+    if (keeps(label, one.id)) mixed_.by_id.push_back(score(one));
+  }
   return {mixed_.by_id, mixed_.best, object};
 }
 
@@ -142,7 +172,7 @@ bool better(const ClassWeight& a, const ClassWeight& b) {
 
 void observe(VoxelLabel& label, const VoxelEvidence& evidence, MilliLogOdds limit) noexcept {
   label.vote(evidence.object);
-  if (evidence.by_id.empty()) return;
+  if (evidence.best.empty()) return;
   observe_kept(label, evidence.by_id, limit);
   std::array<ClassWeight, 2 * VoxelLabel::kNumClasses + 1> pool;
   std::copy(label.classes.begin(), label.classes.end(), pool.begin());

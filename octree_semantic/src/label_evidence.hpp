@@ -21,9 +21,9 @@ struct ScoredClass {
   std::int32_t evidence = 0;
 };
 
-/// A frame's evidence for every class that its vector names.
+/// A frame's evidence for the classes that its vector names.
 struct VoxelEvidence {
-  std::span<const ScoredClass> by_id;  ///< Ascending ids.
+  std::span<const ScoredClass> by_id;  ///< Ascending ids; at least those that the voxel keeps.
   std::span<const ScoredClass> best;   ///< The seven strongest at most, strongest first.
   ObjectId object;                     ///< Of most measurements; the lower id of equals.
 };
@@ -31,13 +31,14 @@ struct VoxelEvidence {
 /// Turns votes into evidence: the class vectors are averaged over the measurements first, so that a
 /// voxel gets one observation per frame however many measurements ended in it, then come to
 /// log-odds. Where all measurements have one label (nearly everywhere), nothing is computed per
-/// voxel.
+/// voxel; else only what the voxel's belief can use.
 class LabelEvidence {
  public:
   /// Throws std::bad_alloc. Requires: `labels` outlives the use.
   void start(std::span<const PixelLabels> labels);
-  /// Valid until the next call.
-  [[nodiscard]] VoxelEvidence of(std::span<const LabelVote> votes) noexcept;
+  /// For a voxel with that label. Valid until the next call.
+  [[nodiscard]] VoxelEvidence of(std::span<const LabelVote> votes,
+                                 const VoxelLabel& label) noexcept;
 
  private:
   struct Range {
@@ -52,7 +53,11 @@ class LabelEvidence {
     Range by_id;
     Range best;
   };
-  [[nodiscard]] VoxelEvidence mixed(std::span<const LabelVote> votes, ObjectId object) noexcept;
+  /// The votes' class vectors, weighted by their counts; stays in `sum_`.
+  void average(std::span<const LabelVote> votes) noexcept;
+  [[nodiscard]] VoxelEvidence mixed(std::span<const LabelVote> votes,
+                                    const VoxelLabel& label,
+                                    ObjectId object) noexcept;
 
   std::span<const PixelLabels> labels_;
   Scored scored_;  // of all labels, one after the other

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only file of this folder that knows Embree (its API of version 3).
+// This file and sight_packet are all of this folder that knows Embree (its API of version 3).
 #include "hypermap/octree_semantic/occlusion_scene.hpp"
 
 #include "brick_walk.hpp"
+#include "sight_packet.hpp"
 
 #include <embree3/rtcore.h>
 #include <tbb/blocked_range.h>
@@ -11,10 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <string>
 #include <unordered_map>
@@ -27,8 +25,6 @@ namespace {
 /// and by this part of the coordinates.
 constexpr float kInflateVoxels = 1e-3F;
 constexpr float kInflateRelative = 1e-6F;
-/// Farther from the map's origin a ray has no voxel's precision left. Unit: voxel.
-constexpr double kFarthest = 1e9;
 constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;
 
 struct DeviceRelease {
@@ -44,27 +40,17 @@ using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneReleas
 /// others. Unit of the edge: bricks, as a power of two.
 constexpr unsigned kRegionEdgeLog2 = 3;
 
-/// A line of sight on its way through Embree, which hands the context on to the callback.
-struct SightContext {
-  RTCIntersectContext embree{};  // first: it is what Embree knows
-  WalkedRay ray;
-  const OccupiedBrick* occluder = nullptr;
-};
-
-/// The occupied bricks of one region; Embree asks for them by their numbers.
+/// The occupied bricks of one region.
 struct Region {
-  std::vector<OccupiedBrick> bricks;
+  OccupiedBricks bricks;
   RTCGeometry geometry = nullptr;  // owned by the scene
   bool is_changed = false;
 };
 
-const OccupiedBrick& brick_of(void* region, unsigned primitive) {
-  return static_cast<const Region*>(region)->bricks[primitive];
-}
-
 /// Called by Embree for each primitive when it builds its tree.
 void give_bounds(const RTCBoundsFunctionArguments* arguments) {
-  const OccupiedBox& box = brick_of(arguments->geometryUserPtr, arguments->primID).box;
+  const auto& bricks = *static_cast<const OccupiedBricks*>(arguments->geometryUserPtr);
+  const OccupiedBox& box = bricks[arguments->primID].box;
   RTCBounds& into = *arguments->bounds_o;
   const auto face = [&](std::size_t axis, float from_corner, float outward) {
     const float exact = box.corner[axis] + from_corner;
@@ -77,17 +63,6 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
   into.upper_x = face(0, box.high[0], 1.0F);
   into.upper_y = face(1, box.high[1], 1.0F);
   into.upper_z = face(2, box.high[2], 1.0F);
-}
-
-/// Called by Embree when a ray reaches a primitive's bounds: is a voxel hit within?
-/// Requires: rays are followed one by one.
-void test_occlusion(const RTCOccludedFunctionNArguments* arguments) {
-  assert(arguments->N == 1);
-  auto& context = *reinterpret_cast<SightContext*>(arguments->context);
-  const OccupiedBrick& brick = brick_of(arguments->geometryUserPtr, arguments->primID);
-  if (!meets_occupied(brick, context.ray)) return;
-  context.occluder = &brick;
-  RTCRayN_tfar(arguments->ray, 1, 0) = -std::numeric_limits<float>::infinity();
 }
 
 /// Morton code of the region of a brick.
@@ -114,7 +89,7 @@ struct OcclusionScene::Scene {
 
   Device device;
   EmbreeScene scene;
-  RTCBuildQuality quality = RTC_BUILD_QUALITY_LOW;
+  std::size_t num_lanes = 0;
   std::vector<std::unique_ptr<Region>> regions;
   std::unordered_map<std::uint64_t, std::uint32_t> region_by_code;
   std::vector<std::uint32_t> changed_regions;
@@ -142,8 +117,8 @@ std::uint32_t OcclusionScene::Scene::region_for(BrickKey key) {
   if (found != region_by_code.end()) return found->second;
   auto region = std::make_unique<Region>();
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryBuildQuality(geometry, quality);
-  rtcSetGeometryUserData(geometry, region.get());
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetGeometryUserData(geometry, &region->bricks);
   rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
   rtcSetGeometryOccludedFunction(geometry, test_occlusion);
   rtcAttachGeometry(scene.get(), geometry);
@@ -192,88 +167,26 @@ void OcclusionScene::Scene::commit() {
   rtcCommitScene(scene.get());
 }
 
-namespace {
-
-/// Follows lines of sight one after another. What hid the last ones is asked first, since lines to
-/// one thing are mostly hidden by the same; whether a line is hidden does not depend on it.
-class LineFollower {
- public:
-  LineFollower(RTCScene scene, double voxels_per_m) : scene_(scene), voxels_per_m_(voxels_per_m) {
-    rtcInitIntersectContext(&context_.embree);
-  }
-
-  [[nodiscard]] bool is_hidden(const SightLine& line) {
-    const Eigen::Vector3d way = line.to.xyz - line.from.xyz;
-    const double length_m = way.norm();
-    const Eigen::Vector3d origin = line.from.xyz * voxels_per_m_;
-    const bool is_near = origin.cwiseAbs().maxCoeff() < kFarthest;  // false for NaN
-    if (!(length_m > line.margin_m) || !std::isfinite(length_m) || !is_near) return false;
-    WalkedRay& ray = context_.ray;
-    const Eigen::Vector3d direction = way * (1.0 / length_m);
-    for (int i = 0; i < 3; ++i) {
-      const auto axis = static_cast<std::size_t>(i);
-      ray.origin[axis] = static_cast<float>(origin[i]);
-      ray.direction[axis] = static_cast<float>(direction[i]);
-      ray.inverse[axis] = inverse_of(ray.direction[axis]);
-    }
-    ray.end = static_cast<float>((length_m - line.margin_m) * voxels_per_m_);
-    return is_hidden_again() || is_hidden_by_any();
-  }
-
- private:
-  [[nodiscard]] bool is_hidden_again() {
-    for (std::size_t i = 0; i < recent_.size(); ++i) {
-      if (recent_[i] == nullptr || !meets_occupied(*recent_[i], context_.ray)) continue;
-      std::swap(recent_[0], recent_[i]);
-      return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool is_hidden_by_any() {
-    const WalkedRay& way = context_.ray;
-    RTCRay ray{};
-    ray.org_x = way.origin[0];
-    ray.org_y = way.origin[1];
-    ray.org_z = way.origin[2];
-    ray.dir_x = way.direction[0];
-    ray.dir_y = way.direction[1];
-    ray.dir_z = way.direction[2];
-    ray.tfar = way.end;
-    ray.mask = 0xFFFF'FFFF;
-    rtcOccluded1(scene_, &context_.embree, &ray);
-    if (ray.tfar >= 0.0F) return false;
-    recent_ = {context_.occluder, recent_[0]};
-    return true;
-  }
-
-  RTCScene scene_;
-  double voxels_per_m_;
-  SightContext context_;
-  std::array<const OccupiedBrick*, 2> recent_{};
-};
-
-}  // namespace
-
 OcclusionScene::OcclusionScene(std::unique_ptr<Scene> scene) : scene_(std::move(scene)) {}
 OcclusionScene::OcclusionScene(OcclusionScene&&) noexcept = default;
 OcclusionScene& OcclusionScene::operator=(OcclusionScene&&) noexcept = default;
 OcclusionScene::~OcclusionScene() = default;
 
-Result<OcclusionScene> OcclusionScene::create(SceneBuild build) {
-  // By Morton codes, or by areas.
-  const RTCBuildQuality quality =
-      build == SceneBuild::kForUpdates ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+Result<OcclusionScene> OcclusionScene::create(std::size_t max_lanes) {
   auto made = std::make_unique<Scene>();
   made->device.reset(rtcNewDevice("set_affinity=0"));
   if (!made->device) {
     return fail(ErrorCode::kUnavailable,
                 "Embree cannot start, error " + std::to_string(rtcGetDeviceError(nullptr)));
   }
+  made->num_lanes = widest_packet(made->device.get(), max_lanes);
+  if (made->num_lanes == 0) {
+    return fail(ErrorCode::kUnavailable, "this Embree follows no rays together");
+  }
   made->scene.reset(rtcNewScene(made->device.get()));
+  // A tree over the regions, each of which has its own: the others are not built again with one.
   rtcSetSceneFlags(made->scene.get(), RTC_SCENE_FLAG_DYNAMIC);
-  rtcSetSceneBuildQuality(made->scene.get(), quality);
-  made->quality = quality;
+  rtcSetSceneBuildQuality(made->scene.get(), RTC_BUILD_QUALITY_LOW);
   rtcCommitScene(made->scene.get());
   if (auto built = check(made->device); !built) {
     made->keep_for_ever();
@@ -289,8 +202,12 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
     if (changed.empty()) return std::size_t{0};
     scene_->voxels_per_m = 1.0 / tree.resolution_m();
     scene_->place_of_position.resize(bricks.size());
-    for (const std::uint32_t position : changed) {
-      scene_->take(position, bricks.key(position), bricks.brick(position));
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+      // The bricks lie far apart in memory.
+      constexpr std::size_t kAhead = 16;
+      const std::size_t ahead = std::min(i + kAhead, changed.size() - 1);
+      __builtin_prefetch(&bricks.brick(changed[ahead]).occupied);
+      scene_->take(changed[i], bricks.key(changed[i]), bricks.brick(changed[i]));
     }
     scene_->revision = bricks.revision();
     scene_->commit();
@@ -305,17 +222,19 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
 }
 
 bool OcclusionScene::occluded(const SightLine& line) const {
-  LineFollower follower(scene_->scene.get(), scene_->voxels_per_m);
-  return follower.is_hidden(line);
+  LineFollower follower(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
+  return follower.hidden({&line, 1}) != 0;
 }
 
 std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> lines,
                                                    int num_threads) const {
   std::vector<std::uint8_t> answers(lines.size());
   const auto answer = [&](std::size_t first, std::size_t last) {
-    LineFollower follower(scene_->scene.get(), scene_->voxels_per_m);
-    for (std::size_t i = first; i < last; ++i) {
-      answers[i] = follower.is_hidden(lines[i]) ? 1 : 0;
+    LineFollower follower(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
+    for (std::size_t i = first; i < last; i += LineFollower::kMaxLines) {
+      const std::size_t size = std::min(LineFollower::kMaxLines, last - i);
+      const std::uint64_t hidden = follower.hidden(lines.subspan(i, size));
+      for (std::size_t k = 0; k < size; ++k) answers[i + k] = hidden >> k & 1U;
     }
   };
   constexpr std::size_t kChunk = 1024;

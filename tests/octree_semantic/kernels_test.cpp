@@ -110,6 +110,70 @@ TEST_P(EverySet, SummarisesRowsToTheSameBits) {
   }
 }
 
+/// The cell of a point, by the definition; kNoVoxel for none.
+std::uint32_t cell_by_definition(const CellGrid& grid, const std::array<float, 3>& point) {
+  std::array<std::int32_t, 3> offset{};
+  float squared = 0.0F;
+  for (std::size_t i = 0; i < 3; ++i) {
+    squared += (point[i] - grid.sensor[i]) * (point[i] - grid.sensor[i]);
+  }
+  if (!(squared <= grid.outer_max_squared)) return kNoVoxel;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double voxels = std::floor(static_cast<double>(point[i]) * grid.voxels_per_m);
+    if (!(voxels - grid.corner[i] >= grid.first[i] && voxels - grid.corner[i] < grid.end[i])) {
+      return kNoVoxel;
+    }
+    offset[i] = static_cast<std::int32_t>(voxels - grid.corner[i]);
+  }
+  const std::int32_t brick =
+      offset[0] / 8 * grid.stride[0] + offset[1] / 8 * grid.stride[1] + offset[2] / 8;
+  std::uint32_t cell = static_cast<std::uint32_t>(brick) * 512;
+  for (unsigned bit = 0; bit < 3; ++bit) {
+    for (unsigned i = 0; i < 3; ++i) {
+      cell |= (static_cast<std::uint32_t>(offset[i]) >> bit & 1U) << (3 * bit + i);
+    }
+  }
+  return cell;
+}
+
+TEST_P(EverySet, FindsTheCellsOfTheDefinitionOnFacesAndFarFromTheOriginToo) {
+  // A window of 16 bricks an edge, from the map's origin to the end of its volume.
+  for (const int corner : {-64, 1000, 32640, -32768}) {
+    CellGrid grid{.voxels_per_m = 1.0 / 0.03,
+                  .first = {0, 0, 0},
+                  .end = {128, 128, 128},
+                  .stride = {16 * 16, 16},
+                  .max_squared = 100.0F,
+                  .outer_max_squared = 100.0F};
+    for (std::size_t i = 0; i < 3; ++i) {
+      grid.corner[i] = corner;
+      grid.sensor[i] = static_cast<float>(0.03 * (corner + 64));
+    }
+    constexpr std::size_t kSize = 6400;
+    std::array<std::vector<float>, 3> points;
+    for (std::vector<float>& along : points) {
+      for (std::size_t i = 0; i < kSize; ++i) {
+        // On a face, or one of the floats beside it, or anywhere.
+        const auto face = static_cast<float>(0.03 * (corner + static_cast<int>(random_() % 130)));
+        const std::array choices{
+            face, std::nextafter(face, 1e9F), std::nextafter(face, -1e9F), face + 0.017F};
+        along.push_back(choices[random_() % 40 < 3 ? random_() % 3 : 3]);
+      }
+    }
+    std::vector<std::uint32_t> cells(kSize);
+    std::vector<std::uint64_t> bits(kSize / kBlock);
+    static_cast<void>(set().find_cells(grid,
+                                       {points[0].data(), points[1].data(), points[2].data()},
+                                       kSize,
+                                       cells.data(),
+                                       {bits.data(), bits.data(), bits.data()}));
+    for (std::size_t i = 0; i < kSize; ++i) {
+      ASSERT_EQ(cells[i], cell_by_definition(grid, {points[0][i], points[1][i], points[2][i]}))
+          << corner << ", point " << i;
+    }
+  }
+}
+
 TEST_P(EverySet, FindsTheSameCells) {
   CellGrid grid{.voxels_per_m = 1.0 / 0.05,
                 .corner = {-80, -72, -64},
@@ -348,6 +412,82 @@ TEST_P(EverySet, MarchesThroughTheVoxelsOfAWalkStepByStep) {
     EXPECT_EQ(words, expected) << size;
     EXPECT_EQ(touched, expected_touched) << size;
   }
+}
+
+SightPacket some_sight_lines(std::mt19937& random) {
+  std::uniform_real_distribution<float> within(-20.0F, 20.0F);
+  SightPacket lines;
+  for (std::size_t lane = 0; lane < kSightLanes; ++lane) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lines.origin[axis][lane] = within(random);
+      // Now and then along an axis, and on a face.
+      const float direction = random() % 5 == 0 ? 0.0F : within(random);
+      lines.direction[axis][lane] = direction;
+      lines.inverse[axis][lane] = direction == 0.0F ? 1e30F : 1.0F / direction;
+      if (random() % 5 == 0) lines.origin[axis][lane] = std::round(lines.origin[axis][lane]);
+    }
+    lines.end[lane] = std::abs(within(random)) / 20.0F;
+  }
+  return lines;
+}
+
+/// By the definition: is some of the way between all pairs of faces?
+bool meets(const SightPacket& lines, std::size_t lane, const BoxFaces& box) {
+  float first = 0.0F;
+  float last = lines.end[lane];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float low = (box.low[axis] - lines.origin[axis][lane]) * lines.inverse[axis][lane];
+    const float high = (box.high[axis] - lines.origin[axis][lane]) * lines.inverse[axis][lane];
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  return first <= last;
+}
+
+TEST_P(EverySet, FindsTheLinesThatMeetABox) {
+  int num_meeting = 0;
+  for (int round = 0; round < 500; ++round) {
+    const SightPacket lines = some_sight_lines(random_);
+    BoxFaces box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.low[axis] = static_cast<float>(static_cast<int>(random_() % 30) - 20);
+      box.high[axis] = box.low[axis] + static_cast<float>(1 + random_() % 20);
+    }
+    for (const std::size_t num_lanes : {4U, 8U, 16U}) {
+      std::vector<std::int32_t> valid(num_lanes);
+      std::uint32_t expected = 0;
+      for (std::size_t lane = 0; lane < num_lanes; ++lane) {
+        valid[lane] = random_() % 4 == 0 ? 0 : -1;
+        if (valid[lane] != 0 && meets(lines, lane, box)) expected |= 1U << lane;
+      }
+      EXPECT_EQ(set().meet_box(lines, box, valid.data(), num_lanes), expected);
+      num_meeting += std::popcount(expected);
+    }
+  }
+  EXPECT_GT(num_meeting, 200);
+}
+
+TEST(Kernels, ALineMeetsABoxOnItsWayAndNotBehindItsEnd) {
+  // From (0, 2.5, 2.5) along x to a box from x = 4 to 6.
+  SightPacket lines;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    lines.direction[0][lane] = 1.0F;
+    lines.inverse[0][lane] = 1.0F;
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      lines.origin[axis][lane] = 2.5F;
+      lines.inverse[axis][lane] = 1e30F;
+    }
+    lines.end[lane] = 10.0F;
+  }
+  lines.end[1] = 3.9F;            // ends before it
+  lines.origin[1][2] = 3.5F;      // passes beside it
+  lines.direction[0][3] = -1.0F;  // goes away from it
+  lines.inverse[0][3] = -1.0F;
+  const BoxFaces box{{4, 2, 2}, {6, 3, 3}};
+  const std::array<std::int32_t, 4> all{-1, -1, -1, -1};
+  EXPECT_EQ(best_kernels().meet_box(lines, box, all.data(), 4), 0b0001U);
+  const std::array<std::int32_t, 4> not_the_first{0, -1, -1, -1};
+  EXPECT_EQ(best_kernels().meet_box(lines, box, not_the_first.data(), 4), 0U);
 }
 
 TEST(Kernels, ARayStepsFromBrickToBrickAndLeavesItsLastVoxelOut) {

@@ -23,8 +23,8 @@ SemanticOctree tree_of(const std::vector<VoxelKey>& occupied) {
   return tree;
 }
 
-OcclusionScene scene_of(const SemanticOctree& tree, SceneBuild build = SceneBuild::kForUpdates) {
-  auto scene = OcclusionScene::create(build).value();
+OcclusionScene scene_of(const SemanticOctree& tree, std::size_t max_lanes = 16) {
+  auto scene = OcclusionScene::create(max_lanes).value();
   EXPECT_TRUE(scene.update(tree));
   return scene;
 }
@@ -88,8 +88,7 @@ TEST(OcclusionScene, AgreesWithALookAtEveryVoxel) {
   int num_occluded = 0;
   for (int round = 0; round < 6; ++round) {
     const SemanticOctree tree = tree_of(random_voxels(random));
-    const OcclusionScene scene =
-        scene_of(tree, round % 2 == 0 ? SceneBuild::kForUpdates : SceneBuild::kForQueries);
+    const OcclusionScene scene = scene_of(tree);
     std::vector<Eigen::Vector3d> centres;
     tree.for_each_leaf([&](const LeafSample& leaf) { centres.push_back(leaf.centre_in_map); });
     for (int i = 0; i < 3000; ++i) {
@@ -195,6 +194,19 @@ TEST(OcclusionScene, AStartInsideAVoxelIsOccludedAndNonsenseIsNot) {
   EXPECT_FALSE(scene.occluded({{{-1e200, 0.05, 0.05}}, {{2.0, 0.05, 0.05}}, 0.0}));
 }
 
+TEST(OcclusionScene, ALineThatCannotBeHiddenDoesNotDisturbItsNeighbours) {
+  const SemanticOctree tree = tree_of({{32778, 32768, 32768}});  // x from 1.0 to 1.1
+  const OcclusionScene scene = scene_of(tree);
+  const PointInMap from{{0.05, 0.05, 0.05}};
+  const SightLine hidden{from, {{2.0, 0.05, 0.05}}, 0.0};
+  const SightLine nonsense{from, {{std::nan(""), 0, 0}}, 0.0};
+  const SightLine too_short{from, {{2.0, 0.05, 0.05}}, 5.0};
+  const SightLine open{from, {{-2.0, 0.05, 0.05}}, 0.0};
+  const std::vector<SightLine> lines{nonsense, hidden, too_short, hidden, open, nonsense, hidden};
+  EXPECT_EQ(scene.occluded(lines), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(scene.occluded(std::vector{nonsense, too_short}), (std::vector<std::uint8_t>{0, 0}));
+}
+
 TEST(OcclusionScene, FollowsTheTreeByItsChangedBricks) {
   auto tree = tree_of({{32768, 32768, 32768}, {32900, 32768, 32768}});
   auto scene = scene_of(tree);
@@ -248,6 +260,8 @@ TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
   }
   EXPECT_EQ(scene.occluded(lines, 1), expected);
   EXPECT_EQ(scene.occluded(lines, 3), expected);
+  EXPECT_EQ(scene_of(tree, 8).occluded(lines), expected) << "eight at a time";
+  EXPECT_EQ(scene_of(tree, 4).occluded(lines), expected) << "four at a time";
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 500);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 500);
 }

@@ -23,29 +23,57 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float kLargestSquare = std::numeric_limits<float>::max();
 
-using CellDoubles = hn::CappedTag<double, 8>;
-using CellFloats = hn::Rebind<float, CellDoubles>;
-using CellInts = hn::Rebind<std::int32_t, CellDoubles>;
-using CellWords = hn::Rebind<std::uint32_t, CellDoubles>;
+using CellFloats = hn::CappedTag<float, 16>;
+using CellInts = hn::RebindToSigned<CellFloats>;
+using CellWords = hn::RebindToUnsigned<CellFloats>;
+using ExactDoubles = hn::CappedTag<double, 8>;
+using ExactFloats = hn::Rebind<float, ExactDoubles>;
+using ExactInts = hn::Rebind<std::int32_t, ExactDoubles>;
 
-/// Voxels from the window's corner along one axis.
-template <class V>
-HWY_INLINE auto offset_along(const CellGrid& grid, std::size_t axis, V point) {
-  const CellDoubles d;
-  const auto voxels = hn::Mul(hn::Set(d, grid.voxels_per_m), hn::PromoteTo(d, point));
-  return hn::DemoteTo(CellInts(), hn::Sub(hn::Floor(voxels), hn::Set(d, grid.corner[axis])));
+/// Voxels from the window's corner along one axis, by the definition: in double precision.
+HWY_INLINE auto exact_offsets(const CellGrid& grid, std::size_t axis, hn::Vec<CellFloats> points) {
+  const ExactDoubles d;
+  alignas(64) float point[16];
+  alignas(64) std::int32_t offset[16];
+  hn::Store(points, CellFloats(), point);
+  for (std::size_t i = 0; i < hn::Lanes(CellFloats()); i += hn::Lanes(d)) {
+    const auto in_map = hn::PromoteTo(d, hn::Load(ExactFloats(), point + i));
+    const auto voxels = hn::Floor(hn::Mul(hn::Set(d, grid.voxels_per_m), in_map));
+    const auto from_corner = hn::Sub(voxels, hn::Set(d, grid.corner[axis]));
+    hn::Store(hn::DemoteTo(ExactInts(), from_corner), ExactInts(), offset + i);
+  }
+  return hn::Load(CellInts(), offset);
 }
 
-template <class V>
-HWY_INLINE auto is_inside(const CellGrid& grid, std::size_t axis, V offset) {
+struct QuickOffsets {
+  hn::Vec<CellInts> offset;
+  hn::Mask<CellFloats> sure;  ///< Where double precision cannot say otherwise.
+};
+
+/// The same in single precision. Two roundings of 2^-24 move a point by 1.2e-7 of its distance from
+/// the map's origin: where no face lies within twice that, the voxel is the right one.
+HWY_INLINE QuickOffsets quick_offsets(const CellGrid& grid,
+                                      std::size_t axis,
+                                      hn::Vec<CellFloats> points) {
+  const CellFloats d;
+  const auto voxels = hn::Mul(points, hn::Set(d, static_cast<float>(grid.voxels_per_m)));
+  const auto floor = hn::Floor(voxels);
+  const auto above_face = hn::Sub(voxels, floor);
+  const auto below_face = hn::Sub(hn::Set(d, 1.0F), above_face);
+  const auto doubt = hn::Mul(hn::Abs(voxels), hn::Set(d, 2.5e-7F));
+  const auto corner = hn::Set(CellInts(), static_cast<std::int32_t>(grid.corner[axis]));
+  return {hn::Sub(hn::ConvertTo(CellInts(), floor), corner),
+          hn::Gt(hn::Min(above_face, below_face), doubt)};
+}
+
+HWY_INLINE auto is_inside(const CellGrid& grid, std::size_t axis, hn::Vec<CellInts> offset) {
   const CellInts d;
   return hn::AndNot(hn::Lt(offset, hn::Set(d, grid.first[axis])),
                     hn::Lt(offset, hn::Set(d, grid.end[axis])));
 }
 
 /// Bits 0, 1, 2 of an offset to bits 0, 3, 6.
-template <class V>
-HWY_INLINE auto spread_in_brick(V offset) {
+HWY_INLINE auto spread_in_brick(hn::Vec<CellInts> offset) {
   const CellInts d;
   const auto low = hn::And(offset, hn::Set(d, 1));
   const auto middle = hn::ShiftLeft<2>(hn::And(offset, hn::Set(d, 2)));
@@ -53,8 +81,10 @@ HWY_INLINE auto spread_in_brick(V offset) {
   return hn::Or(low, hn::Or(middle, high));
 }
 
-template <class V>
-HWY_INLINE auto cell_at(const CellGrid& grid, V x, V y, V z) {
+HWY_INLINE auto cell_at(const CellGrid& grid,
+                        hn::Vec<CellInts> x,
+                        hn::Vec<CellInts> y,
+                        hn::Vec<CellInts> z) {
   const CellInts d;
   const auto brick_x = hn::Mul(hn::ShiftRight<3>(x), hn::Set(d, grid.stride[0]));
   const auto brick_y = hn::Mul(hn::ShiftRight<3>(y), hn::Set(d, grid.stride[1]));
@@ -77,25 +107,37 @@ HWY_INLINE LaneBits find_lanes(const CellGrid& grid,
                                std::size_t i,
                                std::uint32_t* cells,
                                CellCounts& counts) {
-  const CellFloats df;
+  const CellFloats d;
   const CellInts di;
   const CellWords dw;
-  const auto sensor_x = hn::Set(df, grid.sensor[0]);
-  const auto sensor_y = hn::Set(df, grid.sensor[1]);
-  const auto sensor_z = hn::Set(df, grid.sensor[2]);
-  const auto x = hn::LoadU(df, points.x + i);
-  const auto y = hn::LoadU(df, points.y + i);
-  const auto z = hn::LoadU(df, points.z + i);
+  const auto sensor_x = hn::Set(d, grid.sensor[0]);
+  const auto sensor_y = hn::Set(d, grid.sensor[1]);
+  const auto sensor_z = hn::Set(d, grid.sensor[2]);
+  const auto x = hn::LoadU(d, points.x + i);
+  const auto y = hn::LoadU(d, points.y + i);
+  const auto z = hn::LoadU(d, points.z + i);
   const auto to_x = hn::Sub(x, sensor_x);
   const auto to_y = hn::Sub(y, sensor_y);
   const auto to_z = hn::Sub(z, sensor_z);
   const auto squared =
       hn::Add(hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y)), hn::Mul(to_z, to_z));
-  const auto near = hn::Le(squared, hn::Set(df, grid.outer_max_squared));
+  const auto near = hn::Le(squared, hn::Set(d, grid.outer_max_squared));
   // Far points are replaced by the sensor: every number below is a small one.
-  const auto offset_x = offset_along(grid, 0, hn::IfThenElse(near, x, sensor_x));
-  const auto offset_y = offset_along(grid, 1, hn::IfThenElse(near, y, sensor_y));
-  const auto offset_z = offset_along(grid, 2, hn::IfThenElse(near, z, sensor_z));
+  const auto near_x = hn::IfThenElse(near, x, sensor_x);
+  const auto near_y = hn::IfThenElse(near, y, sensor_y);
+  const auto near_z = hn::IfThenElse(near, z, sensor_z);
+  const QuickOffsets quick_x = quick_offsets(grid, 0, near_x);
+  const QuickOffsets quick_y = quick_offsets(grid, 1, near_y);
+  const QuickOffsets quick_z = quick_offsets(grid, 2, near_z);
+  auto offset_x = quick_x.offset;
+  auto offset_y = quick_y.offset;
+  auto offset_z = quick_z.offset;
+  const auto sure = hn::And(quick_x.sure, hn::And(quick_y.sure, quick_z.sure));
+  if (!hn::AllFalse(d, hn::AndNot(sure, near))) {
+    offset_x = exact_offsets(grid, 0, near_x);
+    offset_y = exact_offsets(grid, 1, near_y);
+    offset_z = exact_offsets(grid, 2, near_z);
+  }
   const auto inside = hn::And(is_inside(grid, 0, offset_x),
                               hn::And(is_inside(grid, 1, offset_y), is_inside(grid, 2, offset_z)));
   const auto has_cell = hn::And(hn::RebindMask(di, near), inside);
@@ -106,13 +148,13 @@ HWY_INLINE LaneBits find_lanes(const CellGrid& grid,
   hn::StoreU(
       hn::IfThenElse(hn::RebindMask(dw, has_cell), cell, hn::Set(dw, kNoVoxel)), dw, cells + i);
 
-  const auto within = hn::Le(squared, hn::Set(df, grid.max_squared));
+  const auto within = hn::Le(squared, hn::Set(d, grid.max_squared));
   counts.num_with_cell += hn::CountTrue(di, has_cell);
   counts.num_within_range += hn::CountTrue(di, hn::And(hn::RebindMask(di, within), has_cell));
   const auto measured = hn::Eq(x, x);
-  const auto finite = hn::Le(squared, hn::Set(df, kLargestSquare));
-  const std::uint64_t measured_bits = bits_of(df, measured);
-  const std::uint64_t far_bits = measured_bits & bits_of(df, finite) & ~bits_of(df, near);
+  const auto finite = hn::Le(squared, hn::Set(d, kLargestSquare));
+  const std::uint64_t measured_bits = bits_of(d, measured);
+  const std::uint64_t far_bits = measured_bits & bits_of(d, finite) & ~bits_of(d, near);
   return {far_bits, measured_bits & ~far_bits & ~bits_of(di, has_cell)};
 }
 
@@ -122,7 +164,7 @@ inline void find_starts(const std::uint32_t* cells, std::size_t size, std::uint6
   const std::size_t lanes = hn::Lanes(d);
   const auto none = hn::Set(d, kNoVoxel);
   // The first lanes have nothing before them.
-  std::uint32_t shifted[8] = {kNoVoxel};
+  std::uint32_t shifted[16] = {kNoVoxel};
   for (std::size_t i = 1; i < lanes; ++i) shifted[i] = cells[i - 1];
   for (std::size_t block = 0; block < size; block += kBlock) {
     std::uint64_t word = 0;

@@ -11,6 +11,7 @@
 #include "kernels/find_cells.inl"
 #include "kernels/kernels.hpp"
 #include "kernels/march_rays.inl"
+#include "kernels/meet_box.inl"
 #include "kernels/merge_brick.inl"
 #include "kernels/see_corners.inl"
 
@@ -28,6 +29,7 @@ inline const Kernels& kernel_table() {
                                   .find_cells = find_cells,
                                   .see_corners = see_corners,
                                   .march_rays = march_rays,
+                                  .meet_box = meet_box,
                                   .merge_brick = merge_brick};
   return kTable;
 }

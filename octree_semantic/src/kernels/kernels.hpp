@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The inner loops of integration, on plain arrays: compiled once for each instruction set, chosen
-/// when the program runs. No Eigen or PCL type may stand here (their layout depends on the set),
-/// and nothing of the standard library that is a function: the linker would keep one copy for all.
+/// The inner loops of integration and of lines of sight, on plain arrays: compiled once for each
+/// instruction set, chosen when the program runs. No Eigen or PCL type may stand here (their layout
+/// depends on the set), and nothing of the standard library that is a function: the linker would
+/// keep one copy for all.
 ///
 /// All sets give the same bits: each operation is rounded by itself (no fused ones), divisions and
 /// roots are those of IEEE 754. `tests/octree_semantic/kernels_test.cpp` compares them.
@@ -111,6 +112,20 @@ struct CellMarks {
   std::uint8_t* touched = nullptr;  ///< one byte for each brick.
 };
 
+/// Lines of sight that are followed together. Unit: voxels from the map's origin.
+inline constexpr std::size_t kSightLanes = 16;
+struct SightPacket {
+  alignas(64) float origin[3][kSightLanes] = {};
+  alignas(64) float direction[3][kSightLanes] = {};  ///< Of length 1.
+  alignas(64) float inverse[3][kSightLanes] = {};    ///< 1 / direction, finite.
+  alignas(64) float end[kSightLanes] = {};           ///< How far it goes.
+};
+/// Faces across the three axes, in voxels from the map's origin.
+struct BoxFaces {
+  float low[3] = {};
+  float high[3] = {};
+};
+
 /// Steps of log-odds and their limits.
 struct EvidenceSteps {
   std::int16_t hit = 0;
@@ -160,6 +175,12 @@ struct Kernels {
   /// faces z goes before y before x.
   /// Requires: all rays begin in the same voxel.
   void (*march_rays)(const MarchedRay* rays, std::size_t size, const CellMarks& marks);
+  /// Bits of the first `num_lanes` lines that meet a box, of those whose `valid` is not 0.
+  /// Requires: num_lanes is 4, 8 or 16.
+  std::uint32_t (*meet_box)(const SightPacket& lines,
+                            const BoxFaces& box,
+                            const std::int32_t* valid,
+                            std::size_t num_lanes);
   /// Adds a hit to the voxels of `hit` and a miss to those of `passed` that are not hit, and
   /// clamps. 8 words of bits each.
   MergeCounts (*merge_brick)(const BrickArrays& brick,

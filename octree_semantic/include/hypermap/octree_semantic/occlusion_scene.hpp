@@ -27,20 +27,15 @@ struct SightLine {
   double margin_m = 0.0;
 };
 
-/// What a scene is built for.
-/// Measured: tests/bench/occlusion_bench, a million occupied voxels in 14,800 bricks.
-enum class SceneBuild : std::uint8_t {
-  kForUpdates,  ///< Some queries after each frame: brought up to date in half the time.
-  kForQueries,  ///< Many queries after few updates: a tenth faster to ask.
-};
-
 /// Occlusion queries against one tree.
 ///
 /// Threads: queries may run concurrently, not while `update` runs.
 class OcclusionScene {
  public:
-  /// An empty scene: nothing occludes. Errors: kUnavailable when Embree cannot start.
-  [[nodiscard]] static Result<OcclusionScene> create(SceneBuild build = SceneBuild::kForUpdates);
+  /// An empty scene: nothing occludes. Lines are followed together, 4, 8 or 16 at a time: as many
+  /// as the processor's vectors hold, not more than `max_lanes` (at least 4).
+  /// Errors: kUnavailable when Embree cannot start.
+  [[nodiscard]] static Result<OcclusionScene> create(std::size_t max_lanes = 16);
   OcclusionScene(OcclusionScene&&) noexcept;
   OcclusionScene& operator=(OcclusionScene&&) noexcept;
   OcclusionScene(const OcclusionScene&) = delete;
@@ -48,7 +43,7 @@ class OcclusionScene {
   ~OcclusionScene();
 
   /// Brings the scene up to the tree's present state. Only bricks that changed since the last call
-  /// are copied. Returns how many.
+  /// are copied, only the regions that they lie in built again. Returns how many bricks.
   /// Requires: always the same tree (or a later state of it); another one wants another scene.
   /// Errors: kOutOfMemory.
   [[nodiscard]] Result<std::size_t> update(const SemanticOctree& tree);
@@ -60,8 +55,9 @@ class OcclusionScene {
   /// voxel is occluded. Not longer than the margin, not finite, or starting beyond 10^9 voxels from
   /// the origin: not occluded.
   [[nodiscard]] bool occluded(const SightLine& line) const;
-  /// One answer per line: 1 when occluded. Faster for lines in an order in which neighbours are
-  /// alike. The result does not depend on the number of threads.
+  /// One answer per line: 1 when occluded; the same as for the line alone. Fast for lines whose
+  /// neighbours come from the same place and go the same way, a camera's to one object. The result
+  /// does not depend on the number of threads.
   [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const SightLine> lines,
                                                    int num_threads = 1) const;
 
