@@ -3,9 +3,13 @@
 
 #include "hypermap/core/number_text.hpp"
 
+#include <boost/sort/pdqsort/pdqsort.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,20 +42,79 @@ std::vector<PointVote> widened(std::span<const PointVote> votes) {
   return out;
 }
 
+/// The cells of one thing lie close together: each becomes one number, of the same order. None when
+/// they do not.
+class PackedCells {
+ public:
+  [[nodiscard]] static std::optional<PackedCells> around(std::span<const PointCell> cells) {
+    PackedCells packed(cells.front());
+    PointCell high = cells.front();
+    for (const PointCell& cell : cells) {
+      packed.low_ = {std::min(packed.low_.x, cell.x),
+                     std::min(packed.low_.y, cell.y),
+                     std::min(packed.low_.z, cell.z)};
+      high = {std::max(high.x, cell.x), std::max(high.y, cell.y), std::max(high.z, cell.z)};
+    }
+    const auto fits = [](std::int32_t from, std::int32_t to) {
+      return std::int64_t{to} - from < std::int64_t{1} << kBits;
+    };
+    const bool all_fit =
+        fits(packed.low_.x, high.x) && fits(packed.low_.y, high.y) && fits(packed.low_.z, high.z);
+    return all_fit ? std::optional(packed) : std::nullopt;
+  }
+  [[nodiscard]] std::uint64_t pack(const PointCell& cell) const {
+    const auto part = [](std::int32_t from, std::int32_t at) {
+      return static_cast<std::uint64_t>(at - from);
+    };
+    return part(low_.x, cell.x) << 2 * kBits | part(low_.y, cell.y) << kBits | part(low_.z, cell.z);
+  }
+  [[nodiscard]] PointCell unpack(std::uint64_t number) const {
+    const auto part = [](std::uint64_t shifted) {
+      return static_cast<std::int32_t>(shifted & ((std::uint64_t{1} << kBits) - 1));
+    };
+    return {
+        low_.x + part(number >> 2 * kBits), low_.y + part(number >> kBits), low_.z + part(number)};
+  }
+
+ private:
+  static constexpr unsigned kBits = 21;
+  explicit PackedCells(const PointCell& low) : low_(low) {}
+  PointCell low_;
+};
+
+/// Ascending, each once.
+void sort_unique(std::vector<PointCell>& cells) {
+  if (cells.empty()) return;
+  const auto packed = PackedCells::around(cells);
+  if (!packed) {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return;
+  }
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(cells.size());
+  for (const PointCell& cell : cells) numbers.push_back(packed->pack(cell));
+  boost::sort::pdqsort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  cells.clear();
+  for (const std::uint64_t number : numbers) cells.push_back(packed->unpack(number));
+}
+
 std::vector<PointVote> votes_of(std::span<const Eigen::Vector3f> points, double edge_m) {
-  std::vector<PointVote> votes;
-  votes.reserve(points.size());
+  std::vector<PointCell> cells;
+  cells.reserve(points.size());
   for (const Eigen::Vector3f& p : points) {
     const Eigen::Vector3d point = p.cast<double>();
     if (!(point.array().abs() <= kMaxCoordinateM).all()) continue;
     const Eigen::Vector3d cell = (point / edge_m).array().floor();
-    votes.push_back({{static_cast<std::int32_t>(cell.x()),
-                      static_cast<std::int32_t>(cell.y()),
-                      static_cast<std::int32_t>(cell.z())},
-                     1});
+    cells.push_back({static_cast<std::int32_t>(cell.x()),
+                     static_cast<std::int32_t>(cell.y()),
+                     static_cast<std::int32_t>(cell.z())});
   }
-  std::sort(votes.begin(), votes.end());
-  votes.erase(std::unique(votes.begin(), votes.end()), votes.end());
+  sort_unique(cells);
+  std::vector<PointVote> votes;
+  votes.reserve(cells.size());
+  for (const PointCell& cell : cells) votes.push_back({cell, 1});
   return votes;
 }
 

@@ -91,24 +91,33 @@ void find_steps(std::span<const float> depths_m,
   for (std::size_t i = 0; i < depths_m.size(); ++i) into[i] = allowed_step_m(depths_m[i], options);
 }
 
-/// 1 for neighbours on the surface of their cells, else 0. A loop of its own without branches, so
-/// that a compiler does several cells at a time.
-void find_weights(std::span<const float> neighbours,
-                  std::span<const float> centres,
-                  std::span<const float> steps,
-                  std::span<float> into) {
-  for (std::size_t i = 0; i < into.size(); ++i) {
-    into[i] = std::abs(neighbours[i] - centres[i]) <= steps[i] ? 1.0F : 0.0F;
-  }
-}
+/// The 3 x 3 pixels around each of some cells: neighbour k of cell i is [k][i], the fifth the
+/// cell's.
+using Neighbours = std::array<std::span<const float>, 9>;
+constexpr std::size_t kCentre = 4;
 
-void add_weighted(std::span<const float> neighbours,
-                  std::span<const float> weights,
-                  std::span<float> sums,
-                  std::span<float> counts) {
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    sums[i] += weights[i] * neighbours[i];
-    counts[i] += weights[i];
+/// A sum over those neighbours that lie on the surface of the cell. Without branches, so that a
+/// compiler does several cells at a time.
+struct SurfaceSum {
+  float centre = 0.0F;
+  float step = 0.0F;
+  float sum = 0.0F;
+  float count = 0.0F;
+
+  void add(float depth_m) {
+    const float weight = std::abs(depth_m - centre) <= step ? 1.0F : 0.0F;
+    sum += weight * depth_m;
+    count += weight;
+  }
+  /// 0 where the cell is no measurement. It counts itself.
+  [[nodiscard]] float mean() const { return (centre > 0.0F ? sum : 0.0F) / count; }
+};
+
+void find_means(const Neighbours& neighbours, std::span<const float> steps, std::span<float> into) {
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    SurfaceSum sum{.centre = neighbours[kCentre][i], .step = steps[i]};
+    for (const std::span<const float> neighbour : neighbours) sum.add(neighbour[i]);
+    into[i] = sum.mean();
   }
 }
 
@@ -116,57 +125,38 @@ void add_weighted(std::span<const float> neighbours,
 class RowSmoother {
  public:
   RowSmoother(const DepthWindow& window, const ForegroundOptions& options)
-      : options_(options),
-        is_by_pixel_(window.block_px == 1),
-        centre_(window.slope_x.size()),
-        step_(centre_.size()),
-        sum_(centre_.size()),
-        count_(centre_.size()),
-        weight_(centre_.size()),
-        picked_(centre_.size()) {
+      : options_(options), is_by_pixel_(window.block_px == 1), step_(window.slope_x.size()) {
+    for (std::vector<float>& picked : picked_) picked.resize(is_by_pixel_ ? 0 : step_.size());
     for (int x = 0; x < window.width(); ++x) columns_.push_back(window.pixel_u(x));
     for (int& column : columns_) column -= window.rect.u_begin;
   }
 
   /// The means of the row at `v`; 0 where the cell's own pixel is no measurement.
   void smooth(CleanRows& rows, int v, std::span<float> into) {
-    const auto centre = pick(rows.row(v), 1);
-    std::copy(centre.begin(), centre.end(), centre_.begin());
-    find_steps(centre_, options_, step_);
-    std::fill(sum_.begin(), sum_.end(), 0.0F);
-    std::fill(count_.begin(), count_.end(), 0.0F);
-    for (int dv = -1; dv <= 1; ++dv) {
-      const std::vector<float>& row = rows.row(v + dv);
-      for (std::size_t offset = 0; offset <= 2; ++offset) {
-        const auto neighbours = pick(row, offset);
-        find_weights(neighbours, centre_, step_, weight_);
-        add_weighted(neighbours, weight_, sum_, count_);
-      }
+    Neighbours neighbours;
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      const std::vector<float>& row = rows.row(v + static_cast<int>(k / 3) - 1);
+      neighbours[k] = is_by_pixel_ ? std::span(row).subspan(k % 3, step_.size()) : pick(row, k);
     }
-    for (std::size_t i = 0; i < sum_.size(); ++i) {
-      into[i] = centre_[i] > 0.0F ? sum_[i] / count_[i] : 0.0F;
-    }
+    find_steps(neighbours[kCentre], options_, step_);
+    find_means(neighbours, step_, into);
   }
 
  private:
-  /// The pixels of the columns, `offset` - 1 to their right. Valid until the next call.
-  [[nodiscard]] std::span<const float> pick(const std::vector<float>& row, std::size_t offset) {
-    if (is_by_pixel_) return std::span(row).subspan(offset, centre_.size());
-    for (std::size_t i = 0; i < picked_.size(); ++i) {
-      picked_[i] = row[static_cast<std::size_t>(columns_[i]) + offset];
+  /// Neighbour `k` of the columns of blocks.
+  [[nodiscard]] std::span<const float> pick(const std::vector<float>& row, std::size_t k) {
+    std::vector<float>& picked = picked_[k];
+    for (std::size_t i = 0; i < picked.size(); ++i) {
+      picked[i] = row[static_cast<std::size_t>(columns_[i]) + k % 3];
     }
-    return picked_;
+    return picked;
   }
 
   const ForegroundOptions& options_;
   bool is_by_pixel_;
   std::vector<int> columns_;  // within the cut-out
-  std::vector<float> centre_;
   std::vector<float> step_;
-  std::vector<float> sum_;
-  std::vector<float> count_;
-  std::vector<float> weight_;
-  std::vector<float> picked_;
+  std::array<std::vector<float>, 9> picked_;
 };
 
 /// The cells whose middle pixel lies in `pixels`.

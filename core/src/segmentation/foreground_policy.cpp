@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 namespace hypermap {
@@ -43,6 +45,12 @@ DepthComponents surfaces_of(const DepthWindow& window,
   return connected_components(window, plane_of_cell);
 }
 
+void add_to(std::span<std::uint8_t> sums, const std::uint8_t* values) {
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] = static_cast<std::uint8_t>(sums[i] + values[i]);
+  }
+}
+
 /// 1 on cells of the box that belong to chosen surfaces and do not hang in the air.
 std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
                                          const DepthComponents& labelled,
@@ -51,17 +59,18 @@ std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
   for (const std::uint32_t id : chosen) {
     for_each_cell_of(window, labelled, id, [&](int x, int y) { all[window.cell(x, y)] = 1; });
   }
-  std::vector<std::uint8_t> firm = all;
+  const auto width = static_cast<std::size_t>(window.width());
+  std::vector<std::uint8_t> firm(window.size(), 0);
+  std::vector<std::uint8_t> column(width + 2, 0);  // sums over three rows, nothing on both sides
   for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) {
-      if (all[window.cell(x, y)] == 0) continue;
-      int neighbours = -1;  // the cell itself
-      for (int ny = std::max(0, y - 1); ny <= std::min(window.height() - 1, y + 1); ++ny) {
-        for (int nx = std::max(0, x - 1); nx <= std::min(window.width() - 1, x + 1); ++nx) {
-          neighbours += all[window.cell(nx, ny)];
-        }
-      }
-      if (neighbours < kLeastNeighbours) firm[window.cell(x, y)] = 0;
+    const std::uint8_t* row = &all[window.cell(0, y)];
+    std::copy(row, row + width, column.begin() + 1);
+    if (y > 0) add_to(std::span(column).subspan(1, width), row - width);
+    if (y + 1 < window.height()) add_to(std::span(column).subspan(1, width), row + width);
+    std::uint8_t* into = &firm[window.cell(0, y)];
+    for (std::size_t x = 0; x < width; ++x) {
+      const int with_itself = column[x] + column[x + 1] + column[x + 2];
+      into[x] = with_itself > kLeastNeighbours ? row[x] : std::uint8_t{0};
     }
   }
   return firm;
@@ -111,11 +120,17 @@ std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
   }
   const auto most = static_cast<std::size_t>(options.max_points);
   double spacing_m = std::max(options.point_spacing_m, std::sqrt(area_m2 / options.max_points));
-  for (std::size_t count = 0; (count = count_voxels(all, spacing_m)) > most;) {
+  const auto widen_for = [&](std::size_t count) {
     const double excess = static_cast<double>(count) / static_cast<double>(most);
-    spacing_m *= 1.05 * std::sqrt(excess);
+    if (count > most) spacing_m *= 1.05 * std::sqrt(excess);
+  };
+  // The first spacing mostly leaves too many: to count them is less work than to thin.
+  widen_for(count_voxels(all, spacing_m));
+  for (;;) {
+    std::vector<Eigen::Vector3f> thinned = voxel_grid(all, spacing_m).centroids;
+    if (thinned.size() <= most) return thinned;
+    widen_for(thinned.size());
   }
-  return voxel_grid(all, spacing_m).centroids;
 }
 
 /// Writes down the steps of this policy, when somebody looks.

@@ -53,13 +53,13 @@ class KeyNumbering {
   }
 
   void grow() {
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
     for (const Slot& slot : old) {
       if (slot.number != kFree) slot_of(slot.key) = slot;
     }
   }
 
-  std::vector<Slot> slots_ = std::vector<Slot>(1024);
+  std::vector<Slot> slots_ = std::vector<Slot>(4096);
   Slot last_;
   std::uint32_t count_ = 0;
 };
