@@ -29,7 +29,11 @@ std::string size_text(const LayerSummary& layer) {
            std::to_string(layer.cells->free) + " free, " + std::to_string(layer.cells->unknown) +
            " unknown cells";
   }
-  if (layer.num_objects) return std::to_string(*layer.num_objects) + " objects";
+  if (layer.num_objects) {
+    const std::string objects = std::to_string(*layer.num_objects) + " objects";
+    if (layer.num_tentative == 0) return objects;
+    return objects + " (and " + std::to_string(layer.num_tentative) + " not sure enough)";
+  }
   if (layer.leaves) {
     return std::to_string(layer.leaves->occupied) + " occupied, " +
            std::to_string(layer.leaves->free) + " free voxels";

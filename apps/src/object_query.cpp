@@ -2,29 +2,12 @@
 #include "object_query.hpp"
 
 #include "hypermap/core/object.hpp"
+#include "hypermap/io/map_layers.hpp"
 
 #include <limits>
 
 namespace hypermap::app {
 namespace {
-
-/// Objects of the archive that its semantic layers stand for; all when it has no such layer.
-std::vector<const Object*> published_objects(const MapArchive& archive) {
-  std::vector<const SemanticLayer*> layers;
-  for (const Layer& layer : archive.hypermap.layers()) {
-    if (const auto* semantic = std::get_if<SemanticLayer>(&layer.content)) {
-      layers.push_back(semantic);
-    }
-  }
-  std::vector<const Object*> objects;
-  for (const Object& object : archive.objects.objects()) {
-    bool shown = layers.empty();
-    for (const SemanticLayer* layer : layers)
-      shown = shown || layer->find(object.id.value) != nullptr;
-    if (shown) objects.push_back(&object);
-  }
-  return objects;
-}
 
 std::optional<ClassId> class_of(const Object& object) {
   const auto best = best_class(object);
@@ -77,7 +60,7 @@ double distance_m(const Object& object, const std::vector<double>& point) {
 
 std::vector<QueryAnswer> find_objects(const MapArchive& archive, const ObjectQuery& query) {
   std::vector<QueryAnswer> answers;
-  for (const Object* object : published_objects(archive)) {
+  for (const Object* object : shown_objects(archive)) {
     if (matches(archive, *object, query)) answers.push_back(answer(archive, *object));
   }
   return answers;
@@ -89,7 +72,7 @@ Result<std::vector<QueryAnswer>> nearest_object(const MapArchive& archive,
   const Object* nearest = nullptr;
   double least_m = std::numeric_limits<double>::infinity();
   const auto wanted = archive.classes.find(class_name);
-  for (const Object* object : published_objects(archive)) {
+  for (const Object* object : shown_objects(archive)) {
     if (!wanted || class_of(*object) != wanted) continue;
     const double here_m = distance_m(*object, point);
     if (here_m >= least_m) continue;

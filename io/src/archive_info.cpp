@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive_info.hpp"
 
+#include "hypermap/io/map_layers.hpp"
+
 #include <utility>
 
 namespace hypermap {
@@ -52,7 +54,8 @@ void describe_leaves(LayerSummary& summary, const LeafSource& source) {
 LayerSummary describe_objects(const MapArchive& archive) {
   LayerSummary summary = named(archive, kObjectsFormat, "objects");
   summary.flat = false;
-  summary.num_objects = archive.objects.size();
+  summary.num_objects = shown_objects(archive).size();
+  summary.num_tentative = archive.objects.size() - *summary.num_objects;
   Eigen::AlignedBox3d box;
   for (const Object& object : archive.objects.objects())
     box.extend(Eigen::AlignedBox3d(object.box.min_in_map, object.box.max_in_map));

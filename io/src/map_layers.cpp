@@ -9,6 +9,8 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -22,14 +24,31 @@ std::vector<const Object*> objects_of(const ObjectMap& objects, std::span<const 
   return found;
 }
 
-std::map<ObjectId, ClassId> classes_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
-  std::map<ObjectId, ClassId> classes;
+/// A surface is measured so much before or behind where it is.
+constexpr double kSurfaceNoiseM = 0.05;
+
+/// What an object lends to its voxels, and where.
+struct Owner {
+  ClassId class_id;
+  Box reach;
+};
+
+std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+  std::map<ObjectId, Owner> owners;
   for (const ObjectId id : shown) {
     const Object* object = objects.find(id);
     const auto best = object != nullptr ? best_class(*object) : std::nullopt;
-    if (best) classes.emplace(id, best->id);
+    if (best) owners.emplace(id, Owner{best->id, grown(object->box, kSurfaceNoiseM)});
   }
-  return classes;
+  return owners;
+}
+
+/// Null for a voxel of none.
+const Owner* owner_of(const LeafSample& leaf, const std::map<ObjectId, Owner>& owners) {
+  const auto named = owners.find(leaf.object);
+  if (named == owners.end()) return nullptr;
+  const bool reaches = grown(named->second.reach, 0.5 * leaf.edge_m).contains(leaf.centre_in_map);
+  return reaches ? &named->second : nullptr;
 }
 
 /// Replaces the content of a layer, or adds the layer.
@@ -57,14 +76,31 @@ Result<void> validate(const LayerOptions& options) {
   return {};
 }
 
+std::vector<const Object*> shown_objects(const MapArchive& archive) {
+  std::vector<const SemanticLayer*> layers;
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (const auto* semantic = std::get_if<SemanticLayer>(&layer.content)) {
+      layers.push_back(semantic);
+    }
+  }
+  std::vector<const Object*> objects;
+  for (const Object& object : archive.objects.objects()) {
+    bool shown = layers.empty();
+    for (const SemanticLayer* layer : layers)
+      shown = shown || layer->find(object.id.value) != nullptr;
+    if (shown) objects.push_back(&object);
+  }
+  return objects;
+}
+
 LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId> shown) {
   return [leaves = leaf_source(*archive.octree),
-          classes = classes_of(archive.objects, shown)](const LeafVisitor& visit) {
+          owners = owners_of(archive.objects, shown)](const LeafVisitor& visit) {
     leaves([&](const LeafSample& leaf) {
       LeafSample published = leaf;
-      const auto owner = classes.find(leaf.object);
-      published.best_class = owner == classes.end() ? std::nullopt : std::optional(owner->second);
-      if (owner == classes.end()) published.object = kNoObject;
+      const Owner* owner = owner_of(leaf, owners);
+      published.best_class = owner == nullptr ? std::nullopt : std::optional(owner->class_id);
+      if (owner == nullptr) published.object = kNoObject;
       visit(published);
     });
   };

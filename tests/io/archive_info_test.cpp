@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -31,6 +33,22 @@ TEST(ArchiveInfo, CountsWhatEachLayerHolds) {
   EXPECT_EQ(info.layers[3].num_objects, 1U);
   EXPECT_EQ(info.layers[4].name, "chair");
   EXPECT_EQ(info.classes.size(), 3U);
+}
+
+TEST(ArchiveInfo, ObjectsThatNoLayerShowsAreNotSureEnough) {
+  MapArchive archive;
+  const ObjectId sure = archive.objects.add(Object{});
+  (void)archive.objects.add(Object{});
+  const auto counts = [&] {
+    const LayerSummary objects = describe(archive).layers.back();
+    return std::pair(*objects.num_objects, objects.num_tentative);
+  };
+  EXPECT_EQ(counts(), std::pair(std::size_t{2}, std::size_t{0})) << "no layer says otherwise";
+  SemanticLayer layer;
+  const Polygon footprint = make_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}).value();
+  ASSERT_TRUE(layer.add({.id = sure.value, .name = "chair", .parts = {footprint}}));
+  ASSERT_TRUE(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(layer)}));
+  EXPECT_EQ(counts(), std::pair(std::size_t{1}, std::size_t{1}));
 }
 
 TEST(ArchiveInfo, AnArchiveWithoutExtensionsHasVersionZero) {

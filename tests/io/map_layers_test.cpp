@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -53,6 +56,23 @@ TEST(PublishedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
     EXPECT_EQ(leaf.best_class, of_chair ? std::optional(kChair) : std::nullopt);
     EXPECT_EQ(leaf.object, of_chair ? ObjectId{1} : kNoObject);
   }
+}
+
+TEST(PublishedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
+  // A frame's segment took the floor in; the object, of which all frames tell, ends at x = 0.4.
+  MapArchive archive = archive_with_a_false_alarm();
+  const std::array shown{ObjectId{1}};
+  const auto class_at = [&](double x) {
+    EXPECT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, x, ObjectId{1}, kChair)));
+    std::optional<ClassId> found;
+    published_leaves(archive, shown)([&](const LeafSample& leaf) {
+      if (std::abs(leaf.centre_in_map.x() - x) < 0.5 * leaf.edge_m) found = leaf.best_class;
+    });
+    return found;
+  };
+  EXPECT_EQ(class_at(0.44), kChair) << "half a voxel and 5 cm may stick out";
+  EXPECT_EQ(class_at(0.51), std::nullopt);
+  EXPECT_EQ(class_at(1.1), std::nullopt);
 }
 
 TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {

@@ -23,7 +23,8 @@ struct LayerSummary {
   std::string class_name;  ///< Of a layer; the format of an extension.
   std::string frame_id;
   std::optional<OccupancyCounts> cells = {};
-  std::optional<std::size_t> num_objects = {};
+  std::optional<std::size_t> num_objects = {};  ///< That the map shows.
+  std::size_t num_tentative = 0;                ///< Not sure enough to be shown.
   std::optional<LeafCount> leaves = {};
   /// In the layer's frame; z is 0 where the layer is flat. None when it is empty.
   std::optional<Eigen::AlignedBox3d> bounds = {};
