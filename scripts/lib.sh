@@ -7,6 +7,16 @@ jobs=$(nproc)
 # The same sources give the same cache entries wherever the clone lies.
 export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
 
+# Shows what the script says of itself at its head, when it is asked.
+help_if_asked() {
+  case ${1:-} in
+    -h | --help)
+      sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+      exit 0
+      ;;
+  esac
+}
+
 say() { printf '== %s\n' "$*"; }
 
 # install_packages LIST: installs those Debian packages of the list that are missing.

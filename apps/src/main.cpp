@@ -10,7 +10,9 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <system_error>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -47,6 +49,11 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   add_check_command(program, action);
   try {
     program.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    // What is missing may only be misspelt.
+    const std::vector<std::string> unknown = program.remaining(true);
+    program.exit(unknown.empty() ? CLI::ParseError(error) : CLI::ExtrasError(unknown));
+    return ExitCode::kUsage;
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
     program.exit(error);

@@ -13,6 +13,9 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -29,6 +32,13 @@ struct QueryArguments {
   std::optional<std::string> nearest;
   std::string frame;
   bool json = false;
+};
+
+/// The arguments with their numbers read.
+struct Question {
+  QueryArguments arguments;
+  std::vector<double> at;  ///< 2 numbers; 3 only of objects. Empty when no point was given.
+  std::optional<Polygon> area;
 };
 
 /// What was found, in the frame that was asked for.
@@ -58,46 +68,55 @@ Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
   return std::optional<Polygon>(std::move(*polygon));
 }
 
-Result<Answers> ask_layer(const MapArchive& archive, const QueryArguments& arguments) {
+bool is_about_objects(const QueryArguments& arguments) {
+  return arguments.nearest || *arguments.layer == "objects";
+}
+
+Result<Question> question_of(QueryArguments arguments) {
+  Question question;
+  if (arguments.at) {
+    const std::size_t most = is_about_objects(arguments) ? 3 : 2;
+    HYPERMAP_ASSIGN_OR_RETURN(question.at, parse_numbers(*arguments.at, 2, most, "--at"));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(question.area, area_of(arguments));
+  question.arguments = std::move(arguments);
+  return question;
+}
+
+Result<Answers> ask_layer(const MapArchive& archive, const Question& question) {
+  const QueryArguments& arguments = question.arguments;
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*arguments.layer));
   const QueryScope scope{*arguments.layer, arguments.frame};
   Answers answers{.frame = arguments.frame.empty() ? layer->info.frame_id : arguments.frame,
                   .found = {}};
-  HYPERMAP_ASSIGN_OR_RETURN(const auto area, area_of(arguments));
   Result<std::vector<LayerAnswer>> found;
   if (arguments.text) {
-    found = query_string(archive.hypermap, scope, *arguments.text, area);
+    found = query_string(archive.hypermap, scope, *arguments.text, question.area);
   } else if (arguments.value) {
-    found = query_int(archive.hypermap, scope, *arguments.value, area);
-  } else if (area) {
-    found = query_area(archive.hypermap, scope, *area);
+    found = query_int(archive.hypermap, scope, *arguments.value, question.area);
+  } else if (question.area) {
+    found = query_area(archive.hypermap, scope, *question.area);
   } else {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto point, parse_numbers(*arguments.at, 2, 2, "--at"));
-    found = query_at(archive.hypermap, scope, {point[0], point[1]});
+    found = query_at(archive.hypermap, scope, {question.at[0], question.at[1]});
   }
   if (!found) return Unexpected(std::move(found).error());
   answers.found = as_answers(*found);
   return answers;
 }
 
-Result<Answers> ask_objects(const MapArchive& archive, const QueryArguments& arguments) {
-  ObjectQuery query{.name = arguments.text};
-  HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
-  if (arguments.at) {
-    HYPERMAP_ASSIGN_OR_RETURN(query.at, parse_numbers(*arguments.at, 2, 3, "--at"));
-  }
-  if (arguments.value) query.id = *arguments.value;
+Answers ask_objects(const MapArchive& archive, const Question& question) {
+  ObjectQuery query{.name = question.arguments.text, .area = question.area};
+  if (!question.at.empty()) query.at = question.at;
+  if (question.arguments.value) query.id = *question.arguments.value;
   return Answers{.frame = "map", .found = find_objects(archive, query)};
 }
 
-Result<Answers> ask(const MapArchive& archive, const QueryArguments& arguments) {
-  if (arguments.nearest) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto point, parse_numbers(*arguments.at, 2, 3, "--at"));
-    HYPERMAP_ASSIGN_OR_RETURN(auto found, nearest_object(archive, *arguments.nearest, point));
-    return Answers{.frame = "map", .found = std::move(found)};
-  }
-  if (*arguments.layer == "objects") return ask_objects(archive, arguments);
-  return ask_layer(archive, arguments);
+Result<Answers> ask(const MapArchive& archive, const Question& question) {
+  if (!is_about_objects(question.arguments)) return ask_layer(archive, question);
+  if (!question.arguments.nearest) return ask_objects(archive, question);
+  HYPERMAP_ASSIGN_OR_RETURN(auto found,
+                            nearest_object(archive, *question.arguments.nearest, question.at));
+  return Answers{.frame = "map", .found = std::move(found)};
 }
 
 void print_json(const Answers& answers) {
@@ -152,12 +171,12 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   return std::nullopt;
 }
 
-ExitCode run(const QueryArguments& arguments) {
-  const auto loaded = load_archive(arguments.file);
+ExitCode run(const Question& question) {
+  const auto loaded = load_archive(question.arguments.file);
   if (!loaded) return report(loaded.error());
-  auto answers = ask(loaded->value, arguments);
-  if (!answers) return report(with_source(answers.error(), {arguments.file}));
-  if (arguments.json) {
+  auto answers = ask(loaded->value, question);
+  if (!answers) return report(with_source(answers.error(), {question.arguments.file}));
+  if (question.arguments.json) {
     print_json(*answers);
   } else {
     print_table(*answers);
@@ -182,7 +201,9 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_flag("--json", arguments->json, "one JSON document");
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
-    action = [arguments] { return run(*arguments); };
+    const auto question = question_of(*arguments);
+    if (!question) throw CLI::ValidationError("query", to_string(question.error()));
+    action = [question = *question] { return run(question); };
   });
 }
 

@@ -35,7 +35,7 @@ const std::map<std::string, SegmentationPolicy>& policies() {
   static const std::map<std::string, SegmentationPolicy> kPolicies{
       {"foreground", SegmentationPolicy::kForeground},
       {"cluster", SegmentationPolicy::kCluster},
-      {"region-growing", SegmentationPolicy::kRegionGrowing}};
+      {"region_growing", SegmentationPolicy::kRegionGrowing}};
   return kPolicies;
 }
 
@@ -109,7 +109,8 @@ void print(const SegmentationTrace& trace,
   const Segment& segment = *trace.segment;
   const Eigen::Vector3d extent = segment.box.extent();
   std::printf(
-      "  segment of %zu points, %zu pixels, %.3f x %.3f x %.3f m at %.2f m, box confidence %.2f\n",
+      "  segment of %zu points, %zu pixels, %.3f x %.3f x %.3f m, %.2f m from the camera, box "
+      "confidence %.2f\n",
       segment.points_in_map.size(),
       segment.pixel_indices.size(),
       extent.x(),

@@ -180,7 +180,8 @@ Unexpected no_layout(const fs::path& folder) {
       Error{.code = ErrorCode::kNotFound,
             .what = "is no dataset that is known here, expected dataset.yaml, or depth.txt and "
                     "groundtruth.txt (TUM), frame-*.depth.png (7-Scenes), depth/ pose/ intrinsic/ "
-                    "(ScanNet), depth/ and trajectory.log (Open3D)",
+                    "(ScanNet), depth/ and trajectory.log (Open3D); any other folder wants a "
+                    "description of its own (--dataset)",
             .file = folder.string()});
 }
 
@@ -188,6 +189,10 @@ Unexpected no_layout(const fs::path& folder) {
 
 Result<Loaded<DatasetDescription>> look_for_layout(const std::filesystem::path& folder) {
   std::error_code ec;
+  if (!fs::exists(folder, ec)) {
+    return Unexpected(
+        Error{.code = ErrorCode::kIo, .what = "does not exist", .file = folder.string()});
+  }
   if (!fs::is_directory(folder, ec)) {
     return Unexpected(
         Error{.code = ErrorCode::kNotFound, .what = "is no folder", .file = folder.string()});

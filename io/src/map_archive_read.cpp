@@ -2,12 +2,15 @@
 #include "archive_extensions.hpp"
 #include "archive_members.hpp"
 #include "hypermap/io/byte_source.hpp"
+#include "hypermap/io/file_check.hpp"
 #include "hypermap/io/map_archive.hpp"
 #include "layer_files.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -131,6 +134,18 @@ Result<bool> looks_like_zip(const ByteSource& source, const std::filesystem::pat
   return start.starts_with("PK");
 }
 
+/// A file of another kind should be told so, not that its first byte is no text.
+Result<void> expect_configuration(const std::filesystem::path& path) {
+  const auto kind = find_file_kind(path);
+  const auto others = {FileKind::kOctree, FileKind::kImage, FileKind::kDepth};
+  if (!kind || std::find(others.begin(), others.end(), *kind) == others.end()) return {};
+  const std::string_view name = file_kind_names()[static_cast<std::size_t>(*kind)];
+  return Unexpected(Error{.code = ErrorCode::kUnsupported,
+                          .what = "is of kind '" + std::string(name) +
+                                  "', must be an archive (.hmap) or its configuration",
+                          .file = path.string()});
+}
+
 }  // namespace
 
 Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
@@ -139,6 +154,7 @@ Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                             open_file(path, limits.zip.max_archive_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
   if (is_zip) return read_zip(std::move(source), path.string(), limits);
+  HYPERMAP_TRY(expect_configuration(path));
   FolderMembers members(path);
   return read_all(members, path.filename().string(), path.string(), limits);
 }

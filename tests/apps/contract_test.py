@@ -247,6 +247,46 @@ class Words(Case):
                     self.assertEqual(result.returncode, 4, result.stdout + result.stderr)
         self.assert_names()
 
+    def test_points_and_areas_that_are_none_are_wrong_command_lines(self):
+        layer = ["query", self.archive, "--layer", "occupancy"]
+        for arguments, told in (([*layer, "--at", "1,b"], "'b'"), ([*layer, "--at", "1"], "2 numbers"),
+                                ([*layer, "--at", "1,2,3"], "2 numbers"),
+                                ([*layer, "--area", "0 0,1 1"], "--area"),
+                                (["query", self.archive, "--nearest", "chair", "--at", "1"], "2 or 3 numbers")):
+            with self.subTest(arguments[3:]):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertIn(told, result.stderr)
+
+    def test_a_misspelt_option_is_named_though_another_is_missing(self):
+        result = run("map", "--input", self.dataset, "--outptu", self.folder / "x")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("--outptu", result.stderr)
+        self.assertIn("--output is required", run("map", "--input", self.dataset).stderr)
+
+    def test_a_file_of_another_kind_is_named_as_what_it_is(self):
+        octree = self.folder / "a.ot"
+        self.assertEqual(run("export", self.archive, "--format", "octomap", "--output", octree).returncode, 0)
+        for arguments in (["query", octree, "--layer", "objects"], ["export", octree, "--format", "ply", "--output", "x"],
+                          ["snapshot", octree, "--output", "x"]):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("kind 'octree'", result.stderr)
+
+    def test_whatever_is_not_there_is_an_error_of_the_system(self):
+        absent = self.folder / "absent"
+        output = ["--output", self.folder / "x"]
+        mapping = ["map", "--input", self.dataset, *output]
+        for arguments in (["map", "--input", absent, *output], ["tune", "--input", absent, "--frame", "0"],
+                          [*mapping, "--config", absent], [*mapping, "--detections", absent],
+                          [*mapping, "--model", absent], [*mapping, "--dataset", absent], ["info", absent],
+                          ["query", absent, "--layer", "objects"], ["check", absent],
+                          ["eval", "--map", absent, "--truth", self.archive]):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 3, result.stderr)
+                self.assertIn(str(absent), result.stdout + result.stderr)
+
     def test_a_name_may_be_no_utf8(self):
         name = os.fsdecode(b"x\xffy")
         dataset = self.folder / name

@@ -268,7 +268,10 @@ TEST(DatasetReader, LabelPicturesOfScanNetBecomeDetections) {
 TEST(DatasetReader, AFolderOfNoLayoutSaysWhatWasLookedFor) {
   const TempDir dir;
   EXPECT_THAT(refusal(dir.path()), HasSubstr("expected dataset.yaml"));
-  EXPECT_THAT(refusal(dir / "absent"), HasSubstr("is no folder"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("--dataset"));
+  EXPECT_THAT(refusal(dir / "absent"), HasSubstr("does not exist"));
+  write_text(dir / "file", "");
+  EXPECT_THAT(refusal(dir / "file"), HasSubstr("is no folder"));
 }
 
 TEST(DatasetReader, IntrinsicsOfAnotherSizeThanThePicturesAreRefused) {
