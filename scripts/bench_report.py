@@ -103,11 +103,9 @@ def targets(figures):
     rows.append(Target("whole frame, laboratory, 10 detections, 5 cm, one thread",
                        of(frame, "frame/laboratory/5cm/threads:1", "frame_ms"), 15, 10, " ms", larger=False))
     for size in ("100k", "1M"):
-        rows.append(Target(f"lines of sight, {size} voxels, scene for queries",
+        rows.append(Target(f"lines of sight, {size} voxels",
                            of(sight, f"sight_lines/{size}", "million_per_s"), 9, 12, " M/s"))
-    rows.append(Target("scene of 1M voxels built, for updates",
-                       of(sight, "sight_lines_for_updates/1M", "build_ms"), 10, 10, " ms", larger=False))
-    rows.append(Target("the same, for queries",
+    rows.append(Target("scene of 1M voxels built",
                        of(sight, "sight_lines/1M", "build_ms"), 10, 10, " ms", larger=False))
     rows.append(Target("archive over `.ot`, laboratory 5 cm",
                        of(archive, "archive/laboratory/5cm", "archive_over_ot"), 1, 1, larger=False))

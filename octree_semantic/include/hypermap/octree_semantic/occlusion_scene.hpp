@@ -52,8 +52,8 @@ class OcclusionScene {
   ///
   /// Boundary: on a face the voxel is hit by one of its neighbours; within a thousandth of a voxel
   /// and a millionth of the coordinates from an edge, either answer. A start inside an occupied
-  /// voxel is occluded. Not longer than the margin, not finite, or starting beyond 10^9 voxels from
-  /// the origin: not occluded.
+  /// voxel is occluded. Not longer than the margin, longer than 10^19 m, not finite, or starting
+  /// beyond 10^9 voxels from the origin: not occluded.
   [[nodiscard]] bool occluded(const SightLine& line) const;
   /// One answer per line: 1 when occluded; the same as for the line alone. Fast for lines whose
   /// neighbours come from the same place and go the same way, a camera's to one object. The result
