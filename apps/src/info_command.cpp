@@ -31,8 +31,8 @@ std::string size_text(const LayerSummary& layer) {
   }
   if (layer.num_objects) {
     const std::string objects = std::to_string(*layer.num_objects) + " objects";
-    if (layer.num_tentative == 0) return objects;
-    return objects + " (and " + std::to_string(layer.num_tentative) + " not sure enough)";
+    if (layer.num_tentative.value_or(0) == 0) return objects;
+    return objects + " (and " + std::to_string(*layer.num_tentative) + " not sure enough)";
   }
   if (layer.leaves) {
     return std::to_string(layer.leaves->occupied) + " occupied, " +

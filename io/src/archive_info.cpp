@@ -4,6 +4,7 @@
 #include "hypermap/io/map_layers.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -54,11 +55,12 @@ void describe_leaves(LayerSummary& summary, const LeafSource& source) {
 LayerSummary describe_objects(const MapArchive& archive) {
   LayerSummary summary = named(archive, kObjectsFormat, "objects");
   summary.flat = false;
-  summary.num_objects = shown_objects(archive).size();
-  summary.num_tentative = archive.objects.size() - *summary.num_objects;
+  const std::vector<const Object*> shown = shown_objects(archive);
+  summary.num_objects = shown.size();
+  summary.num_tentative = archive.objects.size() - shown.size();
   Eigen::AlignedBox3d box;
-  for (const Object& object : archive.objects.objects())
-    box.extend(Eigen::AlignedBox3d(object.box.min_in_map, object.box.max_in_map));
+  for (const Object* object : shown)
+    box.extend(Eigen::AlignedBox3d(object->box.min_in_map, object->box.max_in_map));
   if (!box.isEmpty()) summary.bounds = box;
   return summary;
 }

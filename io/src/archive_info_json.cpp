@@ -26,7 +26,7 @@ std::string json_of(const LayerSummary& layer) {
                                          {"unknown", std::to_string(layer.cells->unknown)},
                                          {"between", std::to_string(layer.cells->between)}});
   if (layer.num_objects) text += ",\"objects\":" + std::to_string(*layer.num_objects);
-  if (layer.num_tentative > 0) text += ",\"tentative\":" + std::to_string(layer.num_tentative);
+  if (layer.num_tentative) text += ",\"tentative\":" + std::to_string(*layer.num_tentative);
   if (layer.leaves)
     text += ",\"leaves\":" + json_object({{"occupied", std::to_string(layer.leaves->occupied)},
                                           {"free", std::to_string(layer.leaves->free)}});

@@ -190,8 +190,8 @@ Unexpected no_layout(const fs::path& folder) {
 Result<Loaded<DatasetDescription>> look_for_layout(const std::filesystem::path& folder) {
   std::error_code ec;
   if (!fs::exists(folder, ec)) {
-    return Unexpected(
-        Error{.code = ErrorCode::kIo, .what = "does not exist", .file = folder.string()});
+    const std::string why = ec ? "cannot be looked at: " + ec.message() : "does not exist";
+    return Unexpected(Error{.code = ErrorCode::kIo, .what = why, .file = folder.string()});
   }
   if (!fs::is_directory(folder, ec)) {
     return Unexpected(

@@ -139,9 +139,8 @@ Result<void> expect_configuration(const std::filesystem::path& path) {
   const auto kind = find_file_kind(path);
   const auto others = {FileKind::kOctree, FileKind::kImage, FileKind::kDepth};
   if (!kind || std::find(others.begin(), others.end(), *kind) == others.end()) return {};
-  const std::string_view name = file_kind_names()[static_cast<std::size_t>(*kind)];
   return Unexpected(Error{.code = ErrorCode::kUnsupported,
-                          .what = "is of kind '" + std::string(name) +
+                          .what = "is of kind '" + std::string(name_of(*kind)) +
                                   "', must be an archive (.hmap) or its configuration",
                           .file = path.string()});
 }

@@ -77,20 +77,15 @@ Result<void> validate(const LayerOptions& options) {
 }
 
 std::vector<const Object*> shown_objects(const MapArchive& archive) {
-  std::vector<const SemanticLayer*> layers;
-  for (const Layer& layer : archive.hypermap.layers()) {
-    if (const auto* semantic = std::get_if<SemanticLayer>(&layer.content)) {
-      layers.push_back(semantic);
+  const Layer* layer = archive.hypermap.find(kSemanticName);
+  const auto* semantic = layer != nullptr ? std::get_if<SemanticLayer>(&layer->content) : nullptr;
+  std::vector<const Object*> shown;
+  for (const Object& object : archive.objects.objects()) {
+    if (semantic == nullptr || semantic->find(object.id.value) != nullptr) {
+      shown.push_back(&object);
     }
   }
-  std::vector<const Object*> objects;
-  for (const Object& object : archive.objects.objects()) {
-    bool shown = layers.empty();
-    for (const SemanticLayer* layer : layers)
-      shown = shown || layer->find(object.id.value) != nullptr;
-    if (shown) objects.push_back(&object);
-  }
-  return objects;
+  return shown;
 }
 
 LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId> shown) {

@@ -24,8 +24,10 @@ struct ScoredClass {
 /// A frame's evidence for the classes that its vector names.
 struct VoxelEvidence {
   std::span<const ScoredClass> by_id;  ///< Ascending ids; at least those that the voxel keeps.
-  std::span<const ScoredClass> best;   ///< The seven strongest at most, strongest first.
-  ObjectId object;                     ///< Of most measurements; the lower id of equals.
+  /// The seven strongest at most, strongest first. Which of equals at the end of the seven are
+  /// taken may depend on differences smaller than a step.
+  std::span<const ScoredClass> best;
+  ObjectId object;  ///< Of most measurements; the lower id of equals.
 };
 
 /// Turns votes into evidence: the class vectors are averaged over the measurements first, so that a

@@ -29,7 +29,7 @@ using OccupiedBricks = std::vector<OccupiedBrick>;
 void test_occlusion(const RTCOccludedFunctionNArguments* arguments);
 
 /// The most lines that Embree follows together on this processor, 4, 8 or 16, not more than
-/// `max_lanes`; 0 when it can follow no four.
+/// `max_lanes`; 0 when it can follow no four. Requires: max_lanes >= 4.
 [[nodiscard]] std::size_t widest_packet(RTCDevice device, std::size_t max_lanes);
 
 /// Follows lines, some at a time. Those that start in one place it puts in an order in which

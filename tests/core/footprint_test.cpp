@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
+#include <set>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -21,6 +25,28 @@ TEST(PointEvidence, PointsFallIntoCellsByTheFloor) {
   points.observe(std::vector<Eigen::Vector3f>{{-0.001F, 0.001F, 0.0199F}});
   ASSERT_EQ(points.state().votes.size(), 1U);
   EXPECT_EQ(points.state().votes[0].cell, (PointCell{-1, 0, 1}));
+}
+
+TEST(PointEvidence, CellsAreSortedAndUniqueHoweverFarApartTheyLie) {
+  std::mt19937 random(67);
+  std::uniform_real_distribution<float> within(-0.4F, 0.4F);
+  for (const float far_m : {0.0F, 30'000.0F}) {  // the second lies 3 million cells away
+    std::vector<Eigen::Vector3f> points{{far_m, -far_m, 0.0F}};
+    for (int i = 0; i < 900; ++i) points.emplace_back(within(random), within(random), 0.05F);
+    std::set<PointCell> expected;
+    const double edge_m = PointEvidenceOptions{}.edge_m;
+    for (const Eigen::Vector3f& p : points) {
+      const auto cell = [&](int axis) {
+        return static_cast<std::int32_t>(std::floor(static_cast<double>(p[axis]) / edge_m));
+      };
+      expected.insert({cell(0), cell(1), cell(2)});
+    }
+    PointEvidence evidence;
+    evidence.observe(points);
+    std::vector<PointCell> cells;
+    for (const PointVote& vote : evidence.state().votes) cells.push_back(vote.cell);
+    EXPECT_EQ(cells, std::vector<PointCell>(expected.begin(), expected.end())) << far_m;
+  }
 }
 
 TEST(PointEvidence, AnObservationVotesOncePerCell) {

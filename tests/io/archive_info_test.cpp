@@ -41,7 +41,7 @@ TEST(ArchiveInfo, ObjectsThatNoLayerShowsAreNotSureEnough) {
   (void)archive.objects.add(Object{});
   const auto counts = [&] {
     const LayerSummary objects = describe(archive).layers.back();
-    return std::pair(*objects.num_objects, objects.num_tentative);
+    return std::pair(*objects.num_objects, *objects.num_tentative);
   };
   EXPECT_EQ(counts(), std::pair(std::size_t{2}, std::size_t{0})) << "no layer says otherwise";
   SemanticLayer layer;

@@ -151,9 +151,14 @@ TEST_P(EverySet, FindsTheCellsOfTheDefinitionOnFacesAndFarFromTheOriginToo) {
     }
     constexpr std::size_t kSize = 6400;
     std::array<std::vector<float>, 3> points;
+    std::uniform_real_distribution<float> in_voxels(0.0F, 130.0F);
     for (std::vector<float>& along : points) {
       for (std::size_t i = 0; i < kSize; ++i) {
-        // On a face, or one of the floats beside it, or anywhere.
+        if (i / 16 % 2 == 0) {  // whole vectors of points that lie anywhere
+          along.push_back(0.03F * (static_cast<float>(corner) + in_voxels(random_)));
+          continue;
+        }
+        // On a face, or one of the floats beside it, or within a voxel.
         const auto face = static_cast<float>(0.03 * (corner + static_cast<int>(random_() % 130)));
         const std::array choices{
             face, std::nextafter(face, 1e9F), std::nextafter(face, -1e9F), face + 0.017F};

@@ -176,6 +176,8 @@ TEST(OcclusionScene, TheMarginSparesTheThingItself) {
   const OcclusionScene scene = scene_of(tree);
   const PointInMap from{{0.05, 0.05, 0.05}};
   const PointInMap within{{1.05, 0.05, 0.05}};
+  const PointInMap inside{{1.02, 0.05, 0.05}};
+  EXPECT_FALSE(scene.occluded({inside, {{1.12, 0.05, 0.05}}, 1.12 - 1.02})) << "just as long";
   EXPECT_TRUE(scene.occluded({from, within, 0.0}));
   EXPECT_TRUE(scene.occluded({from, within, 0.04}));
   EXPECT_FALSE(scene.occluded({from, within, 0.06}));
@@ -192,6 +194,25 @@ TEST(OcclusionScene, AStartInsideAVoxelIsOccludedAndNonsenseIsNot) {
   EXPECT_FALSE(
       scene.occluded({{{std::numeric_limits<double>::infinity(), 0, 0}}, {{0, 0, 0}}, 0.0}));
   EXPECT_FALSE(scene.occluded({{{-1e200, 0.05, 0.05}}, {{2.0, 0.05, 0.05}}, 0.0}));
+}
+
+TEST(OcclusionScene, LinesFromOneCameraFindTheirOwnAnswersInAnyOrder) {
+  std::mt19937 random(59);
+  std::uniform_real_distribution<double> within(-3.0, 3.0);
+  const SemanticOctree tree = tree_of(random_voxels(random));
+  const PointInMap camera{{0.03, -3.4, 0.02}};
+  for (const std::size_t num_lines : {1U, 3U, 15U, 17U, 63U, 64U, 65U, 1000U}) {
+    std::vector<SightLine> lines(num_lines);
+    for (SightLine& line : lines) {
+      line = {camera, {{within(random), within(random), within(random)}}, 0.1};
+    }
+    for (const std::size_t max_lanes : {4U, 8U, 16U}) {
+      const OcclusionScene scene = scene_of(tree, max_lanes);
+      std::vector<std::uint8_t> expected;
+      for (const SightLine& line : lines) expected.push_back(scene.occluded(line) ? 1 : 0);
+      EXPECT_EQ(scene.occluded(lines), expected) << num_lines << " lines, " << max_lanes;
+    }
+  }
 }
 
 TEST(OcclusionScene, ALineThatCannotBeHiddenDoesNotDisturbItsNeighbours) {
@@ -249,10 +270,12 @@ TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
   const OcclusionScene scene = scene_of(tree);
   std::vector<SightLine> lines;
   std::vector<std::uint8_t> expected;
-  for (int thing = 0; thing < 200; ++thing) {
+  // More than are followed together, and no multiple of it.
+  constexpr int kLinesPerThing = 200;
+  for (int thing = 0; thing < 50; ++thing) {
     const Eigen::Vector3d camera(within(random), within(random), within(random));
     const Eigen::Vector3d centre(within(random), within(random), within(random));
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < kLinesPerThing; ++i) {
       const Eigen::Vector3d offset(beside(random), beside(random), beside(random));
       lines.push_back({{camera}, {centre + offset}, 0.1});
       expected.push_back(scene.occluded(lines.back()) ? 1 : 0);
@@ -262,7 +285,7 @@ TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
   EXPECT_EQ(scene.occluded(lines, 3), expected);
   EXPECT_EQ(scene_of(tree, 8).occluded(lines), expected) << "eight at a time";
   EXPECT_EQ(scene_of(tree, 4).occluded(lines), expected) << "four at a time";
-  EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 500);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 200);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 500);
 }
 

@@ -42,6 +42,39 @@ double logit(double p) {
   return std::log(p / (1.0 - p));
 }
 
+/// The full vector that the cut to three classes stands for.
+class FullBelief {
+ public:
+  void observe(const std::vector<ClassEvidence>& scores) {
+    const double prior = logit(1.0 / static_cast<double>(scores.size()));
+    for (const ClassEvidence& score : scores) {
+      double& l = log_odds_[score.id.value];
+      l = std::clamp(l + logit(score.probability.value()) - prior, -10.0, 10.0);
+    }
+  }
+  [[nodiscard]] double at(std::size_t id) const { return log_odds_[id]; }
+
+ private:
+  std::array<double, 20> log_odds_{};
+};
+
+/// A detector that confuses: mostly the truth, else another class, with noise everywhere.
+std::vector<ClassEvidence> confused_vector(std::uint32_t truth, std::mt19937& random) {
+  const auto uniform = [&random] { return static_cast<double>(random()) / 4294967296.0; };
+  const auto said = uniform() < 0.7 ? truth : static_cast<std::uint32_t>(random() % 20);
+  std::vector<double> weights(20);
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    weights[i] = uniform() + (i == said ? 8.0 : 0.01);
+    sum += weights[i];
+  }
+  std::vector<ClassEvidence> scores;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    scores.push_back({ClassId{i}, Probability(weights[i] / sum)});
+  }
+  return scores;
+}
+
 TEST(VoxelBelief, OneFrameAddsTheLogitOverThatOfTheUniformVector) {
   // [smap] Eq. (3.18): logit(0.7) - logit(1/4) = 0.8473 + 1.0986 = 1.9459;
   // logit(0.1) - logit(1/4) = -2.1972 + 1.0986 = -1.0986.
@@ -75,6 +108,39 @@ TEST(VoxelBelief, LabelsOfOneFrameAreAveragedByTheirMeasurements) {
   EXPECT_EQ(label.classes[0], (ClassWeight{0, 847}));
   EXPECT_EQ(label.classes[1], (ClassWeight{1, -847}));
   EXPECT_EQ(label.object, ObjectId{3}) << "of most measurements";
+}
+
+TEST(VoxelBelief, WhereLabelsMeetTheClassesAlreadyKeptAreObservedToo) {
+  // Class 17 is kept from the first frame and is among the weakest of the next ones, which two
+  // detections share.
+  std::mt19937 random(31);
+  SemanticOctree tree = tree_without_voxels();
+  const std::vector<ClassEvidence> first = class_vector(ClassId{17}, 0.9, 20);
+  observe(tree, {{kNoObject, first, {0}}});
+  FullBelief full;
+  full.observe(first);
+  for (int frame = 0; frame < 4; ++frame) {
+    const auto a = confused_vector(3, random);
+    const auto b = confused_vector(5, random);
+    observe(tree, {{kNoObject, a, {0, 1, 2}}, {kNoObject, b, {3}}});
+    std::vector<ClassEvidence> mean;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double p = 0.75 * a[i].probability.value() + 0.25 * b[i].probability.value();
+      mean.push_back({a[i].id, Probability(p)});
+    }
+    full.observe(mean);
+    const VoxelLabel label = label_of(tree);
+    for (const ClassWeight& kept : label.classes) {
+      if (kept.class_id != 17) continue;
+      EXPECT_NEAR(0.001 * kept.log_odds, full.at(17), 0.001 * (frame + 2)) << frame;
+    }
+    EXPECT_LE(full.at(17), 0.001 * std::max(label.classes[0].log_odds, label.rest) + 0.01);
+    if (frame == 0) {
+      EXPECT_TRUE(std::any_of(label.classes.begin(), label.classes.end(), [](const ClassWeight& w) {
+        return w.class_id == 17;
+      })) << "one frame does not drive it out";
+    }
+  }
 }
 
 TEST(VoxelBelief, ThreeThingsMayMeetInAVoxel) {
@@ -121,39 +187,6 @@ TEST(VoxelBelief, ASingleKnownClassIsEvidenceAgainstAPriorOfOneHalf) {
   SemanticOctree tree = tree_without_voxels();
   observe(tree, {{kNoObject, {{ClassId{7}, Probability(0.8)}}, {0}}});
   EXPECT_EQ(label_of(tree).classes[0], (ClassWeight{7, 1386}));
-}
-
-/// The full vector that the cut to three classes stands for.
-class FullBelief {
- public:
-  void observe(const std::vector<ClassEvidence>& scores) {
-    const double prior = logit(1.0 / static_cast<double>(scores.size()));
-    for (const ClassEvidence& score : scores) {
-      double& l = log_odds_[score.id.value];
-      l = std::clamp(l + logit(score.probability.value()) - prior, -10.0, 10.0);
-    }
-  }
-  [[nodiscard]] double at(std::size_t id) const { return log_odds_[id]; }
-
- private:
-  std::array<double, 20> log_odds_{};
-};
-
-/// A detector that confuses: mostly the truth, else another class, with noise everywhere.
-std::vector<ClassEvidence> confused_vector(std::uint32_t truth, std::mt19937& random) {
-  const auto uniform = [&random] { return static_cast<double>(random()) / 4294967296.0; };
-  const auto said = uniform() < 0.7 ? truth : static_cast<std::uint32_t>(random() % 20);
-  std::vector<double> weights(20);
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < 20; ++i) {
-    weights[i] = uniform() + (i == said ? 8.0 : 0.01);
-    sum += weights[i];
-  }
-  std::vector<ClassEvidence> scores;
-  for (std::uint32_t i = 0; i < 20; ++i) {
-    scores.push_back({ClassId{i}, Probability(weights[i] / sum)});
-  }
-  return scores;
 }
 
 TEST(VoxelBelief, TheCutToThreeClassesOverratesByNoMoreThanTheRestSays) {

@@ -50,7 +50,7 @@ class CleanRows {
   }
 
   /// Row `v` of the picture with nothing before and behind it; nothing outside the cut-out. Valid
-  /// until a row that is not a neighbour of `v` is asked for.
+  /// until a row three or more away is asked for.
   [[nodiscard]] const std::vector<float>& row(int v) {
     if (v < rect_.v_begin || v >= rect_.v_end) return nothing_;
     const auto slot = static_cast<std::size_t>(v) % rows_.size();
@@ -109,8 +109,8 @@ struct SurfaceSum {
     sum += weight * depth_m;
     count += weight;
   }
-  /// 0 where the cell is no measurement. It counts itself.
-  [[nodiscard]] float mean() const { return (centre > 0.0F ? sum : 0.0F) / count; }
+  /// 0 where the cell is no measurement. One that is counts itself.
+  [[nodiscard]] float mean() const { return centre > 0.0F ? sum / count : 0.0F; }
 };
 
 void find_means(const Neighbours& neighbours, std::span<const float> steps, std::span<float> into) {

@@ -23,8 +23,8 @@ struct LayerSummary {
   std::string class_name;  ///< Of a layer; the format of an extension.
   std::string frame_id;
   std::optional<OccupancyCounts> cells = {};
-  std::optional<std::size_t> num_objects = {};  ///< That the map shows.
-  std::size_t num_tentative = 0;                ///< Not sure enough to be shown.
+  std::optional<std::size_t> num_objects = {};    ///< That the map shows.
+  std::optional<std::size_t> num_tentative = {};  ///< Of tracked objects: not sure enough yet.
   std::optional<LeafCount> leaves = {};
   /// In the layer's frame; z is 0 where the layer is flat. None when it is empty.
   std::optional<Eigen::AlignedBox3d> bounds = {};
@@ -43,8 +43,9 @@ struct ArchiveInfo {
 [[nodiscard]] ArchiveInfo describe(const MapArchive& archive);
 
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
-/// {`occupied`, `free`, `unknown`, `between`} or `objects` or `leaves` {`occupied`, `free`},
-/// `bounds` {`min`, `max`}}], `classes` [{`id`, `name`}], `transforms`, `provenance`.
+/// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
+/// `leaves` {`occupied`, `free`}, `bounds` {`min`, `max`}}], `classes` [{`id`, `name`}],
+/// `transforms`, `provenance`.
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

@@ -77,7 +77,8 @@ struct DatasetDescription {
 /// What layout the folder has: a `dataset.yaml` in it comes first, then TUM RGB-D, 7-Scenes,
 /// ScanNet export, Open3D.
 ///
-/// Errors: kNotFound when it is none, with what was looked for; those of a `dataset.yaml`.
+/// Errors: kIo when the folder is not there; kNotFound when it has none, with what was looked for;
+/// those of a `dataset.yaml`.
 /// Findings: intrinsics that the folder lacks and that were taken from the dataset's publication.
 [[nodiscard]] Result<Loaded<DatasetDescription>> look_for_layout(
     const std::filesystem::path& folder);

@@ -85,8 +85,8 @@ struct ArchiveLimits {
 /// Findings: whatever was repaired, is unknown and kept, or is used by nothing.
 /// Errors: those of ZipReader and of the readers of the parts; kMalformedFile for a missing
 /// configuration or member, a file that leads out of the archive, a file that two layers share, a
-/// label without a class; kUnsupported for a newer version; kIo; kOutOfMemory. Each names archive
-/// and member.
+/// label without a class; kUnsupported for a newer version and for a file of another kind; kIo;
+/// kOutOfMemory. Each names archive and member.
 [[nodiscard]] Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                                       const ArchiveLimits& limits = {});
 /// The same from an archive's bytes, which errors call `source.file`.

@@ -25,15 +25,15 @@ struct LayerOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const LayerOptions& options);
 
-/// The objects that the semantic layers stand for, in the order of their ids; all when there is no
-/// such layer. The others are not sure enough yet. Valid as long as the archive is not changed.
+/// The objects that the layer `semantic` stands for, in the order of their ids; all when there is
+/// no such layer. The others are not sure enough yet. Valid as long as the archive is not changed.
 [[nodiscard]] std::vector<const Object*> shown_objects(const MapArchive& archive);
 
 /// The voxels with the classes that the map stands for: a voxel of one of the objects `shown` bears
-/// that object's class, any other none; a voxel beyond the object's box (and the 5 cm that a
-/// surface is measured off) is of none. So neither a false alarm nor a single segment that took the
-/// floor in, which label voxels too, reach a grid or a picture; what each voxel itself was told
-/// stays in the octree.
+/// that object's class, any other none; a voxel that does not reach the object's box
+/// grown by 5 cm, which a surface may be measured off, is of none. So neither a false alarm nor a
+/// single segment that took the floor in, which label voxels too, reach a grid or a picture; what
+/// each voxel itself was told stays in the octree.
 ///
 /// Requires: archive.octree, which outlives the result. Ids that are no objects are left out.
 [[nodiscard]] LeafSource published_leaves(const MapArchive& archive,

@@ -33,8 +33,9 @@ struct SightLine {
 class OcclusionScene {
  public:
   /// An empty scene: nothing occludes. Lines are followed together, 4, 8 or 16 at a time: as many
-  /// as the processor's vectors hold, not more than `max_lanes` (at least 4).
-  /// Errors: kUnavailable when Embree cannot start.
+  /// as the processor's vectors hold, not more than `max_lanes`.
+  /// Requires: max_lanes >= 4.
+  /// Errors: kUnavailable when Embree cannot start or can follow no lines together.
   [[nodiscard]] static Result<OcclusionScene> create(std::size_t max_lanes = 16);
   OcclusionScene(OcclusionScene&&) noexcept;
   OcclusionScene& operator=(OcclusionScene&&) noexcept;
@@ -52,8 +53,8 @@ class OcclusionScene {
   ///
   /// Boundary: on a face the voxel is hit by one of its neighbours; within a thousandth of a voxel
   /// and a millionth of the coordinates from an edge, either answer. A start inside an occupied
-  /// voxel is occluded. Not longer than the margin, longer than 10^19 m, not finite, or starting
-  /// beyond 10^9 voxels from the origin: not occluded.
+  /// voxel is occluded. Not longer than the margin, not finite, or starting beyond 10^9 voxels from
+  /// the origin: not occluded.
   [[nodiscard]] bool occluded(const SightLine& line) const;
   /// One answer per line: 1 when occluded; the same as for the line alone. Fast for lines whose
   /// neighbours come from the same place and go the same way, a camera's to one object. The result
