@@ -12,7 +12,6 @@
 #include <new>
 #include <string>
 #include <system_error>
-#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -22,6 +21,15 @@ ExitCode flushed(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   std::fprintf(stderr, "hypermap: standard output: could not be written\n");
   return ExitCode::kSystem;
+}
+
+constexpr int kUsageStatus = static_cast<int>(ExitCode::kUsage);
+
+/// The words of the command line that nobody knows, as they were written.
+std::string unknown_words(const CLI::App& program) {
+  std::string text;
+  for (const std::string& word : program.remaining(true)) text += (text.empty() ? "" : " ") + printable(word);
+  return text;
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
@@ -49,14 +57,15 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   add_check_command(program, action);
   try {
     program.parse(argc, argv);
-  } catch (const CLI::RequiredError& error) {
-    // What is missing may only be misspelt.
-    const std::vector<std::string> unknown = program.remaining(true);
-    program.exit(unknown.empty() ? CLI::ParseError(error) : CLI::ExtrasError(unknown));
-    return ExitCode::kUsage;
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
-    program.exit(error);
+    // What is missing may only be misspelt.
+    const std::string unknown = asked_for_help ? "" : unknown_words(program);
+    if (unknown.empty()) {
+      program.exit(error);
+    } else {
+      program.exit(CLI::ParseError("unknown: " + unknown, kUsageStatus));
+    }
     return asked_for_help ? flushed(ExitCode::kDone) : ExitCode::kUsage;
   }
   return flushed(action());

@@ -84,6 +84,9 @@ void print(const MappingReport& report, const MapArguments& arguments) {
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
+  if (arguments.stats) {
+    if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
+  }
   Result<MappingReport> mapped;
   {
     Progress progress("mapping", progress_when);

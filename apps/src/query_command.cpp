@@ -161,6 +161,9 @@ void print_table(const Answers& answers) {
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
+    if (arguments.layer.value_or("objects") != "objects") {
+      return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
+    }
     return std::nullopt;
   }
   if (!arguments.layer) return "one of --layer and --nearest is needed";
@@ -168,6 +171,11 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (!asked && *arguments.layer != "objects") {
     return "--layer needs one of --at, --area, --string and --int";
   }
+  if (*arguments.layer == "objects") return std::nullopt;
+  if (arguments.at && (arguments.area || arguments.text || arguments.value)) {
+    return "--at goes alone on a 2D layer; --area may go with --string or --int";
+  }
+  if (arguments.text && arguments.value) return "--string and --int exclude each other";
   return std::nullopt;
 }
 

@@ -61,6 +61,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   command.add_option("--seed", arguments->simulation.seed, "of arrangement, noise and detector")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--detector", arguments->detector, "how well it sees")
       ->check(CLI::IsMember({"perfect", "noisy"}))

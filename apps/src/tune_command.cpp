@@ -160,9 +160,12 @@ void add_tune_command(CLI::App& program, Action& action) {
       *program.add_subcommand("tune", "The segmentation of one frame's detections, step by step");
   arguments->dataset.add_to(command);
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
-  command.add_option("--frame", arguments->frame, "which frame, counted from 0")->required();
-  command.add_option(
-      "--detection", arguments->detection, "only this one of the frame, counted from 0");
+  command.add_option("--frame", arguments->frame, "which frame, counted from 0")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--output", arguments->output, "folder for a picture of each step");
   std::vector<std::string> names;
   for (const auto& [name, policy] : policies()) names.push_back(name);

@@ -252,7 +252,12 @@ class Words(Case):
         for arguments, told in (([*layer, "--at", "1,b"], "'b'"), ([*layer, "--at", "1"], "2 numbers"),
                                 ([*layer, "--at", "1,2,3"], "2 numbers"),
                                 ([*layer, "--area", "0 0,1 1"], "--area"),
-                                (["query", self.archive, "--nearest", "chair", "--at", "1"], "2 or 3 numbers")):
+                                (["query", self.archive, "--nearest", "chair", "--at", "1"], "2 or 3 numbers"),
+                                ([*layer, "--at", "1,1", "--string", "Free"], "--at goes alone"),
+                                ([*layer, "--int", "0", "--string", "Free"], "exclude each other"),
+                                ([*layer, "--at", "1,1", "--nearest", "chair"], "--nearest asks the objects"),
+                                (["tune", "--input", self.dataset, "--frame", "-1"], "-1"),
+                                (["simulate", "--output", self.folder / "x", "--seed", "-1"], "-1")):
             with self.subTest(arguments[3:]):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)
@@ -261,7 +266,8 @@ class Words(Case):
     def test_a_misspelt_option_is_named_though_another_is_missing(self):
         result = run("map", "--input", self.dataset, "--outptu", self.folder / "x")
         self.assertEqual(result.returncode, 4)
-        self.assertIn("--outptu", result.stderr)
+        self.assertIn(f"unknown: --outptu {self.folder / 'x'}", result.stderr)
+        self.assertIn("unknown: mpa --input lab", run("mpa", "--input", "lab").stderr)
         self.assertIn("--output is required", run("map", "--input", self.dataset).stderr)
 
     def test_a_file_of_another_kind_is_named_as_what_it_is(self):
@@ -272,6 +278,12 @@ class Words(Case):
             result = run(*arguments)
             self.assertEqual(result.returncode, 2)
             self.assertIn("kind 'octree'", result.stderr)
+
+    def test_a_place_for_counts_is_judged_before_the_work(self):
+        result = run("map", "--input", self.dataset, "--output", self.folder / "a.hmap", "--stats",
+                     self.folder / "absent" / "stats.json")
+        self.assertEqual(result.returncode, 3)
+        self.assert_names()
 
     def test_whatever_is_not_there_is_an_error_of_the_system(self):
         absent = self.folder / "absent"
