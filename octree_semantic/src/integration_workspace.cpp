@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <new>
+#include <optional>
 
 namespace hypermap {
 namespace {
@@ -277,14 +278,38 @@ bool IntegrationWorkspace::commit_labels(Brick& brick,
     if (brick.log_odds[cell] == model.clamp_min) brick.labels->erase(cell);
   });
   bool changed = brick.labels->labelled() != before;
-  if (const BrickBits* labelled = votes_.labelled(window_brick)) {
-    labelled->for_each([&](std::size_t cell) {
-      VoxelLabel& label = brick.labels->at(cell);
-      observe(label, evidence_.of(votes_.votes(window_brick, cell), label), limit);
-    });
+  if (votes_.labelled(window_brick) != nullptr) {
+    observe_labels(*brick.labels, window_brick, limit);
     changed = true;
   }
   return changed;
+}
+
+void IntegrationWorkspace::observe_labels(LabelTable& labels,
+                                          std::size_t window_brick,
+                                          MilliLogOdds limit) noexcept {
+  const BrickBits& labelled = *votes_.labelled(window_brick);
+  labelled.for_each([&](std::size_t cell) { static_cast<void>(labels.at(cell)); });
+  // From here on no label moves. Voxels of one label are merged together.
+  std::uint32_t of_batch = 0;
+  std::optional<kernels::LabelScores> scores;
+  labelled.for_each([&](std::size_t cell) {
+    VoxelLabel& label = *labels.find(cell);
+    const std::span<const LabelVote> votes = votes_.votes(window_brick, cell);
+    const std::uint32_t named = votes.front().label;
+    if (votes.size() == 1 && (!scores || named != of_batch)) {
+      if (!batch_.empty()) batch_.merge(*scores);
+      of_batch = named;
+      scores = evidence_.scores_of(named, limit);
+    }
+    if (votes.size() == 1 && scores) {
+      label.vote(evidence_.object_of(named));
+      batch_.add(label);
+    } else {
+      observe(label, evidence_.of(votes, label), limit);
+    }
+  });
+  if (!batch_.empty()) batch_.merge(*scores);
 }
 
 void IntegrationWorkspace::clear() noexcept {

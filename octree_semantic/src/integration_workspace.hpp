@@ -3,6 +3,7 @@
 /// Working memory of an integrator and the steps of one integration.
 #pragma once
 
+#include "belief_batch.hpp"
 #include "bit_window.hpp"
 #include "depth_pyramid.hpp"
 #include "end_points.hpp"
@@ -65,6 +66,8 @@ class IntegrationWorkspace {
   void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
   void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;
   bool commit_labels(Brick& brick, std::size_t window_brick, const SemanticOctree& tree) noexcept;
+  /// Adds what the frame says to the labels of a brick that has votes.
+  void observe_labels(LabelTable& labels, std::size_t window_brick, MilliLogOdds limit) noexcept;
   void clear() noexcept;
 
   [[nodiscard]] BitLayer& hit() noexcept { return slots_.front().ends.hit; }
@@ -80,6 +83,7 @@ class IntegrationWorkspace {
   FreeProjection projection_;
   LabelVotes votes_;
   LabelEvidence evidence_;
+  BeliefBatch batch_;
   std::vector<Staged> staged_;
 };
 

@@ -11,6 +11,8 @@ namespace {
 
 /// Three kept classes may hide the three strongest; one more bounds all others.
 constexpr std::size_t kNumBest = 2 * VoxelLabel::kNumClasses + 1;
+/// Class ids up to here have a table; a detector with larger ones is asked voxel by voxel.
+constexpr std::size_t kMaxTable = 4096;
 /// Beyond every clamp: stands for certainty.
 constexpr double kCertain = 60'000.0;
 
@@ -64,17 +66,47 @@ void LabelEvidence::start(std::span<const PixelLabels> labels) {
   scored_.by_id.clear();
   scored_.best.clear();
   prepared_.clear();
+  tables_.clear();
   for (const PixelLabels& label : labels) {
-    Prepared prepared{{scored_.by_id.size(), 0}, {scored_.best.size(), 0}};
+    Prepared prepared{{scored_.by_id.size(), 0}, {scored_.best.size(), 0}, {}};
     append_scored(label.class_scores, scored_.by_id, scored_.best);
     prepared.by_id.count = scored_.by_id.size() - prepared.by_id.first;
     prepared.best.count = scored_.best.size() - prepared.best.first;
+    prepared.table = append_table(prepared.by_id);
     prepared_.push_back(prepared);
+  }
+  best_ids_.clear();
+  best_evidence_.clear();
+  for (const ScoredClass& best : scored_.best) {
+    best_ids_.push_back(best.class_id);
+    best_evidence_.push_back(best.evidence);
   }
   sum_.reserve(scored_.by_id.size());
   merged_.reserve(scored_.by_id.size());
   mixed_.by_id.reserve(scored_.by_id.size());
   mixed_.best.reserve(kNumBest);
+}
+
+LabelEvidence::Range LabelEvidence::append_table(const Range& by_id) {
+  const auto scored = std::span(scored_.by_id).subspan(by_id.first, by_id.count);
+  const std::size_t size = scored.empty() ? 0 : std::size_t{scored.back().class_id} + 1;
+  const Range table{tables_.size(), size > kMaxTable ? 0 : size};
+  tables_.resize(tables_.size() + table.count, kernels::kNotNamed);
+  if (table.count == 0) return table;
+  for (const ScoredClass& one : scored) tables_[table.first + one.class_id] = one.evidence;
+  return table;
+}
+
+std::optional<kernels::LabelScores> LabelEvidence::scores_of(std::uint32_t label,
+                                                             MilliLogOdds limit) const noexcept {
+  const Prepared& prepared = prepared_[label];
+  if (prepared.table.count == 0) return std::nullopt;
+  return kernels::LabelScores{.by_class = &tables_[prepared.table.first],
+                              .num_classes = static_cast<std::int32_t>(prepared.table.count),
+                              .best_ids = &best_ids_[prepared.best.first],
+                              .best = &best_evidence_[prepared.best.first],
+                              .num_best = prepared.best.count,
+                              .limit = limit};
 }
 
 VoxelEvidence LabelEvidence::of(std::span<const LabelVote> votes,

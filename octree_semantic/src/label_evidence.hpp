@@ -6,10 +6,12 @@
 #include "hypermap/core/ids.hpp"
 #include "hypermap/octree_semantic/frame_integrator.hpp"
 #include "hypermap/octree_semantic/voxel_label.hpp"
+#include "kernels/kernels.hpp"
 #include "label_votes.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,13 @@ class LabelEvidence {
  public:
   /// Throws std::bad_alloc. Requires: `labels` outlives the use.
   void start(std::span<const PixelLabels> labels);
+  /// Where all measurements of voxels have one label: what it says of them, for the kernel, and of
+  /// which object. No scores when it names no class, or ids too large for a table.
+  [[nodiscard]] std::optional<kernels::LabelScores> scores_of(std::uint32_t label,
+                                                              MilliLogOdds limit) const noexcept;
+  [[nodiscard]] ObjectId object_of(std::uint32_t label) const noexcept {
+    return labels_[label].object;
+  }
   /// For a voxel with that label. Valid until the next call.
   [[nodiscard]] VoxelEvidence of(std::span<const LabelVote> votes,
                                  const VoxelLabel& label) noexcept;
@@ -54,7 +63,10 @@ class LabelEvidence {
   struct Prepared {
     Range by_id;
     Range best;
+    Range table;  ///< Of evidence per class id.
   };
+  /// Appends the table of a label whose evidence is prepared.
+  [[nodiscard]] Range append_table(const Range& by_id);
   /// The votes' class vectors, weighted by their counts; stays in `sum_`.
   void average(std::span<const LabelVote> votes) noexcept;
   [[nodiscard]] VoxelEvidence mixed(std::span<const LabelVote> votes,
@@ -64,6 +76,9 @@ class LabelEvidence {
   std::span<const PixelLabels> labels_;
   Scored scored_;  // of all labels, one after the other
   std::vector<Prepared> prepared_;
+  std::vector<std::int32_t> tables_;
+  std::vector<std::int32_t> best_ids_;  // beside those of scored_.best
+  std::vector<std::int32_t> best_evidence_;
   std::vector<ClassEvidence> sum_;  // of the voxel at hand
   std::vector<ClassEvidence> merged_;
   Scored mixed_;

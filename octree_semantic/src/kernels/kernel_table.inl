@@ -13,6 +13,7 @@
 #include "kernels/march_rays.inl"
 #include "kernels/meet_box.inl"
 #include "kernels/merge_brick.inl"
+#include "kernels/merge_labels.inl"
 #include "kernels/see_corners.inl"
 
 #include <hwy/highway.h>
@@ -30,7 +31,8 @@ inline const Kernels& kernel_table() {
                                   .see_corners = see_corners,
                                   .march_rays = march_rays,
                                   .meet_box = meet_box,
-                                  .merge_brick = merge_brick};
+                                  .merge_brick = merge_brick,
+                                  .merge_labels = merge_labels};
   return kTable;
 }
 

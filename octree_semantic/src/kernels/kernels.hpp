@@ -147,6 +147,24 @@ struct MergeCounts {
   bool changed = false;        ///< A voxel became occupied or ceased to be.
 };
 
+/// Beliefs of voxels side by side. A class and its log-odds are one number, ordered as classes are
+/// kept, by log-odds and of equals the lower id first: log-odds * 65536 + 65535 - id.
+struct BeliefLanes {
+  alignas(64) std::int32_t classes[3][512] = {};  ///< Best first; kNoClass where one is unused.
+  alignas(64) std::int32_t rest[512] = {};        ///< Bound of all others' log-odds.
+};
+inline constexpr std::int32_t kNoClass = -2'147'483'647 - 1;
+/// What one frame says of the classes of some voxels.
+struct LabelScores {
+  const std::int32_t* by_class = nullptr;  ///< Evidence per class id; kNotNamed for those left out.
+  std::int32_t num_classes = 0;            ///< Ids of `by_class`.
+  const std::int32_t* best_ids = nullptr;  ///< The strongest, strongest first,
+  const std::int32_t* best = nullptr;      ///< and their evidence.
+  std::size_t num_best = 0;
+  std::int32_t limit = 0;  ///< Log-odds are clamped to +-limit.
+};
+inline constexpr std::int32_t kNotNamed = kNoClass;
+
 /// One instruction set's functions.
 struct Kernels {
   const char* name;
@@ -188,6 +206,9 @@ struct Kernels {
                              const std::uint64_t* hit,
                              const std::uint64_t* passed,
                              const EvidenceSteps& steps);
+  /// Adds evidence to the first `size` beliefs: to the classes kept, then the four strongest others
+  /// at most compete with them for their places; the best that has none is the rest's bound.
+  void (*merge_labels)(const LabelScores& scores, std::size_t size, BeliefLanes& beliefs);
 };
 
 /// The best of those that this processor has.
