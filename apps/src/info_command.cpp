@@ -30,9 +30,11 @@ std::string size_text(const LayerSummary& layer) {
            " unknown cells";
   }
   if (layer.num_objects) {
-    const std::string objects = std::to_string(*layer.num_objects) + " objects";
-    if (layer.num_tentative.value_or(0) == 0) return objects;
-    return objects + " (and " + std::to_string(*layer.num_tentative) + " not sure enough)";
+    std::string objects = std::to_string(*layer.num_objects) + " objects";
+    if (layer.num_tentative.value_or(0) > 0) {
+      objects += " (and " + std::to_string(*layer.num_tentative) + " not sure enough)";
+    }
+    return objects;
   }
   if (layer.leaves) {
     return std::to_string(layer.leaves->occupied) + " occupied, " +

@@ -74,16 +74,16 @@ class IntegrationWorkspace {
   [[nodiscard]] BitLayer& passed() noexcept { return slots_.front().passed; }
   [[nodiscard]] std::vector<PointF>& ray_ends() noexcept { return slots_.front().ends.ray_ends; }
 
+  FreeProjection projection_;
+  BeliefBatch batch_;
   Workers workers_;
   WindowGeometry window_;      // around the sensor
   WindowGeometry far_window_;  // over all measurements
   std::vector<Slot> slots_;    // one per worker; united in the first
   std::vector<std::uint32_t> cell_of_measurement_;
   DepthPyramid pyramid_;
-  FreeProjection projection_;
   LabelVotes votes_;
   LabelEvidence evidence_;
-  BeliefBatch batch_;
   std::vector<Staged> staged_;
 };
 

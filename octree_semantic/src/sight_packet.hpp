@@ -69,12 +69,12 @@ class LineFollower {
   template <class Rays, class Occluded>
   [[nodiscard]] std::uint32_t send_as(std::size_t size, const Occluded& occluded);
 
+  Context context_;
   RTCScene scene_;
   double voxels_per_m_;
   std::size_t num_lanes_;
-  Context context_;
-  std::array<Line, kMaxLines> lines_;
   std::size_t num_lines_ = 0;
+  std::array<Line, kMaxLines> lines_;
   std::array<std::uint8_t, kMaxLines> order_{};
 };
 

@@ -208,8 +208,8 @@ TEST(OcclusionScene, LinesFromOneCameraFindTheirOwnAnswersInAnyOrder) {
     }
     for (const std::size_t max_lanes : {4U, 8U, 16U}) {
       const OcclusionScene scene = scene_of(tree, max_lanes);
-      std::vector<std::uint8_t> expected;
-      for (const SightLine& line : lines) expected.push_back(scene.occluded(line) ? 1 : 0);
+      std::vector<std::uint8_t> expected(lines.size());
+      for (std::size_t i = 0; i < lines.size(); ++i) expected[i] = scene.occluded(lines[i]) ? 1 : 0;
       EXPECT_EQ(scene.occluded(lines), expected) << num_lines << " lines, " << max_lanes;
     }
   }
