@@ -28,7 +28,8 @@ constexpr int kUsageStatus = static_cast<int>(ExitCode::kUsage);
 /// The words of the command line that nobody knows, as they were written.
 std::string unknown_words(const CLI::App& program) {
   std::string text;
-  for (const std::string& word : program.remaining(true)) text += (text.empty() ? "" : " ") + printable(word);
+  for (const std::string& word : program.remaining(true))
+    text += (text.empty() ? "" : " ") + printable(word);
   return text;
 }
 
