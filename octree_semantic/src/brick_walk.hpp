@@ -73,7 +73,6 @@ struct RayPart {
                                          const WalkedRay& ray) noexcept {
   constexpr std::array<unsigned, kBrickEdge> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
   constexpr unsigned kAxisBits = 0b001'001'001;
-  __builtin_prefetch(&brick.occupied);
   const RayPart part = part_in(brick.box, ray);
   if (part.first > part.last) return false;
   std::array<unsigned, 3> voxel{};
