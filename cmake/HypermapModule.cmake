@@ -1,39 +1,53 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# Our own code is compiled with strict warnings; the target is never exported to users.
-# GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635), and in unity
-# builds takes sources, which may have types of their own, for headers.
+# What every number of ours is computed with; the target is never exported to users.
 # -ffp-contract=off: no fused operations, so that the same input gives the same bytes everywhere.
 # -fno-trapping-math: nobody asks for floating-point exceptions; without it GCC does no loop with a comparison in
 # vectors. The values are the same.
+add_library(hypermap_determinism INTERFACE)
+target_compile_options(hypermap_determinism INTERFACE -ffp-contract=off -fno-trapping-math)
+
+# Our own code is compiled with strict warnings; the target is never exported to users.
+# GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635), and in unity
+# builds takes sources, which may have types of their own, for headers.
 add_library(hypermap_warnings INTERFACE)
 target_compile_options(hypermap_warnings INTERFACE
-  -ffp-contract=off -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
   -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   $<$<BOOL:${HYPERMAP_WERROR}>:-Werror>)
 
-# hypermap_add_module(<name> SOURCES ... [PUBLIC_LINK ...] [PRIVATE_LINK ...])
+# In unity builds the sources of one folder are one unit: names of anonymous namespaces are unique in a folder only.
+function(hypermap_unite_by_folder target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "${target}_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# hypermap_add_module(<name> SOURCES ... [ROOMS ...] PUBLIC_LINK ... [PRIVATE_LINK ...])
 #
-# One call per top-level folder. Makes the library hypermap_<name>, its alias hypermap::<name>, its header
-# set (everything under include/) and its install rules. PUBLIC_LINK is the only place where the
-# dependency direction between folders is written.
+# One call a library: a top-level folder, or a room of io. Makes the library hypermap_<name>, its alias
+# hypermap::<name>, its header set (everything under include/) and its install rules.
+# The arrows of ARCHITECTURE.md are written here and nowhere else, and tests/tools/check_layers.py holds every #include
+# against them. PUBLIC_LINK: what its headers may include of ours; PRIVATE_LINK: what only its sources may.
+# ROOMS: the sub-folders of a library, each "room" or "room -> rooms that it may include".
 function(hypermap_add_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   set(target hypermap_${name})
-  if(NOT ARG_SOURCES)
-    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/none.cpp "")
-    set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/none.cpp)
-  endif()
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(hypermap::${name} ALIAS ${target})
+  hypermap_unite_by_folder(${target})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.hpp)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC_LINK}
-                                  PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:hypermap_warnings>)
+                                  PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:hypermap_warnings>
+                                          $<BUILD_INTERFACE:hypermap_determinism>)
   target_include_directories(${target} PRIVATE src)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF LINKER_LANGUAGE CXX
@@ -45,19 +59,18 @@ endfunction()
 # hypermap_add_tests(<name> [COMPUTES] SOURCES ... LINK ...)
 #
 # COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising in every build.
-# One GoogleTest program. It knows where the project's data lie (HYPERMAP_SOURCE_DIR) and where data by
+# One GoogleTest program. It knows where the project's data lie (support/test_data.hpp) and where data by
 # others may lie (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the
 # latter skip with a message when it is absent.
 function(hypermap_add_tests name)
   cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_warnings GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_test_data hypermap_warnings hypermap_determinism GTest::gmock GTest::gtest_main)
   # In sanitizer builds the libraries are optimised; most tests need to compile fast, not to run fast.
   if(NOT ARG_COMPUTES)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0>)
   endif()
-  target_compile_definitions(${name} PRIVATE HYPERMAP_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(HYPERMAP_WHOLE_TEST_PROGRAMS)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES TIMEOUT 1800)

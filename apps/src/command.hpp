@@ -4,7 +4,7 @@
 /// declared.
 #pragma once
 
-#include "hypermap/core/result.hpp"
+#include "hypermap/core/base/result.hpp"
 
 #include <CLI/App.hpp>
 

@@ -3,9 +3,10 @@
 /// The options by which several commands say which frames of which dataset they mean.
 #pragma once
 
-#include "hypermap/core/result.hpp"
-#include "hypermap/io/dataset_reader.hpp"
-#include "hypermap/io/onnx_detector.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/dataset/class_names.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/detector/onnx_detector.hpp"
 
 #include <CLI/App.hpp>
 

@@ -3,8 +3,8 @@
 /// Numbers as they stand on command lines.
 #pragma once
 
-#include "hypermap/core/polygon.hpp"
-#include "hypermap/core/result.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
 
 #include <CLI/App.hpp>
 

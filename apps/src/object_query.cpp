@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_query.hpp"
 
-#include "hypermap/core/object.hpp"
-#include "hypermap/io/map_layers.hpp"
+#include "hypermap/core/objects/object.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 
 #include <limits>
 

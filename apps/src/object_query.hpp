@@ -3,9 +3,9 @@
 /// Questions about the objects of the 3D map.
 #pragma once
 
-#include "hypermap/core/polygon.hpp"
-#include "hypermap/core/result.hpp"
-#include "hypermap/io/map_archive.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 
 #include <cstdint>
 #include <optional>

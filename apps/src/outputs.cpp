@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.hpp"
 
-#include "hypermap/core/result.hpp"
+#include "hypermap/core/base/result.hpp"
 
 #include <CLI/App.hpp>
 

@@ -5,11 +5,11 @@
 // work.
 #include "bench/cpu_time.hpp"
 #include "bench/run_benchmarks.hpp"
-#include "hypermap/io/map_archive.hpp"
-#include "hypermap/io/mapping_job.hpp"
-#include "hypermap/io/scene_file.hpp"
-#include "hypermap/io/simulator.hpp"
-#include "hypermap/octree_semantic/octomap_interchange.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/jobs/mapping_job.hpp"
+#include "hypermap/io/simulator/scene_file.hpp"
+#include "hypermap/io/simulator/simulator.hpp"
+#include "hypermap/octree_semantic/octree/octomap_interchange.hpp"
 #include "support/temp_dir.hpp"
 #include "support/test_data.hpp"
 

@@ -5,7 +5,7 @@
 // camera to places within 0.25 m of each other; `scattered`: each from anywhere to anywhere.
 #include "bench/cpu_time.hpp"
 #include "bench/run_benchmarks.hpp"
-#include "hypermap/octree_semantic/occlusion_scene.hpp"
+#include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
 
 #include <benchmark/benchmark.h>
 #include <octomap/octomap.h>

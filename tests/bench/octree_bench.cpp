@@ -5,7 +5,7 @@
 // with OctoMap's.
 #include "bench/cpu_time.hpp"
 #include "bench/run_benchmarks.hpp"
-#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "octree_semantic/support/octomap_oracle.hpp"
 

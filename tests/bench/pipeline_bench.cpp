@@ -7,10 +7,10 @@
 // that another program on the machine hardly shows.
 #include "bench/cpu_time.hpp"
 #include "bench/run_benchmarks.hpp"
-#include "hypermap/io/dataset_reader.hpp"
-#include "hypermap/io/scene_file.hpp"
-#include "hypermap/io/simulator.hpp"
-#include "hypermap/octree_semantic/semantic_mapper.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/simulator/scene_file.hpp"
+#include "hypermap/io/simulator/simulator.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "support/test_data.hpp"
 
 #include <benchmark/benchmark.h>

@@ -6,8 +6,8 @@
 // HYPERMAP_SCALE_FRAMES: how many frames (1,000); 10,000 go the whole way.
 #include "bench/cpu_time.hpp"
 #include "bench/run_benchmarks.hpp"
-#include "hypermap/core/box.hpp"
-#include "hypermap/octree_semantic/semantic_mapper.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "support/camera_pose.hpp"
 
 #include <benchmark/benchmark.h>

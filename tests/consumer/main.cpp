@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program of somebody else's that uses the installed package, each of its libraries.
-#include <hypermap/io/map_archive.hpp>
-#include <hypermap/octree_semantic/semantic_mapper.hpp>
-#include <hypermap/viewer_offscreen/snapshot.hpp>
+#include <hypermap/io/archive/map_archive.hpp>
+#include <hypermap/octree_semantic/mapper/semantic_mapper.hpp>
+#include <hypermap/viewer_offscreen/snapshot/snapshot.hpp>
 
 int main() {
   const auto mapper = hypermap::SemanticMapper::create({});

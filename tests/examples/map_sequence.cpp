@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The README's example: maps a dataset and saves the archive. Usage: map_sequence DATASET
 // OUTPUT.hmap
-#include <hypermap/io/mapping_job.hpp>
+#include <hypermap/io/jobs/mapping_job.hpp>
 
 #include <cstdio>
 

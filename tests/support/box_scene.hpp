@@ -3,10 +3,10 @@
 /// Rooms made of upright boxes, and what a depth camera sees of them, pixel by pixel.
 #pragma once
 
-#include "hypermap/core/box.hpp"
-#include "hypermap/core/depth_cloud.hpp"
-#include "hypermap/core/rgbd_frame.hpp"
-#include "hypermap/core/segmentation_trace.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/core/segmentation/segmentation_trace.hpp"
 #include "support/camera_pose.hpp"
 
 #include <Eigen/Geometry>

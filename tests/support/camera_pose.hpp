@@ -3,7 +3,7 @@
 /// Where a camera of a test stands and looks: x to the right, y down, z forward.
 #pragma once
 
-#include "hypermap/core/frames.hpp"
+#include "hypermap/core/geometry/frames.hpp"
 
 #include <Eigen/Geometry>
 

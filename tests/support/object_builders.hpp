@@ -3,7 +3,7 @@
 /// Things in words: boxes of points, observations of them, class vectors.
 #pragma once
 
-#include "hypermap/core/association.hpp"
+#include "hypermap/core/objects/association.hpp"
 
 #include <algorithm>
 #include <cmath>

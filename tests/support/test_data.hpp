@@ -10,9 +10,7 @@
 namespace hypermap::test {
 
 /// A file of the project's own tree.
-inline std::filesystem::path source_path(const std::string& relative) {
-  return std::filesystem::path(HYPERMAP_SOURCE_DIR) / relative;
-}
+[[nodiscard]] std::filesystem::path source_path(const std::string& relative);
 
 /// Data by others: $HYPERMAP_DATA, else ../shared/data beside the project. May not exist.
 inline std::filesystem::path shared_data(const std::string& relative) {

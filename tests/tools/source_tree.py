@@ -9,6 +9,7 @@ import tempfile
 
 FOLDERS = ("core", "octree_semantic", "projection", "io", "viewer_offscreen", "apps")
 LIBRARIES = FOLDERS[:-1]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 COMMENT_OR_STRING = re.compile(
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
@@ -74,7 +75,7 @@ def main(description, check, good, bad, after=None):
     """The command line of a check: `--root DIR` or `--self-test`; exit code 1 on problems."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--root", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parents[2])
+                        default=ROOT)
     parser.add_argument("--self-test", action="store_true",
                         help="show that the check can fail, on made trees")
     arguments = parser.parse_args()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segmentation/background_planes.hpp"
+#include "background_planes.hpp"
 
 #include <Eigen/Eigenvalues>
 

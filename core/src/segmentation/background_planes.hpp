@@ -3,7 +3,7 @@
 /// The planes that surround a detection: floor, table top, wall.
 #pragma once
 
-#include "segmentation/depth_window.hpp"
+#include "depth_window.hpp"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segmentation/depth_components.hpp"
+#include "depth_components.hpp"
 
 #include <algorithm>
 #include <cmath>

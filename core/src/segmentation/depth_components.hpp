@@ -3,7 +3,7 @@
 /// Connected surfaces of a depth window.
 #pragma once
 
-#include "segmentation/depth_window.hpp"
+#include "depth_window.hpp"
 
 #include <cstdint>
 #include <vector>

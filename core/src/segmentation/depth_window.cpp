@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segmentation/depth_window.hpp"
+#include "depth_window.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 /// The depth in and around a detection's box, in the picture's order.
 #pragma once
 
-#include "hypermap/core/depth_cloud.hpp"
-#include "hypermap/core/geometric_segmentation.hpp"
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "hypermap/core/segmentation/geometric_segmentation.hpp"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 /// The steps that PCL does, behind an interface without PCL's types.
 #pragma once
 
-#include "hypermap/core/geometric_segmentation.hpp"
+#include "hypermap/core/segmentation/geometric_segmentation.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segmentation/voxel_grid.hpp"
+#include "voxel_grid.hpp"
 
-#include "floor_of.hpp"
+#include "geometry/floor_of.hpp"
 
 #include <numeric>
 #include <utility>

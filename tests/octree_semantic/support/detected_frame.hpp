@@ -3,7 +3,7 @@
 /// Frames with detections for tests of the whole mapper.
 #pragma once
 
-#include "hypermap/core/rgbd_frame.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 /// Short ways to put frames into trees; a refusal fails the test.
 #pragma once
 
-#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 
 #include <gtest/gtest.h>
 

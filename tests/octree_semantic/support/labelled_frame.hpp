@@ -3,8 +3,8 @@
 /// Frames with labelled pixels for tests and benchmarks of the octree.
 #pragma once
 
-#include "hypermap/core/rgbd_frame.hpp"
-#include "hypermap/octree_semantic/frame_integrator.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 /// OctoMap itself as the reference for occupancy.
 #pragma once
 
-#include "hypermap/octree_semantic/semantic_octree.hpp"
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 
 #include <octomap/octomap.h>

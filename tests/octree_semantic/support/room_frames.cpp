@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/box.hpp"
+#include "hypermap/core/geometry/box.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "support/camera_pose.hpp"
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "hypermap/io/check/file_check.hpp"
+#include "interruption.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace hypermap::app {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::optional<std::string> kind;
+  std::optional<std::string> size;
+  bool strict = false;
+};
+
+/// "32x24". Errors: kInvalidArgument.
+Result<PictureSize> parse_size(const std::string& text) {
+  PictureSize size;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width_px, &size.height_px, &rest) == 2 &&
+      size.width_px > 0 && size.height_px > 0) {
+    return size;
+  }
+  return fail(ErrorCode::kInvalidArgument, "must be WIDTHxHEIGHT, is '" + text + "'", "--size");
+}
+
+/// One line for each finding and a verdict, on stdout: they are the result.
+ExitCode judge(const std::string& file, const FileCheckOptions& options) {
+  const FileJudgement judgement = check_file(file, options);
+  for (const Finding& finding : judgement.findings) {
+    const bool is_error = finding.severity == Severity::kError;
+    std::printf("%s: %s\n", is_error ? "error" : "warning", to_string(finding.error).c_str());
+  }
+  if (!judgement.is_refused()) {
+    std::printf("%s: %s, %s\n",
+                printable(file, 4096).c_str(),
+                std::string(name_of(*judgement.kind)).c_str(),
+                judgement.summary.c_str());
+  }
+  return static_cast<ExitCode>(judgement.exit_code());
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<CheckArguments>();
+  const std::vector<std::string> kinds(file_kind_names().begin(), file_kind_names().end());
+  CLI::App& command =
+      *program.add_subcommand("check", "Judge any file of a kind that is read here");
+  command.add_option("files", arguments->files, "files, or folders of datasets")->required();
+  command
+      .add_option("--as",
+                  arguments->kind,
+                  "archive octree map image depth semantic trajectory intrinsics detections config "
+                  "dataset (default: found by content)")
+      ->check(CLI::IsMember(kinds));
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT that pictures must have");
+  command.add_flag("--strict", arguments->strict, "findings are errors");
+  command.callback([arguments, &action] {
+    FileCheckOptions options;
+    options.strict = arguments->strict;
+    if (arguments->kind) options.as = file_kind(*arguments->kind).value();
+    if (arguments->size) {
+      const auto size = parse_size(*arguments->size);
+      if (!size) throw CLI::ValidationError("check", to_string(size.error()));
+      options.size = *size;
+    }
+    action = [arguments, options] {
+      ExitCode worst = ExitCode::kDone;
+      for (const std::string& file : arguments->files) {
+        if (interrupting_signal() != 0) break;
+        worst = std::max(worst, judge(file, options));
+      }
+      return worst;
+    };
+  });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "dataset_arguments.hpp"
+#include "hypermap/io/jobs/detection_job.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+
+#include <cstdio>
+#include <memory>
+
+namespace hypermap::app {
+namespace {
+
+struct DetectArguments {
+  DatasetArguments dataset;
+  std::string model;
+  std::string output;
+};
+
+Result<DetectionJobReport> run(const DetectArguments& arguments, const std::string& progress_when) {
+  DetectionJob job;
+  job.input = arguments.dataset.input;
+  job.model = arguments.model;
+  job.output = arguments.output;
+  HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
+  HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  Progress progress("detecting", progress_when);
+  return run_detection(
+      job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
+}
+
+}  // namespace
+
+void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action) {
+  auto arguments = std::make_shared<DetectArguments>();
+  CLI::App& command =
+      *program.add_subcommand("detect", "Run a detector (ONNX, YOLOX) over a dataset's pictures");
+  arguments->dataset.add_to(command);
+  command.add_option("--model", arguments->model, "network in ONNX form")->required();
+  command.add_option("--output", arguments->output, "COCO results; a line a picture when .jsonl")
+      ->required();
+  command.callback([arguments, &common, &action] {
+    keep_apart("--output",
+               arguments->output,
+               {arguments->model,
+                arguments->dataset.description.value_or(""),
+                arguments->dataset.classes.value_or("")});
+    action = [arguments, &common] {
+      const auto done = run(*arguments, common.progress);
+      if (!done) return report(done.error());
+      std::printf("%zu detections in %zu frames, written to %s\n",
+                  done->num_detections,
+                  done->num_frames,
+                  arguments->output.c_str());
+      for (const Error& skipped : done->skipped) report(Finding{Severity::kWarning, skipped});
+      return done->skipped.empty() ? ExitCode::kDone : ExitCode::kFindings;
+    };
+  });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "hypermap/io/exports/map_export.hpp"
+#include "outputs.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace hypermap::app {
+namespace {
+
+struct ExportArguments {
+  std::string file;
+  std::string format;
+  ExportRequest request;
+};
+
+Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
+  auto written = export_map(loaded.value, arguments.request);
+  if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
+  return written;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App& command =
+      *program.add_subcommand("export", "A map in the forms that other programs read");
+  command.add_option("file", arguments->file, "archive or configuration")->required();
+  command
+      .add_option("--format",
+                  arguments->format,
+                  "ros-map, class-grids, octomap, color-octomap, ply or geojson")
+      ->required();
+  command
+      .add_option("--output",
+                  arguments->request.output,
+                  "file; for ros-map the stem or .yaml, for class-grids a folder, for geojson "
+                  "a name in .local.geojson")
+      ->required();
+  command.add_option(
+      "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
+  command.add_option("--class", arguments->request.classes, "only this class; may be repeated");
+  command.add_flag(
+      "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
+  command.callback([arguments, &action] {
+    keep_apart("--output", arguments->request.output, {arguments->file});
+    for (const char* ending : {".yaml", ".pgm"}) {  // of a ros-map, whose stem is given
+      keep_apart("--output", arguments->request.output.string() + ending, {arguments->file});
+    }
+    const auto format = parse_export_format(arguments->format);
+    if (!format) throw CLI::ValidationError("export", to_string(format.error()));
+    if (*format == ExportFormat::kGeojson &&
+        !arguments->request.output.string().ends_with(".local.geojson")) {
+      throw CLI::ValidationError("--output",
+                                 "must end in .local.geojson: it is in metres of the map");
+    }
+    arguments->request.format = *format;
+    action = [arguments] {
+      const auto written = run(*arguments);
+      if (!written) return report(written.error());
+      for (const auto& path : *written) std::printf("%s\n", path.c_str());
+      return ExitCode::kDone;
+    };
+  });
+}
+
+}  // namespace hypermap::app

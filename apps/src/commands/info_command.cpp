@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "hypermap/io/archive/archive_info.hpp"
+#include "hypermap/io/archive/map_server.hpp"
+#include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/check/file_check.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "tables.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <numbers>
+
+namespace hypermap::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::string file;
+  bool json = false;
+};
+
+std::string size_text(const LayerSummary& layer) {
+  if (layer.cells) {
+    return std::to_string(layer.cells->occupied) + " occupied, " +
+           std::to_string(layer.cells->free) + " free, " + std::to_string(layer.cells->unknown) +
+           " unknown cells";
+  }
+  if (layer.num_objects) {
+    std::string objects = std::to_string(*layer.num_objects) + " objects";
+    if (layer.num_tentative.value_or(0) > 0) {
+      objects += " (and " + std::to_string(*layer.num_tentative) + " not sure enough)";
+    }
+    return objects;
+  }
+  if (layer.leaves) {
+    return std::to_string(layer.leaves->occupied) + " occupied, " +
+           std::to_string(layer.leaves->free) + " free voxels";
+  }
+  return "kept as it is";
+}
+
+std::string bounds_text(const LayerSummary& layer) {
+  if (!layer.bounds) return "empty";
+  const Eigen::Vector3d extent = layer.bounds->sizes();
+  std::string text = fixed(extent.x(), 2) + " x " + fixed(extent.y(), 2);
+  if (!layer.flat) text += " x " + fixed(extent.z(), 2);
+  return text + " m";
+}
+
+void print(const ArchiveInfo& info) {
+  Table table({"layer", "class", "frame", "extent", "content"});
+  for (const LayerSummary& layer : info.layers) {
+    table.add({printable(layer.name),
+               printable(layer.class_name),
+               printable(layer.frame_id),
+               bounds_text(layer),
+               size_text(layer)});
+  }
+  std::printf("%s", table.text().c_str());
+  std::printf("%zu classes, %zu transforms, format version %lld\n",
+              info.classes.size(),
+              info.transforms.size(),
+              static_cast<long long>(info.format_version));
+  for (const FrameTransform& transform : info.transforms) {
+    std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
+                printable(transform.child_frame_id).c_str(),
+                printable(transform.frame_id).c_str(),
+                transform.x_m,
+                transform.y_m,
+                transform.yaw_rad * 180.0 / std::numbers::pi);
+  }
+  if (!info.provenance) return;
+  std::printf("made by %s from %s (%s)\n",
+              printable(info.provenance->tool).c_str(),
+              printable(info.provenance->input).c_str(),
+              printable(info.provenance->input_hash).c_str());
+}
+
+ExitCode report_all(const std::vector<Finding>& findings) {
+  ExitCode worst = ExitCode::kDone;
+  for (const Finding& finding : findings) worst = std::max(worst, report(finding));
+  return worst;
+}
+
+ExitCode show(const ArchiveInfo& info, bool json) {
+  if (json) {
+    std::printf("%s\n", to_json(info).c_str());
+  } else {
+    print(info);
+  }
+  return ExitCode::kDone;
+}
+
+ExitCode show_archive(const InfoArguments& arguments) {
+  const auto loaded = load_archive(arguments.file);
+  if (!loaded) return report(loaded.error());
+  show(describe(loaded->value), arguments.json);
+  return report_all(loaded->findings);
+}
+
+/// An archive with this one part says of it what there is to say.
+ExitCode show_octree(const InfoArguments& arguments) {
+  auto loaded = read_octomap(arguments.file);
+  if (!loaded) return report(loaded.error());
+  ExtensionEntry entry{.format = std::string(kOctomapFormat), .version = 1, .name = "octree"};
+  MapArchive archive;
+  archive.octomaps.push_back(
+      {.entry = std::move(entry), .bytes = {}, .tree = std::move(loaded->value)});
+  show(describe(archive), arguments.json);
+  return report_all(loaded->findings);
+}
+
+ExitCode show_map(const InfoArguments& arguments) {
+  auto loaded = read_map(arguments.file);
+  if (!loaded) return report(loaded.error());
+  MapArchive archive;
+  const auto added =
+      archive.hypermap.add_layer({LayerInfo{.name = "map"}, std::move(loaded->value)});
+  if (!added) return report(added.error());
+  show(describe(archive), arguments.json);
+  return report_all(loaded->findings);
+}
+
+Json dataset_json(const DatasetSummary& summary) {
+  const PinholeCamera& camera = summary.camera;
+  return {{"layout", summary.layout},
+          {"name", summary.name},
+          {"frames", summary.num_frames},
+          {"depth", summary.num_depth},
+          {"color", summary.num_color},
+          {"poses", summary.num_poses},
+          {"detection_frames", summary.num_detection_frames},
+          {"detections", summary.num_detections},
+          {"depth_units_per_m", summary.depth_units_per_m},
+          {"stamp_tolerance_s", summary.stamp_tolerance_s},
+          {"camera",
+           {{"width", camera.width_px},
+            {"height", camera.height_px},
+            {"fx", camera.fx_px},
+            {"fy", camera.fy_px},
+            {"cx", camera.cx_px},
+            {"cy", camera.cy_px}}},
+          {"unpaired", summary.unpaired}};
+}
+
+void print(const DatasetSummary& summary) {
+  std::printf("%s: %s, %zu frames (%zu depth, %zu colour, %zu poses)\n",
+              printable(summary.name).c_str(),
+              summary.layout.c_str(),
+              summary.num_frames,
+              summary.num_depth,
+              summary.num_color,
+              summary.num_poses);
+  std::printf("camera %d x %d, fx %.2f fy %.2f cx %.2f cy %.2f, %.0f depth units a metre\n",
+              summary.camera.width_px,
+              summary.camera.height_px,
+              summary.camera.fx_px,
+              summary.camera.fy_px,
+              summary.camera.cx_px,
+              summary.camera.cy_px,
+              summary.depth_units_per_m);
+  std::printf("%zu detections in %zu frames, %zu files without partner\n",
+              summary.num_detections,
+              summary.num_detection_frames,
+              summary.unpaired.size());
+}
+
+ExitCode show_dataset(const InfoArguments& arguments) {
+  ClassRegistry classes;
+  const auto dataset = open_dataset(arguments.file, {}, classes);
+  if (!dataset) return report(dataset.error());
+  const DatasetSummary& summary = (*dataset)->summary();
+  if (arguments.json) {
+    std::printf("%s\n",
+                dataset_json(summary).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  } else {
+    print(summary);
+  }
+  return report_all(summary.findings);
+}
+
+ExitCode run(const InfoArguments& arguments) {
+  const auto kind = find_file_kind(arguments.file);
+  if (!kind) return report(kind.error());
+  switch (*kind) {
+    case FileKind::kDataset:
+      return show_dataset(arguments);
+    case FileKind::kOctree:
+      return show_octree(arguments);
+    case FileKind::kMap:
+      return show_map(arguments);
+    default:
+      return show_archive(arguments);
+  }
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App& command =
+      *program.add_subcommand("info", "What is in an archive, octree, map_server YAML or dataset");
+  command.add_option("file", arguments->file, "file, or folder of a dataset")->required();
+  command.add_flag("--json", arguments->json, "one JSON document");
+  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "dataset_arguments.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/jobs/mapping_job.hpp"
+#include "hypermap/io/options/options_file.hpp"
+#include "number_lists.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace hypermap::app {
+namespace {
+
+struct MapArguments {
+  DatasetArguments dataset;
+  MappingJob job;
+  std::vector<std::string> detections;
+  std::vector<std::string> transient;
+  std::string preset = "default";
+  std::optional<std::string> config;
+  std::optional<std::string> mode;
+  std::optional<double> resolution_m;
+  std::optional<double> max_range_m;
+  std::optional<std::string> stats;
+  int num_threads = 0;
+};
+
+const std::map<std::string, IntegrationMode> kModes{{"exact", IntegrationMode::kExact},
+                                                    {"discretize", IntegrationMode::kDiscretize},
+                                                    {"projective", IntegrationMode::kProjective}};
+
+/// Preset, then the options file, then the command line.
+Result<MappingJob> job_of(const MapArguments& arguments) {
+  MappingJob job = arguments.job;
+  job.input = arguments.dataset.input;
+  HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
+  job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
+  HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  MapOptions options;
+  options.mapper.objects = preset(*preset_of(arguments.preset));
+  if (arguments.config) {
+    HYPERMAP_ASSIGN_OR_RETURN(options, read_options(*arguments.config, options));
+  }
+  job.mapper = std::move(options.mapper);
+  job.layers = options.layers;
+  auto& transient = job.mapper.objects.transient_class_names;
+  transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
+  if (arguments.mode) {
+    job.mapper.integration.mode = kModes.at(*arguments.mode);
+  }
+  if (arguments.resolution_m) job.mapper.octree.resolution_m = *arguments.resolution_m;
+  if (arguments.max_range_m) job.mapper.integration.max_range_m = *arguments.max_range_m;
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
+  HYPERMAP_TRY(validate(job.mapper));
+  return job;
+}
+
+void print(const MappingReport& report, const MapArguments& arguments) {
+  std::printf("%zu frames, %zu detections, %zu of them found in the depth\n",
+              report.num_frames,
+              report.num_detections,
+              report.num_segments);
+  if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
+  std::printf("%zu objects (and %zu not sure enough), %zu occupied and %zu free voxels\n",
+              report.num_objects,
+              report.num_tentative,
+              report.leaves.occupied,
+              report.leaves.free);
+  std::printf("%.1f s, %.1f frames a second; written to %s\n",
+              report.seconds.wall,
+              static_cast<double>(report.num_frames) / report.seconds.wall,
+              arguments.job.output.c_str());
+}
+
+ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
+  const auto job = job_of(arguments);
+  if (!job) return report(job.error());
+  if (arguments.stats) {
+    if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
+  }
+  Result<MappingReport> mapped;
+  {
+    Progress progress("mapping", progress_when);
+    mapped = run_mapping(
+        *job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
+  }
+  if (!mapped) return report(mapped.error());
+  ExitCode worst = ExitCode::kDone;
+  for (const Error& skipped : mapped->skipped) {
+    worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));
+  }
+  for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
+  print(*mapped, arguments);
+  if (!arguments.stats) return worst;
+  const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
+  return written ? worst : report(written.error());
+}
+
+void add_options(CLI::App& command, MapArguments& arguments) {
+  arguments.dataset.add_to(command);
+  command.add_option("--output", arguments.job.output, "archive to write")->required();
+  command.add_option(
+      "--detections", arguments.detections, "detections file, one a detector; may be repeated");
+  command.add_option(
+      "--model", arguments.job.model, "network (ONNX, YOLOX) to run on each picture");
+  command.add_option("--preset", arguments.preset, "where options start from")
+      ->check(CLI::IsMember({"default", "smap", "hypermap"}))
+      ->capture_default_str();
+  command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
+  command
+      .add_option("--mode",
+                  arguments.mode,
+                  "what frees space: every ray, one per voxel, or projection (default)")
+      ->check(CLI::IsMember({"exact", "discretize", "projective"}));
+  command.add_option("--resolution", arguments.resolution_m, "edge of a voxel (default 0.05)")
+      ->check(number_in(0.001, 10.0));
+  command.add_option("--max-range", arguments.max_range_m, "farther depth only frees (default 5)")
+      ->check(number_in(0.01, 1000.0));
+  command
+      .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
+      ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
+  command.add_option("--transient", arguments.transient, "class of things that do not stay");
+  command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
+  command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
+      ->check(number_in(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--threads", arguments.num_threads, "0: one for each core")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  command.add_option("--stats", arguments.stats, "JSON file for counts and times");
+}
+
+void keep_outputs_apart(const MapArguments& arguments) {
+  const DatasetArguments& dataset = arguments.dataset;
+  std::vector<std::filesystem::path> read{dataset.description.value_or(""),
+                                          dataset.classes.value_or(""),
+                                          arguments.config.value_or(""),
+                                          arguments.job.model.value_or("")};
+  read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
+  const std::filesystem::path stats = arguments.stats.value_or("");
+  keep_apart("--stats", stats, read);
+  keep_apart("--stats", stats, {arguments.job.output});
+  read.emplace_back(dataset.input);
+  keep_apart("--output", arguments.job.output, read);
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& program, const CommonOptions& common, Action& action) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App& command = *program.add_subcommand("map", "The main job: a dataset becomes an archive");
+  add_options(command, *arguments);
+  command.callback([arguments, &common, &action] {
+    keep_outputs_apart(*arguments);
+    action = [arguments, &common] { return run(*arguments, common.progress); };
+  });
+}
+
+}  // namespace hypermap::app

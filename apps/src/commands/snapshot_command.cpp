@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/codec/png_image.hpp"
+#include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
+#include "number_lists.hpp"
+#include "object_query.hpp"
+#include "outputs.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace hypermap::app {
+namespace {
+
+struct SnapshotArguments {
+  std::string file;
+  std::string output;
+  std::string view = "iso";
+  std::string size = "1280x720";
+  std::optional<std::string> layers;
+  std::optional<std::string> title;
+  std::optional<double> cut_above_m;
+};
+
+Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
+  SnapshotOptions options;
+  HYPERMAP_ASSIGN_OR_RETURN(options.view, parse_snapshot_view(arguments.view));
+  HYPERMAP_ASSIGN_OR_RETURN(const SnapshotSize size, parse_picture_size(arguments.size));
+  options.width_px = size.width_px;
+  options.height_px = size.height_px;
+  if (arguments.layers) {
+    HYPERMAP_ASSIGN_OR_RETURN(options.layers, parse_snapshot_layers(*arguments.layers));
+  }
+  options.cut_above_m = arguments.cut_above_m;
+  HYPERMAP_TRY(validate(options));
+  return options;
+}
+
+std::vector<ObjectId> ids_of(const std::vector<QueryAnswer>& answers) {
+  std::vector<ObjectId> ids;
+  ids.reserve(answers.size());
+  for (const QueryAnswer& one : answers) ids.push_back({static_cast<std::uint32_t>(one.id)});
+  return ids;
+}
+
+/// The first layer of each kind, and the objects that the archive stands for.
+SnapshotScene scene_of(const MapArchive& archive, const std::string& title) {
+  SnapshotScene scene;
+  scene.title = title;
+  scene.classes = archive.classes;
+  const auto shown = find_objects(archive, {.name = std::nullopt});
+  if (archive.octree) {
+    scene.leaves = published_leaves(archive, ids_of(shown));
+  } else if (!archive.octomaps.empty()) {
+    scene.leaves = leaf_source(archive.octomaps.front().tree);
+  }
+  for (const Layer& layer : archive.hypermap.layers()) {
+    scene.frame_id = layer.info.frame_id;
+    if (const auto* grid = std::get_if<OccupancyLayer>(&layer.content)) {
+      if (!scene.occupancy) scene.occupancy = grid->grid;
+    } else if (const auto* semantic = std::get_if<SemanticLayer>(&layer.content)) {
+      const auto objects = semantic->objects();
+      if (scene.semantic.empty()) scene.semantic.assign(objects.begin(), objects.end());
+    }
+  }
+  for (const QueryAnswer& one : shown) {
+    const Object& object = archive.objects.at(ObjectId{static_cast<std::uint32_t>(one.id)});
+    scene.objects.push_back(
+        {.box = object.box, .class_id = archive.classes.find(one.name), .label = one.name});
+  }
+  return scene;
+}
+
+Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
+  const std::string title =
+      arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
+  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage picture,
+                            render_snapshot(scene_of(loaded.value, title), options));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(picture));
+  return write_file_atomically(arguments.output, bytes);
+}
+
+}  // namespace
+
+void add_snapshot_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<SnapshotArguments>();
+  CLI::App& command = *program.add_subcommand("snapshot", "A picture of a map, without a screen");
+  command.add_option("file", arguments->file, "archive or configuration")->required();
+  command.add_option("--output", arguments->output, "PNG to write")->required();
+  command.add_option("--view", arguments->view, "iso, top, or a camera pose \"x y z qx qy qz qw\"")
+      ->capture_default_str();
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command.add_option(
+      "--layers", arguments->layers, "voxels,objects,occupancy,semantic or all (default: by view)");
+  command.add_option("--title", arguments->title, "text over the picture (default: file name)");
+  command
+      .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")
+      ->check(number_in(-10000.0, 10000.0));
+  command.callback([arguments, &action] {
+    keep_apart("--output", arguments->output, {arguments->file});
+    auto options = options_of(*arguments);
+    if (!options) throw CLI::ValidationError("snapshot", to_string(options.error()));
+    action = [arguments, options = *options] {
+      const auto done = run(*arguments, options);
+      if (!done) return report(done.error());
+      std::printf("%s\n", arguments->output.c_str());
+      return ExitCode::kDone;
+    };
+  });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "dataset_arguments.hpp"
+#include "hypermap/core/segmentation/segmentation_trace.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/codec/png_image.hpp"
+#include "number_lists.hpp"
+#include "tables.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace hypermap::app {
+namespace {
+
+struct TuneArguments {
+  DatasetArguments dataset;
+  std::vector<std::string> detections;
+  std::size_t frame = 0;
+  std::optional<std::size_t> detection;
+  std::optional<std::string> output;
+  std::string policy = "foreground";
+  std::optional<double> angle_deg;
+  std::optional<double> curvature;
+  std::optional<double> leaf_size_m;
+  bool no_outliers = false;
+  bool no_clusters = false;
+};
+
+const std::map<std::string, SegmentationPolicy>& policies() {
+  static const std::map<std::string, SegmentationPolicy> kPolicies{
+      {"foreground", SegmentationPolicy::kForeground},
+      {"cluster", SegmentationPolicy::kCluster},
+      {"region_growing", SegmentationPolicy::kRegionGrowing}};
+  return kPolicies;
+}
+
+/// The source's own values for a source's policy, then what was asked for.
+Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) {
+  GeometricSegmentationOptions options;
+  const SegmentationPolicy policy = policies().at(arguments.policy);
+  if (policy == SegmentationPolicy::kCluster) options = smap_segmentation();
+  if (policy == SegmentationPolicy::kRegionGrowing) options = hypermap_segmentation();
+  if (arguments.angle_deg) options.region_growing.angle_threshold_deg = *arguments.angle_deg;
+  if (arguments.curvature) options.region_growing.curvature_threshold = *arguments.curvature;
+  if (arguments.leaf_size_m) options.leaf_size_m = *arguments.leaf_size_m;
+  if (arguments.no_outliers) options.outlier_neighbours = 0;
+  if (arguments.no_clusters) options.cluster_gap_m = 0.0;
+  HYPERMAP_TRY(validate(options));
+  return options;
+}
+
+Result<void> write_picture(const std::filesystem::path& path, const ColorImage& picture) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(picture));
+  return write_file_atomically(path, bytes);
+}
+
+std::string file_safe(std::string text) {
+  for (char& c : text) {
+    if (c == ' ' || c == '/') c = '-';
+  }
+  return text;
+}
+
+Result<void> write_pictures(const SegmentationTrace& trace,
+                            const RgbdFrame& frame,
+                            const std::filesystem::path& folder,
+                            std::size_t detection) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Unexpected(Error{ErrorCode::kIo, failed.message(), folder.string()});
+  for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    const std::string name = "detection-" + std::to_string(detection) + "-step-" +
+                             std::to_string(i + 1) + "-" + file_safe(trace.steps[i].name) + ".png";
+    HYPERMAP_TRY(write_picture(folder / name, render_labels(trace.steps[i].labels, frame.color)));
+  }
+  return {};
+}
+
+void print(const SegmentationTrace& trace,
+           const Detection& detection,
+           const ClassRegistry& classes,
+           std::size_t index) {
+  const auto best = best_class(detection.class_scores);
+  std::printf("detection %zu: %s, score %.2f, box %.0f %.0f %.0f %.0f\n",
+              index,
+              best ? printable(classes.name(best->id)).c_str() : "unknown",
+              detection.score.value(),
+              detection.box_px.u_min_px,
+              detection.box_px.v_min_px,
+              detection.box_px.u_max_px,
+              detection.box_px.v_max_px);
+  Table table({"  step", "points", "segments", "ms"});
+  for (const SegmentationStep& step : trace.steps) {
+    table.add({"  " + step.name,
+               std::to_string(step.num_points),
+               std::to_string(step.num_segments),
+               fixed(1000.0 * step.seconds, 2)});
+  }
+  std::printf("%s", table.text().c_str());
+  if (!trace.segment) {
+    std::printf("  nothing left: %s\n", to_string(trace.segment.error()).c_str());
+    return;
+  }
+  const Segment& segment = *trace.segment;
+  const Eigen::Vector3d extent = segment.box.extent();
+  std::printf(
+      "  segment of %zu points, %zu pixels, %.3f x %.3f x %.3f m, %.2f m from the camera, box "
+      "confidence %.2f\n",
+      segment.points_in_map.size(),
+      segment.pixel_indices.size(),
+      extent.x(),
+      extent.y(),
+      extent.z(),
+      segment.distance_m,
+      segment.box_confidence.value());
+}
+
+Result<void> tune(const TuneArguments& arguments, const GeometricSegmentationOptions& options) {
+  ClassRegistry classes;
+  HYPERMAP_ASSIGN_OR_RETURN(DatasetOptions dataset_options, arguments.dataset.options());
+  dataset_options.detections.assign(arguments.detections.begin(), arguments.detections.end());
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
+                            open_dataset(arguments.dataset.input, dataset_options, classes));
+  if (arguments.frame >= dataset->size()) {
+    return fail(ErrorCode::kNotFound,
+                "the dataset has frames 0.." + std::to_string(dataset->size() - 1) +
+                    ", asked for " + std::to_string(arguments.frame),
+                "--frame");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const RgbdFrame frame, dataset->read(arguments.frame));
+  if (frame.detections.empty()) {
+    return fail(ErrorCode::kNotFound, "nothing was detected in it", frame.name);
+  }
+  if (arguments.detection && *arguments.detection >= frame.detections.size()) {
+    return fail(ErrorCode::kNotFound,
+                "the frame has detections 0.." + std::to_string(frame.detections.size() - 1) +
+                    ", asked for " + std::to_string(*arguments.detection),
+                "--detection");
+  }
+  for (std::size_t i = 0; i < frame.detections.size(); ++i) {
+    if (arguments.detection && *arguments.detection != i) continue;
+    const SegmentationTrace trace = trace_segmentation(frame, frame.detections[i], options);
+    print(trace, frame.detections[i], classes, i);
+    if (!arguments.output) continue;
+    HYPERMAP_TRY(write_pictures(trace, frame, *arguments.output, i));
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_tune_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<TuneArguments>();
+  CLI::App& command =
+      *program.add_subcommand("tune", "The segmentation of one frame's detections, step by step");
+  arguments->dataset.add_to(command);
+  command.add_option("--detections", arguments->detections, "detections file; may be repeated");
+  command.add_option("--frame", arguments->frame, "which frame, counted from 0")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--output", arguments->output, "folder for a picture of each step");
+  std::vector<std::string> names;
+  for (const auto& [name, policy] : policies()) names.push_back(name);
+  command.add_option("--policy", arguments->policy, "how things are told from what is around them")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")
+      ->check(number_in(0.0, 180.0));
+  command.add_option("--curvature", arguments->curvature, "region growing: of points that lead on")
+      ->check(number_in(0.0, 1.0));
+  command.add_option("--leaf-size", arguments->leaf_size_m, "voxel grid, metres; 0 leaves it out")
+      ->check(number_in(0.0, 10.0));
+  command.add_flag("--no-outliers", arguments->no_outliers, "leave out the removal of outliers");
+  command.add_flag("--no-clusters", arguments->no_clusters, "leave out the clustering");
+  command.callback([arguments, &action] {
+    const auto options = options_of(*arguments);
+    if (!options) throw CLI::ValidationError("tune", to_string(options.error()));
+    action = [arguments, options = *options] {
+      const auto done = tune(*arguments, options);
+      return done ? ExitCode::kDone : report(done.error());
+    };
+  });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How good a map of objects is, measured against the truth.
+///
+/// Source: [hypermap] 5.2.1 (the text's metric); docs/EVALUATION.md (one to one).
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+/// An object as evaluation sees it, of whatever kind of archive.
+struct EvaluatedObject {
+  std::string class_name;
+  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
+  Polygon footprint;
+  bool excluded = false;  ///< Truth only: never seen well enough, or of a class nobody can name.
+  /// Largest side, height included; the footprint's largest side when not known (0).
+  double size_m = 0.0;
+};
+
+struct EvaluationOptions {
+  double gate_m = 0.5;                    ///< Farther centroids do not match. docs/EVALUATION.md
+  double small_gate_m = 0.25;             ///< The same for small truths.
+  double small_size_m = 0.3;              ///< Truths with all sides below this are small.
+  double min_judged_area_m2 = 0.04;       ///< Smaller footprints are averaged apart.
+  std::vector<std::string> classes = {};  ///< Only these, after aliases; all when empty.
+};
+
+/// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0.
+[[nodiscard]] Result<void> validate(const EvaluationOptions& options);
+
+/// The text's metric: nearest map object of the same class for each truth, which may serve several.
+/// Source: [hypermap] 5.2.1. Means are none when `n` is 0.
+struct NearestMetric {
+  std::size_t n = 0;                 ///< Truths whose class occurs in the map.
+  std::size_t num_truth = 0;         ///< All truths, those without a class in the map included.
+  std::optional<double> distance_m;  ///< Mean distance of the centroids.
+  std::optional<double> jaccard;     ///< Mean Jaccard index after moving the centroids together.
+};
+
+/// One-to-one assignment. Ratios and means are none when they would divide by 0.
+struct OneToOneMetric {
+  std::size_t num_truth = 0;  ///< Excluded ones left out.
+  std::size_t num_map = 0;    ///< Those matched to excluded truths left out.
+  std::size_t matched = 0;
+  std::size_t excluded = 0;    ///< Truths that do not count.
+  std::size_t duplicates = 0;  ///< False positives within the gate of a truth matched already.
+  std::optional<double> precision;
+  std::optional<double> recall;
+  std::optional<double> f1;
+  std::optional<double> distance_m;  ///< Mean over the matches.
+  std::optional<double>
+      jaccard_in_place;        ///< Mean over truths of at least the judged area; 0 if missed.
+  std::size_t num_judged = 0;  ///< How many those are.
+  std::optional<double> small_jaccard_in_place;  ///< Mean over the smaller ones.
+  std::size_t num_small = 0;
+};
+
+struct ClassMetrics {
+  NearestMetric nearest;
+  OneToOneMetric one_to_one;
+};
+
+/// What became of one truth; the pairs of a Wilcoxon test come from here.
+struct TruthResult {
+  std::size_t truth_index = 0;
+  std::optional<std::size_t> matched_map_index;  ///< One to one.
+  double matched_distance_m = 0.0;               ///< 0 when not matched.
+  double jaccard_in_place = 0.0;                 ///< 0 when not matched.
+  std::optional<std::size_t> nearest_map_index;  ///< The text's.
+  double nearest_distance_m = 0.0;
+  double aligned_jaccard = 0.0;
+};
+
+struct EvaluationReport {
+  ClassMetrics all;
+  std::map<std::string, ClassMetrics> classes;  ///< By canonical name.
+  std::vector<TruthResult> truths;              ///< In the order of `truth`, chosen classes only.
+  std::vector<std::size_t> false_positives;     ///< Indices into `map`, ascending.
+  std::vector<std::size_t> duplicates;          ///< Those of them that show an object twice.
+};
+
+/// Compares a map with the truth. Classes are compared by canonical_class_name. The text's metric
+/// counts excluded truths too when their class occurs in the map, as the text does.
+///
+/// Requires: validate(options), valid footprints.
+/// Boundary: a distance of exactly the gate matches. Map objects near an excluded truth of their
+/// class are neither right nor wrong.
+/// Cost: O(n^3) per class.
+[[nodiscard]] EvaluationReport evaluate(std::span<const EvaluatedObject> map,
+                                        std::span<const EvaluatedObject> truth,
+                                        const EvaluationOptions& options = {});
+
+}  // namespace hypermap

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where an object's own points lie, finer than the voxels of the map, and the area they cover.
+///
+/// Ours. A hull of all shapes grows with every error ([hypermap] 5.2.3 measures that); here each
+/// observation votes for cells, and cells that few observations agree on do not count.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// A cell of the point grid: floor(p / edge) on each axis. Source: [smap] Eq. (3.8), restored.
+struct PointCell {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t z = 0;
+  friend auto operator<=>(const PointCell&, const PointCell&) = default;
+};
+
+/// A cell and how many observations had a point in it.
+struct PointVote {
+  PointCell cell;
+  std::uint32_t votes = 0;
+  friend auto operator<=>(const PointVote&, const PointVote&) = default;
+};
+
+struct PointEvidenceOptions {
+  double edge_m = 0.01;            ///< Edge of a cell to begin with, 0.001 to 1 m.
+  std::uint32_t max_cells = 4096;  ///< More make cells twice as wide; 64 to 65,536.
+  /// A cell counts when it has at least this share of the votes that a typical vote's cell has, in
+  /// [0, 1]. 0 counts all: the hull of all errors.
+  double min_vote_share = 0.25;
+  friend bool operator==(const PointEvidenceOptions&, const PointEvidenceOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the field and its range.
+[[nodiscard]] Result<void> validate(const PointEvidenceOptions& options);
+
+/// Everything that a PointEvidence remembers, for storing it.
+struct PointEvidenceState {
+  double edge_m = 0.01;                ///< Now: the first edge, doubled some times.
+  std::uint32_t num_observations = 0;  ///< That voted.
+  std::vector<PointVote> votes;        ///< Ascending by cell.
+  friend bool operator==(const PointEvidenceState&, const PointEvidenceState&) = default;
+};
+
+/// A bounded set of voted cells. Frame: Map. A value; memory at most max_cells cells, shared by
+/// copies until one of them observes.
+class PointEvidence {
+ public:
+  PointEvidence() : PointEvidence(PointEvidenceOptions{}) {}
+  /// Requires: validate(options).
+  explicit PointEvidence(const PointEvidenceOptions& options);
+  /// Errors: as validate(options); kInvalidArgument when the cells are not ascending, are more than
+  /// allowed, have no votes or more votes than observations, or the edge is not the options' edge
+  /// doubled.
+  [[nodiscard]] static Result<PointEvidence> from_state(const PointEvidenceOptions& options,
+                                                        PointEvidenceState state);
+
+  /// One observation votes once for each cell that it has a point in.
+  /// Boundary: points that are not finite or beyond 1e6 m are left out.
+  /// Cost: O((points + cells) log).
+  void observe(std::span<const Eigen::Vector3f> points_in_map);
+  /// Adds the votes of another evidence of the same thing.
+  void merge(const PointEvidence& other);
+
+  /// Centres of the cells that enough observations agree on, in the order of cells.
+  [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
+  /// Box of the agreed points, a quarter of a cell wider. None when empty.
+  [[nodiscard]] std::optional<Box> agreed_box() const;
+  /// Convex hull, from above, of the agreed points, each a square of half a cell.
+  /// Errors: kNotFound when there are no points.
+  [[nodiscard]] Result<Polygon> footprint() const;
+
+  [[nodiscard]] bool empty() const noexcept { return state_->votes.empty(); }
+  [[nodiscard]] const PointEvidenceState& state() const noexcept { return *state_; }
+  [[nodiscard]] const PointEvidenceOptions& options() const noexcept { return options_; }
+  friend bool operator==(const PointEvidence& a, const PointEvidence& b) {
+    return a.options_ == b.options_ && (a.state_ == b.state_ || *a.state_ == *b.state_);
+  }
+
+ private:
+  void take(PointEvidenceState state);
+
+  PointEvidenceOptions options_;
+  std::shared_ptr<const PointEvidenceState> state_;  ///< Never null.
+  std::uint32_t votes_needed_ = 1;  ///< Of a cell that counts. Follows from state_.
+};
+
+}  // namespace hypermap

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What it means for an object that a frame does not show it.
+///
+/// Source: [smap] 3.5.5, figure 3.23; [hypermap] 3.4.5 (visible area).
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/log_odds.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_ledger.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/segmentation/binned_depth_map.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// What one frame says about the place of one object.
+struct VisibilityVerdict {
+  ObjectId object;
+  Visibility state = Visibility::kOutOfView;
+  double visible_fraction = 0.0;  ///< Of the object: its surface is there and open, in [0, 1].
+  double absent_fraction = 0.0;   ///< Of the object: the camera looks through it, in [0, 1].
+  double bearing_rad = 0.0;       ///< Of the camera seen from the object, map frame.
+  double distance_m = 0.0;        ///< From the camera to the object's centroid.
+  friend bool operator==(const VisibilityVerdict&, const VisibilityVerdict&) = default;
+};
+
+/// Who judges what a frame shows of the known objects.
+enum class VisibilityPolicy {
+  kRays,    ///< Rays to the object's points; given by the 3D map. Ours.
+  kHull,    ///< Inside the hull of all that the frame shows, from above. [hypermap] 3.4.5
+  kPanels,  ///< Corners of the box against the binned depth map. [smap] 3.5.5
+};
+
+/// When an object leaves the map.
+enum class RemovalRule {
+  kExistence,   ///< Existence below `min_existence`. Public implementation of [hypermap].
+  kConfidence,  ///< Object confidence below `min_confidence`. Source: [smap] figure 3.23, C.3
+};
+
+struct AbsenceOptions {
+  VisibilityPolicy policy = VisibilityPolicy::kRays;
+  /// Taken from the existence when the object is visible and nobody detects it. [hypermap]: 0.2
+  LogOdds missed_decay{0.2};
+  /// Taken from the existence when the object is not where it should be. Ours.
+  LogOdds absent_decay{1.0};
+  /// Taken from all classes when absent. [smap] figure 3.23, step 8, without a number.
+  LogOdds absent_class_decay{0.5};
+  /// Share of the absent decay of classes and histogram that applies when partly occluded; off by
+  /// default, since what is seen there is seen. [smap] figure 3.23, step 8: > 0
+  double partly_occluded_factor = 0.0;
+  /// The same when occluded: "a small decay"; off by default. [smap] 3.5.2: > 0
+  double occluded_factor = 0.0;
+  /// Objects that this frame did detect lose nothing. [hypermap] 3.4.5: false
+  bool spare_seen = true;
+  /// Farther than this times the farthest distance at which it was ever detected, nobody expects
+  /// to detect it; 0 expects it everywhere. Ours.
+  double expected_range_factor = 1.1;
+  RemovalRule removal = RemovalRule::kExistence;
+  LogOdds min_existence{-2.0};              ///< Public implementation of [hypermap]: -5
+  Probability min_confidence{0.5};          ///< [smap] table D.2, o_valid: 0.5
+  ObjectConfidenceOptions confidence = {};  ///< For rule confidence.
+  double panel_tolerance_m = 0.1;           ///< Widens the box against panels. [smap] figure 3.24
+  double absent_share = 0.5;                ///< Share of panels after the box that means absent.
+  double occluded_share = 0.5;              ///< Share of panels before the box that means occluded.
+
+  friend bool operator==(const AbsenceOptions&, const AbsenceOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the first field out of its range.
+[[nodiscard]] Result<void> validate(const AbsenceOptions& options);
+
+struct AbsenceReport {
+  std::size_t num_visible = 0;
+  std::size_t num_partly_occluded = 0;
+  std::size_t num_occluded = 0;
+  std::size_t num_absent = 0;
+  std::size_t num_out_of_view = 0;
+  std::vector<ObjectId> removed;  ///< Ascending.
+};
+
+/// Negative association: weakens what should have been seen and was not, spares what is hidden,
+/// removes what nobody believes in any more.
+///
+/// Verdicts about objects that are not in the map are left out. `seen_now`, ascending, are the
+/// objects that this frame detected.
+/// Requires: validate(options), at most one verdict per object.
+AbsenceReport apply_absences(ObjectMap& objects,
+                             std::span<const VisibilityVerdict> verdicts,
+                             const AbsenceOptions& options,
+                             std::span<const ObjectId> seen_now = {},
+                             std::uint64_t frame_index = 0,
+                             Stamp stamp = {});
+
+/// Policy hull: objects whose centroid lies inside the convex hull, from above, of all that the
+/// frame shows within `max_range_m` are visible. Occluded ones too: that is the source's.
+/// Source: [hypermap] 3.4.4 (visibility area).
+/// Errors: kNotFound when the frame shows no area.
+[[nodiscard]] Result<std::vector<VisibilityVerdict>> judge_by_hull(const ObjectMap& objects,
+                                                                   const RgbdFrame& frame,
+                                                                   double max_range_m);
+
+/// Policy panels: each corner of a box takes the panel nearest by angle; panels are before, inside
+/// or after the box. Objects with no corner in the picture are left out.
+/// Source: [smap] figure 3.23, Eq. (3.22) to (3.25), figure 3.24.
+[[nodiscard]] std::vector<VisibilityVerdict> judge_by_panels(const ObjectMap& objects,
+                                                             const BinnedDepthMap& depth,
+                                                             const AbsenceOptions& options);
+
+}  // namespace hypermap

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which object of the map an observation shows, and what it teaches about that object.
+///
+/// Source: [hypermap] 3.4.5 (policies `overlap` and `radius`); [smap] 3.5.4, figure 3.22 (policy
+/// `smap`); policy `assignment` is ours.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/frames.hpp"
+#include "hypermap/core/objects/class_belief.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/objects/visibility_histogram.hpp"
+#include "hypermap/core/segmentation/detection.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/core/segmentation/segment.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// One detected and segmented thing of one frame.
+struct Observation {
+  Segment segment;
+  /// Full class vector, sorted by id, summing to 1.
+  std::vector<ClassEvidence> class_scores;
+  Probability score;  ///< Of the detection.
+  DetectorId detector;
+  double bearing_rad = 0.0;  ///< Of the camera seen from the segment's centroid, map frame.
+  double distance_m = 0.0;   ///< From the camera to the segment's centroid.
+  Stamp stamp;
+  std::uint64_t frame_index = 0;
+};
+
+/// What a detection and its segment say about the map, seen from the frame's camera.
+[[nodiscard]] Observation make_observation(const RgbdFrame& frame,
+                                           const Detection& detection,
+                                           Segment segment);
+
+/// Bearing of `camera` seen from `thing` in the map frame, in (-pi, pi]. Source: [smap]
+/// figure 3.19, phi_o. Boundary: 0 when one stands above the other.
+[[nodiscard]] double bearing_from_object_rad(const Eigen::Vector3d& thing_in_map,
+                                             const Eigen::Vector3d& camera_in_map);
+
+enum class AssociationPolicy {
+  /// Ours: all observations of a frame and all objects near them are matched one to one so that the
+  /// sum of affinities is largest; then objects that came to share their points are merged.
+  kAssignment,
+  /// [hypermap] 3.4.5: same class and Jaccard index of the shapes above a threshold; several
+  /// matches are combined.
+  kOverlap,
+  /// [hypermap] 3.4.5: same class and centroid within a square; several matches are combined.
+  kRadius,
+  /// [smap] 3.5.4: same label, in the active cone, nearer than o_e o_t; the nearest.
+  kSmap,
+};
+
+/// Policy `kAssignment`. All of it is ours; docs/RESULTS.md has the comparison with the sources.
+///
+/// A contact of two bodies is described by: the share of the points of each that lie within
+/// `near_m` of the other, the share of the smaller box that lies in the other, the distance of the
+/// centres in mean box diagonals, and the agreement of the class vectors.
+struct AssignmentOptions {
+  /// Points and boxes this near touch. Unit: metre. > 0
+  double near_m = 0.025;
+  /// Class vectors that agree at least so much count as the same class, in [0, 1].
+  double same_class_agreement = 0.3;
+  /// Same class: share of the points of one that must lie in the other, ...
+  double same_class_share = 0.25;
+  /// ... or share of the smaller box, ...
+  double same_class_box_share = 0.4;
+  /// ... or the most distance of the centres in mean diagonals.
+  double same_class_distance = 0.3;
+  /// Other class: share of the points of each that must lie in the other, ...
+  double other_class_share = 0.45;
+  /// ... or nearly all of one lies in the other ...
+  double part_share = 0.8;
+  /// ... and its diagonal is at least this share of the other's: a cup is no part of a table.
+  double part_diagonal = 0.5;
+  /// ... and it was not seen more than this many times as often: a false alarm around a keyboard
+  /// does not swallow it.
+  double part_maturity = 3.0;
+  /// Objects are merged when the shares above are exceeded by this factor. >= 1
+  double merge_factor = 1.15;
+  friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
+};
+
+struct AssociationOptions {
+  AssociationPolicy policy = AssociationPolicy::kAssignment;
+  AssignmentOptions assignment = {};
+  double min_jaccard = 0.2;       ///< Policy overlap. No unit.            [hypermap] 3.4.5: 0.2
+  double radius_m = 0.5;          ///< Policy radius: half side. Metre.    [hypermap] 3.4.5: 0.5
+  double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.      [smap] table D.2: 0.2
+  double tracking_factor = 0.5;   ///< Policy smap, o_t. No unit.    [smap] table D.2: 0.5
+  /// Which shape of an object policy overlap compares with.           [hypermap] 3.4.5
+  ShapePolicy shape = ShapePolicy::kBest;
+  double shape_leaf_m = 0.03;  ///< Thins projected points. Metre. [hypermap] 3.4.4
+  /// The box follows the agreed points (ours) instead of the filter of [smap] Eq. (3.20).
+  bool box_from_points = true;
+  double max_box_confidence = 0.85;  ///< A certain box would freeze the object; equations.md.
+  double min_gain = 0.05;          ///< Smallest gain of the box filter: a moved object can follow.
+  LogOdds max_box_log_odds{10.0};  ///< Clamp of l_c.               [smap] table D.2: 10
+  LogOdds new_existence{1.0};      ///< Of a new object.            [hypermap] 3.4.5: 1
+  LogOdds seen_existence{1.0};     ///< Added by each observation.  [hypermap] 3.4.5: 1
+  LogOdds max_existence{20.0};     ///< Cap.                        public implementation: 20
+  /// Bounds of 30 instead of 10: two confident errors shall not overturn sixty observations.
+  ClassBeliefOptions belief = {.max_log_odds = LogOdds{30.0}, .min_log_odds = LogOdds{-30.0}};
+  VisibilityHistogramOptions histogram = {};
+  PointEvidenceOptions points = {};
+  /// Classes that touch no object (a person walks by).
+  std::vector<ClassId> transient_classes = {};
+
+  friend bool operator==(const AssociationOptions&, const AssociationOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the first field out of its range.
+[[nodiscard]] Result<void> validate(const AssociationOptions& options);
+
+/// What limits the candidates of policy smap. Source: [smap] 3.5.4, steps 1 and C.2.2.
+struct AssociationScope {
+  /// Objects at vertices within three layers of the robot's, ascending; all when none is given.
+  std::optional<std::vector<ObjectId>> neighbourhood = {};
+  /// The active cone: its apex and unit axis. All directions when none is given.
+  std::optional<PointInMap> apex = {};
+  Eigen::Vector3d axis_in_map = Eigen::Vector3d::UnitX();
+  double half_angle_rad = 1.0;  ///< Of the cone.
+};
+
+/// Two objects became one.
+struct ObjectMerge {
+  ObjectId from;
+  ObjectId into;
+  friend bool operator==(const ObjectMerge&, const ObjectMerge&) = default;
+};
+
+struct AssociationReport {
+  /// Per observation; kNoObject for those of transient classes and without a shape. Merges are
+  /// applied.
+  std::vector<ObjectId> object_of_observation;
+  std::vector<ObjectId> created;    ///< Ascending.
+  std::vector<ObjectId> matched;    ///< Ascending, each once.
+  std::vector<ObjectMerge> merged;  ///< In the order in which they happened.
+  std::size_t num_transient = 0;    ///< Of a class that touches nothing.
+  /// Showed an object that this frame had shown already; they teach nothing.
+  std::size_t num_repeated = 0;
+  std::size_t num_without_shape = 0;  ///< Policies overlap and radius: the points span no area.
+};
+
+/// Positive association: matches observations of one frame with objects, updates those, creates
+/// what is new, merges what came to be the same.
+///
+/// Requires: validate(options); observations have points and class scores.
+/// Boundary: observations of equal affinity go in their order; the result is the same on every run.
+/// Cost: O(n^3) in the observations of a connected group, else linear in points.
+AssociationReport associate(ObjectMap& objects,
+                            std::span<const Observation> observations,
+                            const AssociationOptions& options,
+                            const AssociationScope& scope = {});
+
+/// What one observation teaches about an object: class (3.18), histogram (3.13), box (3.20, 3.21),
+/// shapes, points, existence, ledger. Source: [smap] 3.5.3; [hypermap] 3.4.5.
+void learn(Object& object, const Observation& observation, const AssociationOptions& options);
+
+/// An object that was seen once. Its id is kNoObject until it is in a map.
+[[nodiscard]] Object first_seen(const Observation& observation, const AssociationOptions& options);
+
+}  // namespace hypermap

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One thing in the map, with all that is believed about it and why.
+///
+/// Source: [smap] pseudocode 3.4 (thing), 3.5.2 to 3.5.5; [hypermap] 3.4.5 (semantic object).
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/log_odds.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/objects/class_belief.hpp"
+#include "hypermap/core/objects/object_ledger.hpp"
+#include "hypermap/core/objects/shape_evidence.hpp"
+#include "hypermap/core/objects/visibility_histogram.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hypermap {
+
+/// One object serves the models of both sources. A value: all of its state is here, so that it can
+/// be copied, compared, stored and restored bit by bit. Frame: Map.
+struct Object {
+  ObjectId id;
+  ClassBelief belief;
+  /// That it exists at all. Source: [hypermap] 3.4.5, a log probability.
+  LogOdds existence;
+  /// Sum of the log-odds of the box confidences, l_c. Source: [smap] Eq. (3.21).
+  LogOdds box_confidence;
+  Box box;
+  Eigen::Vector3d centroid_in_map = Eigen::Vector3d::Zero();
+  VisibilityHistogram histogram;
+  ShapeEvidence shapes;
+  PointEvidence points;
+  ObjectLedger ledger;
+  Stamp first_seen;
+  Stamp last_seen;
+  std::uint32_t num_observations = 0;
+  /// From farther away nobody ever detected it, so nobody is expected to.
+  double farthest_detection_m = 0.0;
+
+  friend bool operator==(const Object&, const Object&) = default;
+};
+
+/// The class that an object most likely is, with the share that class has of the whole belief;
+/// none when nothing was ever said.
+[[nodiscard]] std::optional<ClassEvidence> best_class(const Object& object);
+
+/// How the three terms of the object confidence are combined.
+enum class ConfidenceRule {
+  kWeighted,    ///< (4 tp1 + tp2 + tp3) / 6. Source: [smap] Eq. (3.27), table D.2.
+  kMultiplied,  ///< tp3 (4 tp1 + tp2) / 5. Source: [smap] chapter 6, future work.
+};
+
+struct ObjectConfidenceOptions {
+  ConfidenceRule rule = ConfidenceRule::kMultiplied;
+  friend bool operator==(const ObjectConfidenceOptions&, const ObjectConfidenceOptions&) = default;
+};
+
+/// How sure the map is of an object: tp1 = probability of the best class, tp2 = that of the box,
+/// tp3 = confidence of the visibility histogram.
+///
+/// Source: [smap] Eq. (3.27), table D.2. Boundary: tp1 is 0 when no class was ever named.
+[[nodiscard]] Probability object_confidence(const Object& object,
+                                            const ObjectConfidenceOptions& options = {});
+
+/// Which of its shapes an object shows from above.
+enum class ShapePolicy {
+  kBest,    ///< The shape nearest to the mean centroid. Source: [hypermap] 3.4.5.
+  kHull,    ///< Hull of all shapes. Source: [hypermap] 3.4.5.
+  kVoxels,  ///< Hull of the points that its observations agree on. Ours.
+};
+
+/// What the object covers from above. Errors: kNotFound when it has no evidence of that kind.
+[[nodiscard]] Result<Polygon> footprint(const Object& object,
+                                        ShapePolicy policy = ShapePolicy::kVoxels);
+
+/// Joins two objects that turned out to be one: evidence adds up, lists concatenate, the older id
+/// stays, the box is that of the agreed points.
+///
+/// Source: [hypermap] 3.4.5 (shape lists concatenate, existences add), capped at
+/// `max_existence`.
+/// Requires: equal options of belief, histogram and points.
+[[nodiscard]] Object merged(const Object& a, const Object& b, LogOdds max_existence);
+
+}  // namespace hypermap

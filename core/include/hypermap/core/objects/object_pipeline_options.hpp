@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// All options of the way from detections to published objects, and the named sets of them.
+///
+/// Source: [smap] tables D.1 and D.2 (preset smap); [hypermap] 3.4.4, 3.4.5, 5.2.2 (preset
+/// hypermap). `data/options/*.yaml` are the same sets as files.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/absence.hpp"
+#include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/publication.hpp"
+#include "hypermap/core/segmentation/binned_depth_map.hpp"
+#include "hypermap/core/segmentation/geometric_segmentation.hpp"
+#include "hypermap/core/segmentation/stacking.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// Options of each stage, in the order of the stages.
+struct ObjectPipelineOptions {
+  StackingOptions stacking;                      ///< Several detectors become one.
+  GeometricSegmentationOptions segmentation;     ///< Boxes become points.
+  AssociationOptions association;                ///< Points become objects.
+  BinnedDepthMapOptions binned_depth;            ///< For visibility policy panels.
+  AbsenceOptions absence;                        ///< Objects that are not seen.
+  PublicationOptions publication;                ///< Objects that the map stands for.
+  ShapePolicy footprint = ShapePolicy::kVoxels;  ///< What they cover from above.
+  /// Names of classes that touch neither voxels nor objects; resolved by the class registry.
+  std::vector<std::string> transient_class_names = {};
+
+  friend bool operator==(const ObjectPipelineOptions&, const ObjectPipelineOptions&) = default;
+};
+
+/// Errors: those of each stage, the field prefixed with the stage's name.
+[[nodiscard]] Result<void> validate(const ObjectPipelineOptions& options);
+
+enum class PresetName {
+  kDefault,   ///< Ours: what the evaluation shows to be best.
+  kSmap,      ///< The configuration of [smap], tables D.1 and D.2.
+  kHypermap,  ///< The configuration of [hypermap], best shape and overlap.
+};
+
+[[nodiscard]] ObjectPipelineOptions preset(PresetName name);
+/// "default", "smap", "hypermap". None for other names.
+[[nodiscard]] std::optional<PresetName> preset_of(std::string_view name);
+[[nodiscard]] std::string_view to_string(PresetName name);
+
+}  // namespace hypermap

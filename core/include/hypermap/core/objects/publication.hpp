@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which objects the map stands for.
+///
+/// Source: [hypermap] 3.4.5; [smap] figure 3.23, C.3.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hypermap {
+
+struct PublicationOptions {
+  /// Existence must be above; ours: 3. [hypermap] 3.4.5: 2. None: not asked (preset smap).
+  std::optional<LogOdds> min_existence = LogOdds(3.0);
+  /// Object confidence must not be below. [smap] table D.2, o_valid: 0.5. None: not asked.
+  std::optional<Probability> min_confidence = std::nullopt;
+  ObjectConfidenceOptions confidence = {};
+  std::uint32_t min_observations = 3;  ///< Seen less often is not enough. Ours.
+  /// Of two objects on the same points only the stronger one is published. Ours.
+  bool one_per_place = true;
+  double same_place_share = 0.5;  ///< Share of the points of the smaller that lie in the other ...
+  double same_place_diagonal = 0.4;  ///< ... whose diagonal it has at least this share of.
+  friend bool operator==(const PublicationOptions&, const PublicationOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the first field out of its range.
+[[nodiscard]] Result<void> validate(const PublicationOptions& options);
+
+/// In ascending order of ids.
+[[nodiscard]] std::vector<ObjectId> published(const ObjectMap& objects,
+                                              const PublicationOptions& options);
+
+}  // namespace hypermap

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A picture's depth in coarse panels: what lies where, good enough to judge occlusion.
+///
+/// Source: [smap] 3.4, table D.1.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+struct BinnedDepthMapOptions {
+  /// Panels across. [smap] table D.1, BDM dimensions: 24. Unit: panel.
+  int columns = 24;
+  /// Panels down. [smap] table D.1, BDM dimensions: 16. Unit: panel.
+  int rows = 16;
+  /// Nearer depth is dropped. [smap] table D.1, R_min: 0.2. Unit: metre.
+  double min_range_m = 0.2;
+  /// Farther depth is dropped; a panel without a nearer point is empty. Ours: 5. Unit: metre.
+  double max_range_m = 5.0;
+
+  friend bool operator==(const BinnedDepthMapOptions&, const BinnedDepthMapOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the field: sides in 1..4096, 0 <= min_range_m < max_range_m.
+[[nodiscard]] Result<void> validate(const BinnedDepthMapOptions& options);
+
+/// One panel: the box of its points, which may overlap its neighbours' ([smap] figure 3.17).
+struct DepthPanel {
+  Box box;                                                             ///< Frame: Map.
+  Eigen::Vector3d centre_direction_in_map = Eigen::Vector3d::UnitZ();  ///< Unit ray of its middle.
+  double nearest_m = 0.0;        ///< Smallest distance from the camera.
+  double farthest_m = 0.0;       ///< Largest distance from the camera.
+  std::uint32_t num_points = 0;  ///< 0: nothing was measured, box and distances are 0.
+};
+
+/// A grid of panels over one picture, row-major, row 0 on top.
+class BinnedDepthMap {
+ public:
+  /// Requires: validate(frame), validate(options). Boundary: a picture with fewer pixels than
+  /// panels leaves panels empty. Cost: O(pixels). The same result with any number of threads.
+  [[nodiscard]] static BinnedDepthMap create(const RgbdFrame& frame,
+                                             const BinnedDepthMapOptions& options = {},
+                                             int threads = 1);
+
+  [[nodiscard]] int columns() const noexcept { return columns_; }
+  [[nodiscard]] int rows() const noexcept { return rows_; }
+  [[nodiscard]] std::span<const DepthPanel> panels() const noexcept { return panels_; }
+  /// Requires: 0 <= column < columns(), 0 <= row < rows().
+  [[nodiscard]] const DepthPanel& at(int column, int row) const;
+  /// The panel that a point of the map falls into; none when it is behind the camera or outside the
+  /// picture.
+  [[nodiscard]] const DepthPanel* panel_towards(const PointInMap& point) const;
+  [[nodiscard]] const PointInMap& camera_centre() const noexcept { return camera_centre_; }
+
+ private:
+  BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options);
+
+  int columns_ = 0;
+  int rows_ = 0;
+  PinholeCamera camera_;
+  MapFromCamera map_from_camera_;
+  PointInMap camera_centre_;
+  std::vector<DepthPanel> panels_;
+};
+
+}  // namespace hypermap

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a detector said about one picture.
+///
+/// Source: [smap] Eq. (3.1) to (3.4).
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/log_odds.hpp"
+#include "hypermap/core/base/result.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// Axis-aligned box in the picture. Edges are continuous; pixel (u, v) covers [u, u+1) x [v, v+1).
+struct PixelBox {
+  double u_min_px = 0.0;
+  double v_min_px = 0.0;
+  double u_max_px = 0.0;
+  double v_max_px = 0.0;
+
+  [[nodiscard]] double width_px() const noexcept { return u_max_px - u_min_px; }
+  [[nodiscard]] double height_px() const noexcept { return v_max_px - v_min_px; }
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+/// Area of the intersection over area of the union; 0 when both areas are 0.
+[[nodiscard]] double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept;
+
+/// One class and how strongly a detector believes in it.
+struct ClassEvidence {
+  ClassId id;
+  Probability probability;
+  friend bool operator==(const ClassEvidence&, const ClassEvidence&) = default;
+};
+
+/// One detected thing in one picture.
+struct Detection {
+  PixelBox box_px;
+  /// Probability of each class that the detector knows, sorted by id, summing to 1.
+  std::vector<ClassEvidence> class_scores;
+  /// The detector's own score of the detection, objectness included.
+  Probability score;
+  DetectorId detector;
+  /// Pixels of the thing in the size of the picture, when the detector gives them.
+  std::optional<MaskImage> mask;
+
+  friend bool operator==(const Detection&, const Detection&) = default;
+};
+
+/// The most probable class; the lowest id of equals. None when there are no scores.
+[[nodiscard]] std::optional<ClassEvidence> best_class(std::span<const ClassEvidence> scores);
+
+/// A full class vector for a detector that gives one class and one score: the score stands for its
+/// class and the rest is spread evenly over the other `known` classes.
+///
+/// Boundary: when `known` is only this class, it gets 1. Result sorted by id, sums to 1.
+/// Requires: `known` contains `id`, has no id twice.
+[[nodiscard]] std::vector<ClassEvidence> spread_score(ClassId id,
+                                                      Probability score,
+                                                      std::span<const ClassId> known);
+
+/// Scaled to sum 1 and sorted by id. Errors: kInvalidArgument when the sum is 0 or an id occurs
+/// twice.
+[[nodiscard]] Result<std::vector<ClassEvidence>> normalized(std::vector<ClassEvidence> scores);
+
+}  // namespace hypermap

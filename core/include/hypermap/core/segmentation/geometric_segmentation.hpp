@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which depth pixels inside a detection's box are the detected thing.
+///
+/// Source: [smap] 3.3, table D.1; [hypermap] 3.4.4, 5.2.2.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/core/segmentation/segment.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// How the thing is told from what else the box shows.
+enum class SegmentationPolicy {
+  /// Ours: what continues outside the box is background (floor, table top, wall, neighbours); of
+  /// the
+  /// rest, the surfaces that fill the box best. Works in the picture's order, so that a cup of 300
+  /// pixels survives.
+  kForeground,
+  /// [smap] 3.3: range, voxel grid, statistical outliers, largest Euclidean cluster.
+  kCluster,
+  /// [hypermap] 3.4.4: region growing on normals, largest region.
+  kRegionGrowing,
+};
+
+/// Policy `kForeground`. Deviation: in neither source; both keep the largest cluster, which for a
+/// small thing on a table is the table.
+struct ForegroundOptions {
+  /// The picture around the box that is searched for background, as a share of the box's sides;
+  /// 0 searches nothing.
+  double context_share = 0.3;
+  /// At least this many pixels around the box, so that small boxes see their support. Unit: pixel.
+  int context_min_px = 16;
+  /// Planes taken for background at most; 0 removes none. Floor, table top, walls: 5.
+  int max_planes = 5;
+  /// A plane is background when it holds this share of the valid pixels around the box.
+  double plane_min_share = 0.06;
+  /// Half thickness of a background plane without noise; the sensor's noise is added. Unit: metre.
+  double plane_thickness_m = 0.007;
+  /// Times the sensor's axial noise (1.2 mm + 1.9 mm (z - 0.4)^2) that a plane tolerates after
+  /// smoothing.
+  double noise_factor = 1.2;
+  /// Neighbouring pixels with a larger step in depth are different surfaces; noise and slope are
+  /// added. Unit: metre.
+  double depth_step_m = 0.02;
+  /// Step allowed per metre of depth, for surfaces seen at an angle. No unit.
+  double depth_step_per_m = 0.015;
+  /// Surfaces nearer to each other than this on the floor plan may be parts of one thing; 0 keeps
+  /// only the best surface. Unit: metre.
+  double part_gap_m = 0.08;
+  /// And this near in height: the seat of a chair and its feet. Unit: metre.
+  double part_height_gap_m = 0.4;
+  /// A surface with more than this share of its pixels outside the box is not a part.
+  double part_max_outside = 0.12;
+  /// Spacing of the points of small things; larger things get coarser ones. Unit: metre.
+  double point_spacing_m = 0.006;
+  /// Points of one segment at most; the spacing grows until they fit.
+  int max_points = 2000;
+  /// Fewer pixels than this are no evidence of a thing.
+  int min_pixels = 24;
+
+  friend bool operator==(const ForegroundOptions&, const ForegroundOptions&) = default;
+};
+
+/// Policy `kRegionGrowing`.
+struct RegionGrowingOptions {
+  /// Largest angle between normals of neighbours of one region. [hypermap] 5.2.2, theta_th: 20.
+  /// Unit: degree.
+  double angle_threshold_deg = 20.0;
+  /// Points of less curvature hand the region on. [hypermap] 5.2.2, c_th: 1.0. No unit.
+  double curvature_threshold = 1.0;
+  /// Points around a point that its normal is fitted to. Not in the source: 50.
+  int normal_neighbours = 50;
+  /// Points around a point that its region may grow to. Not in the source: 30.
+  int region_neighbours = 30;
+  /// Smaller regions are no thing. Not in the source: 50.
+  int region_min_points = 50;
+
+  friend bool operator==(const RegionGrowingOptions&, const RegionGrowingOptions&) = default;
+};
+
+/// The defaults are ours; `smap_segmentation()` and `hypermap_segmentation()` are the sources'.
+struct GeometricSegmentationOptions {
+  /// How the thing is found. Default: ours.
+  SegmentationPolicy policy = SegmentationPolicy::kForeground;
+  /// Nearer depth is dropped. [smap] table D.1, R_min: 0.2. Unit: metre.
+  double min_range_m = 0.2;
+  /// Farther depth is dropped. [smap] table D.1, R_max: 1.7 for a stereo camera; structured light
+  /// sees a room. Unit: metre.
+  double max_range_m = 5.0;
+  /// Edge of the voxel grid of both sources' policies; 0 disables. [smap] table D.1, S_leaf: 0.03.
+  /// Unit: metre.
+  double leaf_size_m = 0.03;
+  /// Neighbours of the statistical outlier removal; 0 disables. [smap] table D.1, mean_k: 8.
+  int outlier_neighbours = 8;
+  /// Larger keeps more points. [smap] table D.1, std_multiplier: 0.3. Unit: standard deviation.
+  double outlier_stddev = 0.3;
+  /// Points farther apart separate clusters; 0 disables clustering. [smap] table D.1, cluster_tol:
+  /// 0.065. Unit: metre.
+  double cluster_gap_m = 0.065;
+  /// Smaller clusters are no thing. [smap] table D.1, cluster_min: 50.
+  int cluster_min_points = 50;
+  /// Larger clusters are no thing. [smap] table D.1, cluster_max: 10000.
+  int cluster_max_points = 10000;
+  /// Depth extent without loss of confidence. [smap] table D.1, obj_ths: 0.2. Unit: metre.
+  double depth_slack_m = 0.2;
+  /// Read by policy kForeground only.
+  ForegroundOptions foreground = {};
+  /// Read by policy kRegionGrowing only.
+  RegionGrowingOptions region_growing = {};
+
+  friend bool operator==(const GeometricSegmentationOptions&,
+                         const GeometricSegmentationOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the first field out of its range.
+[[nodiscard]] Result<void> validate(const GeometricSegmentationOptions& options);
+
+/// Table D.1 of [smap] as printed.
+[[nodiscard]] GeometricSegmentationOptions smap_segmentation();
+/// The final values of [hypermap] 5.2.2.
+[[nodiscard]] GeometricSegmentationOptions hypermap_segmentation();
+
+/// Finds the thing that `detection` names in the depth of `frame`.
+///
+/// Policy kForeground also looks at the boxes of `frame.detections`: a surface that fills another
+/// box better is not this thing. Whether `detection` is among them does not matter.
+/// Requires: validate(frame), validate(options).
+/// Errors: kNotFound with the step after which nothing was left.
+/// Boundary: depth that is 0, negative, NaN or infinite is no measurement; a box that leaves the
+/// picture is cut; a mask, where the detection has one, replaces the box.
+/// Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in its
+/// points.
+[[nodiscard]] Result<Segment> segment(const RgbdFrame& frame,
+                                      const Detection& detection,
+                                      const GeometricSegmentationOptions& options);
+
+/// Asked whether another detection may still be begun; by one thread at a time.
+using MayBegin = std::function<bool()>;
+
+/// `segment` for each detection, in parallel, in their order, `detections` in the place of
+/// `frame.detections`; the same result with any number of threads. With one, on the caller's.
+///
+/// They are begun in the order of their scores, the highest first, equal ones as they stand; where
+/// `may_begin` says no, this one and all that follow have the error kLimit.
+/// Requires: threads >= 1.
+[[nodiscard]] std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
+                                                       std::span<const Detection> detections,
+                                                       const GeometricSegmentationOptions& options,
+                                                       int threads,
+                                                       const MayBegin& may_begin = {});
+
+}  // namespace hypermap

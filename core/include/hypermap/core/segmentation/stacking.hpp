@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What several detectors say about one picture, made into one set of detections.
+///
+/// Source: [smap] 3.5.3, Eq. (3.14) to (3.16), figure 3.21.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/segmentation/detection.hpp"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// How the values of a class that several detectors know become one.
+enum class StackingRule {
+  kSum,       ///< Their sum: says what any detector says.
+  kProduct,   ///< Their product: says what all that know the class say.
+  kWeighted,  ///< Their sum weighted by detector.
+};
+
+struct StackingOptions {
+  /// The operation on the shared cells. Default: sum. [smap] 3.5.3.
+  StackingRule rule = StackingRule::kSum;
+  /// Weight of each detector for kWeighted; one not named has weight 1. No unit. [smap] 3.5.3.
+  std::map<DetectorId, double> weights = {};
+  /// Boxes of different detectors that overlap at least so much show the same thing. Default: 0.5,
+  /// intersection over union in the picture. No unit.
+  double min_overlap = 0.5;
+
+  friend bool operator==(const StackingOptions&, const StackingOptions&) = default;
+};
+
+/// Errors: kInvalidArgument: a weight that is not finite and >= 0, min_overlap outside (0, 1].
+[[nodiscard]] Result<void> validate(const StackingOptions& options);
+
+/// One class vector over the combined set: each class once, sorted by id, summing to 1.
+///
+/// Source: [smap] Eq. (3.14), (3.15), (3.16).
+/// Boundary: one vector alone is only normalised. A product whose cells are all 0 (the detectors
+/// contradict each other outright) falls back to the sum.
+/// Errors: kInvalidArgument when no vector has a sum > 0 after weighting.
+/// Requires: `likelihoods` and `detectors` have equal length; each vector names a class once.
+[[nodiscard]] Result<std::vector<ClassEvidence>> combine_class_scores(
+    std::span<const std::vector<ClassEvidence>> likelihoods,
+    std::span<const DetectorId> detectors,
+    const StackingOptions& options = {});
+
+/// Joins detections of different detectors that show the same thing; detections of one detector are
+/// never joined with each other.
+///
+/// The joined detection has the mean box weighted by score, the union of the masks that there are,
+/// the highest score, and the detector of that score.
+/// Greedy by score, then by position: the same result for the same input.
+/// Errors: those of combine_class_scores, naming the detection.
+/// Cost: O(n^2) in the detections of one picture.
+[[nodiscard]] Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
+                                                              const StackingOptions& options = {});
+
+}  // namespace hypermap

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/base/class_registry.hpp"
+
+#include "hypermap/core/base/utf8.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::size_t kMaxNameBytes = 256;
+constexpr std::size_t kMaxClasses = 65535;
+
+/// COCO 2017's names, spaces removed, and the VOC style name of the same class.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kVocNameOf{{
+    {"tv", "tvmonitor"},
+    {"couch", "sofa"},
+    {"motorcycle", "motorbike"},
+    {"airplane", "aeroplane"},
+}};
+
+bool is_separator(char c) {
+  return c == ' ' || c == '-' || c == '_';
+}
+
+char lower_ascii(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+Result<void> check_name(std::string_view name) {
+  if (name.empty()) return fail(ErrorCode::kInvalidArgument, "must not be empty", "class name");
+  if (name.size() > kMaxNameBytes) {
+    return fail(ErrorCode::kLimit,
+                "at most 256 bytes are read, has " + std::to_string(name.size()),
+                "class name");
+  }
+  if (first_bad_utf8(name) == name.size() && name.find('\0') == std::string_view::npos) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be UTF-8 without NUL, is " + printable(name),
+              "class name");
+}
+
+}  // namespace
+
+std::string canonical_class_name(std::string_view name) {
+  std::string out;
+  out.reserve(name.size());
+  for (const char c : name) {
+    if (!is_separator(c)) out.push_back(lower_ascii(c));
+  }
+  const auto* alias = std::find_if(
+      kVocNameOf.begin(), kVocNameOf.end(), [&](const auto& entry) { return entry.first == out; });
+  return alias == kVocNameOf.end() ? out : std::string(alias->second);
+}
+
+Result<ClassId> ClassRegistry::add(std::string_view name) {
+  HYPERMAP_TRY(check_name(name));
+  if (const std::optional<ClassId> known = find(name)) return *known;
+  if (names_.size() >= kMaxClasses) {
+    return fail(ErrorCode::kLimit, "at most 65535 classes are kept", printable(name));
+  }
+  const ClassId id{static_cast<std::uint32_t>(names_.size())};
+  id_of_canonical_.emplace(canonical_class_name(name), id);
+  names_.emplace_back(name);
+  return id;
+}
+
+std::optional<ClassId> ClassRegistry::find(std::string_view name) const {
+  const auto found = id_of_canonical_.find(canonical_class_name(name));
+  if (found == id_of_canonical_.end()) return std::nullopt;
+  return found->second;
+}
+
+const std::string& ClassRegistry::name(ClassId id) const {
+  assert(contains(id));
+  return names_[id.value];
+}
+
+}  // namespace hypermap

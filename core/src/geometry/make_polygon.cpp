@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/geometry/polygon.hpp"
+#include "ring_check.hpp"
+#include "ring_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+Result<Ring> checked_ring(Ring ring, const std::string& name) {
+  auto clean = cleaned_ring(std::move(ring));
+  if (!clean) {
+    Error error = std::move(clean).error();
+    error.what = name + " " + error.what;
+    return Unexpected(std::move(error));
+  }
+  return clean;
+}
+
+/// A ring as the area within, with its bounds, which decide most questions.
+struct RingArea {
+  Polygon area;
+  Rect box;
+
+  explicit RingArea(const Ring& ring) : area{ring, {}}, box(bounds(area)) {}
+  [[nodiscard]] bool holds(const Eigen::Vector2d& point) const {
+    const bool may =
+        (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
+    return may && contains(area, point);
+  }
+};
+
+/// All rings meet nobody, so one point of a hole decides for all of it.
+Result<void> check_holes(const Polygon& polygon) {
+  const RingArea outer(polygon.outer);
+  const std::vector<RingArea> holes(polygon.holes.begin(), polygon.holes.end());
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const Eigen::Vector2d& point = polygon.holes[i].front();
+    if (!outer.holds(point)) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "hole " + std::to_string(i + 1) + " lies outside the outer ring");
+    }
+    for (std::size_t k = 0; k < holes.size(); ++k) {
+      if (k == i || !holes[k].holds(point)) continue;
+      return fail(ErrorCode::kInvalidArgument,
+                  "hole " + std::to_string(i + 1) + " lies inside hole " + std::to_string(k + 1));
+    }
+  }
+  return {};
+}
+
+Result<void> check_limits(const Ring& outer, const std::vector<Ring>& holes) {
+  std::size_t count = outer.size();
+  for (const Ring& hole : holes) count += hole.size();
+  if (count > kMaxPolygonPoints) {
+    return fail(ErrorCode::kLimit,
+                "has " + std::to_string(count) + " points, the limit is " +
+                    std::to_string(kMaxPolygonPoints));
+  }
+  return {};
+}
+
+void orient(Ring& ring, bool counter_clockwise) {
+  if ((signed_area_m2(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+}
+
+}  // namespace
+
+Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
+  HYPERMAP_TRY(check_limits(outer, holes));
+  std::vector<Ring> rings;
+  HYPERMAP_ASSIGN_OR_RETURN(Ring first, checked_ring(std::move(outer), "ring 1"));
+  rings.push_back(std::move(first));
+  for (Ring& hole : holes) {
+    const std::string name = "ring " + std::to_string(rings.size() + 1);
+    HYPERMAP_ASSIGN_OR_RETURN(Ring next, checked_ring(std::move(hole), name));
+    rings.push_back(std::move(next));
+  }
+  if (const auto place = first_meeting(rings)) {
+    return fail(ErrorCode::kInvalidArgument,
+                std::string(rings.size() > 1 ? "the rings cross or touch"
+                                             : "the ring crosses or touches itself") +
+                    " at or near " + point_text(*place));
+  }
+  if (signed_area_m2(rings.front()) == 0.0) {
+    return fail(ErrorCode::kInvalidArgument, "ring 1 has no area");
+  }
+  orient(rings.front(), true);
+  Polygon polygon{std::move(rings.front()), {}};
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    orient(rings[i], false);
+    polygon.holes.push_back(std::move(rings[i]));
+  }
+  HYPERMAP_TRY(check_holes(polygon));
+  return polygon;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The first judgement of a ring: what both the strict and the forgiving reader ask for.
+#pragma once
+
+#include "hypermap/core/geometry/polygon.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace hypermap {
+
+inline constexpr std::size_t kMaxPolygonPoints = 100'000;
+inline constexpr double kMaxCoordinateM = 1e6;
+
+/// Without the repeated closing point and other repeated consecutive points.
+///
+/// Errors: kInvalidArgument: a coordinate that is not finite or beyond 1e6 m, fewer than three
+/// distinct points, a spike (the way goes straight back).
+[[nodiscard]] Result<Ring> cleaned_ring(Ring ring);
+
+/// Positive when counter-clockwise.
+[[nodiscard]] double signed_area_m2(const Ring& ring);
+
+/// "(x, y)" with the shortest digits that give the same numbers.
+[[nodiscard]] std::string point_text(const Eigen::Vector2d& point);
+
+}  // namespace hypermap

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/segmentation/projected_shape.hpp"
+#include "policies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hypermap {
+namespace {
+
+/// Source: [smap] Eq. (3.18); N is the number of classes that the vector speaks of.
+void learn_class(Object& object, const Observation& observation) {
+  const double num_classes =
+      std::max<double>(2.0, static_cast<double>(observation.class_scores.size()));
+  object.belief.observe(observation.class_scores, Probability(1.0 / num_classes));
+}
+
+/// Source: [smap] Eq. (3.20), (3.21): the more confident the track, the less one observation moves
+/// it.
+void filter_box(Object& object, const Segment& segment, const AssociationOptions& options) {
+  const double most = options.max_box_confidence;
+  const Probability confidence(std::clamp(segment.box_confidence.value(), 1.0 - most, most));
+  object.box_confidence = std::clamp(object.box_confidence + LogOdds::of(confidence),
+                                     LogOdds{} - options.max_box_log_odds,
+                                     options.max_box_log_odds);
+  const double from_confidence = 1.0 / (1.0 + std::exp(object.box_confidence.value()));
+  const double gain =
+      object.num_observations == 0 ? 1.0 : std::max(options.min_gain, from_confidence);
+  const auto blend = [gain](Eigen::Vector3d& old, const Eigen::Vector3d& seen) {
+    old = (1.0 - gain) * old + gain * seen;
+  };
+  blend(object.box.min_in_map, segment.box.min_in_map);
+  blend(object.box.max_in_map, segment.box.max_in_map);
+  blend(object.centroid_in_map, segment.centroid_in_map);
+}
+
+void learn_place(Object& object, const Segment& segment, const AssociationOptions& options) {
+  filter_box(object, segment, options);
+  object.points.observe(segment.points_in_map);
+  if (auto shape = projected_hull(segment.points_in_map, options.shape_leaf_m)) {
+    object.shapes.add(*shape);
+  }
+  if (!options.box_from_points) return;
+  if (const auto box = object.points.agreed_box()) {
+    object.box = *box;
+    object.centroid_in_map = box->centre();
+  }
+}
+
+void record(Object& object, const Observation& observation, LogOdds effect) {
+  object.ledger.add({.frame_index = observation.frame_index,
+                     .stamp = observation.stamp,
+                     .kind = LedgerKind::kDetection,
+                     .visibility = Visibility::kVisible,
+                     .detector = observation.detector,
+                     .class_id = named_class(observation),
+                     .score = static_cast<float>(observation.score.value()),
+                     .bearing_rad = static_cast<float>(observation.bearing_rad),
+                     .distance_m = static_cast<float>(observation.distance_m),
+                     .effect = static_cast<float>(effect.value())});
+}
+
+}  // namespace
+
+void learn(Object& object, const Observation& observation, const AssociationOptions& options) {
+  learn_class(object, observation);
+  object.histogram.observe(observation.bearing_rad, observation.distance_m);
+  learn_place(object, observation.segment, options);
+  const LogOdds before = object.existence;
+  object.existence = std::min(object.existence + options.seen_existence, options.max_existence);
+  record(object, observation, object.existence - before);
+  object.last_seen = std::max(object.last_seen, observation.stamp);
+  object.farthest_detection_m = std::max(object.farthest_detection_m, observation.distance_m);
+  ++object.num_observations;
+}
+
+Object first_seen(const Observation& observation, const AssociationOptions& options) {
+  Object object;
+  if (auto belief = ClassBelief::create(options.belief)) object.belief = *std::move(belief);
+  object.histogram = VisibilityHistogram(options.histogram);
+  object.points = PointEvidence(options.points);
+  // `learn` adds what an observation adds, so that a new object ends with what new ones have.
+  object.existence = options.new_existence - options.seen_existence;
+  object.first_seen = observation.stamp;
+  object.last_seen = observation.stamp;
+  learn(object, observation, options);
+  return object;
+}
+
+}  // namespace hypermap

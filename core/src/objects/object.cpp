@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/object.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+Box united(const Box& a, const Box& b) {
+  return {a.min_in_map.cwiseMin(b.min_in_map), a.max_in_map.cwiseMax(b.max_in_map)};
+}
+
+/// A belief saturates after few observations, so that without weights two of them would say as much
+/// as sixty. The one with fewer observations counts in proportion.
+ClassBelief merged_belief(const Object& a, const Object& b) {
+  const Object& larger = a.num_observations >= b.num_observations ? a : b;
+  const Object& smaller = &larger == &a ? b : a;
+  const double most = std::max<double>(1.0, larger.num_observations);
+  ClassBelief belief = larger.belief;
+  belief.merge(smaller.belief, smaller.num_observations / most);
+  return belief;
+}
+
+}  // namespace
+
+std::optional<ClassEvidence> best_class(const Object& object) {
+  const auto best = object.belief.best();
+  if (!best) return std::nullopt;
+  for (const ClassEvidence& e : object.belief.distribution()) {
+    if (e.id == best->id) return e;
+  }
+  return std::nullopt;
+}
+
+Probability object_confidence(const Object& object, const ObjectConfidenceOptions& options) {
+  const auto best = object.belief.best();
+  const double tp1 = best ? best->log_odds.probability().value() : 0.0;
+  const double tp2 = object.box_confidence.probability().value();
+  const double tp3 = object.histogram.confidence();
+  const double p = options.rule == ConfidenceRule::kWeighted ? (4.0 * tp1 + tp2 + tp3) / 6.0
+                                                             : tp3 * (4.0 * tp1 + tp2) / 5.0;
+  return Probability(std::clamp(p, 0.0, 1.0));
+}
+
+Result<Polygon> footprint(const Object& object, ShapePolicy policy) {
+  if (policy == ShapePolicy::kVoxels) return object.points.footprint();
+  std::optional<Polygon> shape =
+      policy == ShapePolicy::kBest ? object.shapes.best() : object.shapes.hull();
+  if (!shape) return fail(ErrorCode::kNotFound, "the object has no shapes");
+  return *std::move(shape);
+}
+
+Object merged(const Object& a, const Object& b, LogOdds max_existence) {
+  const Object& younger = b.id < a.id ? a : b;
+  Object out = b.id < a.id ? b : a;
+  out.belief = merged_belief(out, younger);
+  out.existence = std::min(out.existence + younger.existence, max_existence);
+  out.box_confidence = std::max(a.box_confidence, b.box_confidence);
+  out.histogram.merge(younger.histogram);
+  out.shapes.merge(younger.shapes);
+  out.points.merge(younger.points);
+  out.ledger.merge(younger.ledger);
+  out.box = out.points.agreed_box().value_or(united(a.box, b.box));
+  out.centroid_in_map = out.box.centre();
+  out.first_seen = std::min(a.first_seen, b.first_seen);
+  out.last_seen = std::max(a.last_seen, b.last_seen);
+  out.num_observations += younger.num_observations;
+  out.farthest_detection_m = std::max(a.farthest_detection_m, b.farthest_detection_m);
+  return out;
+}
+
+}  // namespace hypermap

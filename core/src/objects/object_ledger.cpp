@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/object_ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+auto key_of(const LedgerSummary& s) {
+  return std::tuple(s.kind, s.detector, s.class_id, s.bearing_bin);
+}
+
+bool precedes(const LedgerSummary& a, const LedgerSummary& b) {
+  return key_of(a) < key_of(b);
+}
+
+bool is_finite(const LedgerEntry& e) {
+  return std::isfinite(e.score) && std::isfinite(e.bearing_rad) && std::isfinite(e.distance_m) &&
+         std::isfinite(e.effect);
+}
+
+bool is_sound(const LedgerSummary& s) {
+  return s.bearing_bin < ObjectLedger::kNumBearingBins && s.count > 0 &&
+         std::isfinite(s.score_sum) && std::isfinite(s.effect_sum);
+}
+
+LedgerSummary summary_of(const LedgerEntry& e) {
+  return {.kind = e.kind,
+          .detector = e.detector,
+          .class_id = e.class_id,
+          .bearing_bin = ledger_bearing_bin(static_cast<double>(e.bearing_rad)),
+          .count = 1,
+          .score_sum = e.score,
+          .effect_sum = e.effect,
+          .last_frame_index = e.frame_index};
+}
+
+bool is_older(const LedgerEntry& a, const LedgerEntry& b) {
+  return a.frame_index < b.frame_index;
+}
+
+void keep_newest(std::vector<LedgerEntry>& entries) {
+  if (entries.size() <= ObjectLedger::kMaxNewest) return;
+  entries.erase(entries.begin(),
+                entries.end() - static_cast<std::ptrdiff_t>(ObjectLedger::kMaxNewest));
+}
+
+}  // namespace
+
+Result<ObjectLedger> ObjectLedger::from_state(ObjectLedgerState state) {
+  const auto refuse = [](const std::string& what) {
+    return fail(ErrorCode::kInvalidArgument, what, "ledger");
+  };
+  if (state.newest.size() > kMaxNewest || state.summaries.size() > kMaxSummaries) {
+    return refuse("must have at most 64 newest entries and 256 summaries, has " +
+                  std::to_string(state.newest.size()) + " and " +
+                  std::to_string(state.summaries.size()));
+  }
+  if (!state.newest.empty() && !state.first) return refuse("has newest entries but no first one");
+  const bool finite = (!state.first || is_finite(*state.first)) &&
+                      std::all_of(state.newest.begin(), state.newest.end(), is_finite) &&
+                      std::all_of(state.summaries.begin(), state.summaries.end(), is_sound);
+  if (!finite) return refuse("has a number that is not finite, a count of 0 or a bin beyond 17");
+  const auto not_ascending = [](const LedgerSummary& a, const LedgerSummary& b) {
+    return !precedes(a, b);
+  };
+  if (std::adjacent_find(state.summaries.begin(), state.summaries.end(), not_ascending) !=
+      state.summaries.end()) {
+    return refuse("summaries must ascend by kind, detector, class and bearing bin");
+  }
+  ObjectLedger ledger;
+  ledger.state_ = std::move(state);
+  return ledger;
+}
+
+void ObjectLedger::add(const LedgerEntry& entry) {
+  if (!state_.first) state_.first = entry;
+  state_.newest.push_back(entry);
+  keep_newest(state_.newest);
+  summarise(summary_of(entry));
+}
+
+void ObjectLedger::merge(const ObjectLedger& other) {
+  if (!state_.first || (other.state_.first && is_older(*other.state_.first, *state_.first))) {
+    state_.first = other.state_.first;
+  }
+  std::vector<LedgerEntry> both = state_.newest;
+  both.insert(both.end(), other.state_.newest.begin(), other.state_.newest.end());
+  std::stable_sort(both.begin(), both.end(), is_older);
+  keep_newest(both);
+  state_.newest = std::move(both);
+  for (const LedgerSummary& summary : other.state_.summaries) summarise(summary);
+  state_.num_unsummarised += other.state_.num_unsummarised;
+}
+
+void ObjectLedger::summarise(const LedgerSummary& addition) {
+  auto& all = state_.summaries;
+  const auto it = std::lower_bound(all.begin(), all.end(), addition, precedes);
+  if (it != all.end() && key_of(*it) == key_of(addition)) {
+    it->count += addition.count;
+    it->score_sum += addition.score_sum;
+    it->effect_sum += addition.effect_sum;
+    it->last_frame_index = std::max(it->last_frame_index, addition.last_frame_index);
+  } else if (all.size() < kMaxSummaries) {
+    all.insert(it, addition);
+  } else {
+    state_.num_unsummarised += addition.count;
+  }
+}
+
+std::uint64_t ObjectLedger::num_detections(std::optional<ClassId> class_id) const {
+  std::uint64_t count = 0;
+  for (const LedgerSummary& s : state_.summaries) {
+    const bool counts = s.kind == LedgerKind::kDetection && (!class_id || s.class_id == *class_id);
+    if (counts) count += s.count;
+  }
+  return count;
+}
+
+std::uint8_t ledger_bearing_bin(double bearing_rad) {
+  const double turns = bearing_rad / (2.0 * std::numbers::pi);
+  const double share = turns - std::floor(turns);
+  const int bin = static_cast<int>(share * ObjectLedger::kNumBearingBins);
+  return static_cast<std::uint8_t>(std::min(bin, ObjectLedger::kNumBearingBins - 1));
+}
+
+}  // namespace hypermap

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The ways in which observations find their objects; `associate` chooses one.
+#pragma once
+
+#include "hypermap/core/objects/association.hpp"
+
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// What every policy works on: the map, one frame's observations and the report being written.
+struct AssociationRun {
+  ObjectMap& objects;
+  std::span<const Observation> observations;
+  const AssociationOptions& options;
+  AssociationReport report;
+
+  /// False when the observation's class touches no object; counted.
+  [[nodiscard]] bool is_lasting(std::size_t observation);
+  void create(std::size_t observation);
+  void match(std::size_t observation, ObjectId id);
+  /// Joins two objects; the lower id stays and is returned.
+  ObjectId merge(ObjectId a, ObjectId b);
+};
+
+void associate_by_assignment(AssociationRun& run);
+void associate_by_overlap(AssociationRun& run);
+void associate_by_radius(AssociationRun& run);
+void associate_by_smap(AssociationRun& run, const AssociationScope& scope);
+
+/// The class that an observation names.
+[[nodiscard]] ClassId named_class(const Observation& observation);
+
+/// True when the best class of the object is `id`.
+[[nodiscard]] bool is_of_class(const Object& object, ClassId id);
+
+}  // namespace hypermap

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/segmentation/projected_shape.hpp"
+#include "policies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace hypermap {
+namespace {
+
+using CandidateFinder = std::function<std::vector<ObjectId>(const Observation&, const Polygon&)>;
+
+/// One observation after the other; several matches are combined. Source: [hypermap] 3.4.5.
+void associate_and_combine(AssociationRun& run, const CandidateFinder& candidates_of) {
+  for (std::size_t i = 0; i < run.observations.size(); ++i) {
+    if (!run.is_lasting(i)) continue;
+    const Observation& observation = run.observations[i];
+    const auto shape = projected_hull(observation.segment.points_in_map, run.options.shape_leaf_m);
+    if (!shape) {
+      ++run.report.num_without_shape;
+      continue;
+    }
+    const std::vector<ObjectId> ids = candidates_of(observation, *shape);
+    if (ids.empty()) {
+      run.create(i);
+      continue;
+    }
+    ObjectId into = ids.front();
+    for (std::size_t k = 1; k < ids.size(); ++k) into = run.merge(into, ids[k]);
+    run.match(i, into);
+  }
+}
+
+/// Objects of the observation's class whose boxes meet the area.
+std::vector<ObjectId> same_class_within(const AssociationRun& run,
+                                        const Observation& observation,
+                                        const Rect& area) {
+  std::vector<ObjectId> ids = run.objects.query(area);
+  const ClassId id = named_class(observation);
+  std::erase_if(ids, [&](ObjectId object) { return !is_of_class(run.objects.at(object), id); });
+  return ids;
+}
+
+bool is_in_cone(const Eigen::Vector3d& point, const AssociationScope& scope) {
+  if (!scope.apex) return true;
+  const Eigen::Vector3d way = point - scope.apex->xyz;
+  return way.dot(scope.axis_in_map) >= std::cos(scope.half_angle_rad) * way.norm();
+}
+
+bool is_in_neighbourhood(ObjectId id, const AssociationScope& scope) {
+  return !scope.neighbourhood ||
+         std::binary_search(scope.neighbourhood->begin(), scope.neighbourhood->end(), id);
+}
+
+/// Steps 1 and 2 of figure 3.22: the nearest object that may be it.
+std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
+                                          const Eigen::Vector3d& centroid,
+                                          ClassId class_id,
+                                          std::optional<ObjectId> except,
+                                          const AssociationScope& scope) {
+  const double reach_m = run.options.position_error_m * run.options.tracking_factor;
+  std::optional<ObjectId> best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const Object& object : run.objects.objects()) {
+    const bool may_be = object.id != except && is_in_neighbourhood(object.id, scope) &&
+                        is_of_class(object, class_id) &&            // C.2.1
+                        is_in_cone(object.centroid_in_map, scope);  // C.2.2
+    const double distance = (object.centroid_in_map - centroid).norm();
+    if (!may_be || !(distance < reach_m) || !(distance < best_distance)) continue;  // C.2.3
+    best = object.id;
+    best_distance = distance;
+  }
+  return best;
+}
+
+/// Step 5 of figure 3.22: instances that are close enough become one.
+void combine_close(AssociationRun& run, ObjectId id, const AssociationScope& scope) {
+  const Object& object = run.objects.at(id);
+  const auto best = object.belief.best();
+  const auto other = nearest_candidate(run, object.centroid_in_map, best->id, id, scope);
+  if (other) run.merge(id, *other);
+}
+
+}  // namespace
+
+void associate_by_overlap(AssociationRun& run) {
+  associate_and_combine(run, [&](const Observation& observation, const Polygon& shape) {
+    std::vector<ObjectId> ids = same_class_within(run, observation, bounds(shape));
+    std::erase_if(ids, [&](ObjectId id) {
+      const auto other = footprint(run.objects.at(id), run.options.shape);
+      return !other || !(jaccard(shape, *other) > run.options.min_jaccard);
+    });
+    return ids;
+  });
+}
+
+void associate_by_radius(AssociationRun& run) {
+  associate_and_combine(run, [&](const Observation& observation, const Polygon& shape) {
+    const Eigen::Vector2d centre = centroid(shape);
+    const double radius_m = run.options.radius_m;
+    return same_class_within(
+        run, observation, {centre.array() - radius_m, centre.array() + radius_m});
+  });
+}
+
+void associate_by_smap(AssociationRun& run, const AssociationScope& scope) {
+  for (std::size_t i = 0; i < run.observations.size(); ++i) {
+    if (!run.is_lasting(i)) continue;
+    const Observation& observation = run.observations[i];
+    const auto candidate = nearest_candidate(
+        run, observation.segment.centroid_in_map, named_class(observation), std::nullopt, scope);
+    if (!candidate) {
+      run.create(i);  // step 3
+      continue;
+    }
+    run.match(i, *candidate);  // step 4
+    combine_close(run, *candidate, scope);
+  }
+}
+
+}  // namespace hypermap

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/visibility_histogram.hpp"
+
+#include "base/out_of_range.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+Result<void> validate(const VisibilityHistogramOptions& options) {
+  if (options.num_bins < 4 || options.num_bins > 360) {
+    return out_of_range("num_bins", "must be in 4..360", options.num_bins);
+  }
+  if (!(std::isfinite(options.base_increment) && options.base_increment > 0.0)) {
+    return out_of_range("base_increment", "must be finite and > 0", options.base_increment);
+  }
+  for (const double w : options.weights) {
+    if (!(std::isfinite(w) && w >= 0.0)) return out_of_range("weights", "must be finite, >= 0", w);
+  }
+  if (std::accumulate(options.weights.begin(), options.weights.end(), 0.0) <= 0.0) {
+    return out_of_range("weights", "must not all be 0, their sum", 0.0);
+  }
+  const double low = options.min_log_odds.value();
+  if (!(std::isfinite(low) && std::isfinite(options.max_log_odds.value()) &&
+        options.min_log_odds < options.max_log_odds)) {
+    return out_of_range("min_log_odds", "must be finite and < max_log_odds", low);
+  }
+  if (!(options.visible_above >= 0.0 && options.visible_above <= 1.0)) {
+    return out_of_range("visible_above", "must be in [0, 1]", options.visible_above);
+  }
+  if (!(options.hidden_below >= 0.0 && options.hidden_below <= options.visible_above)) {
+    return out_of_range("hidden_below", "must be in [0, visible_above]", options.hidden_below);
+  }
+  return {};
+}
+
+VisibilityHistogram::VisibilityHistogram(const VisibilityHistogramOptions& options)
+    : options_(options), bins_(static_cast<std::size_t>(options.num_bins)) {}
+
+Result<VisibilityHistogram> VisibilityHistogram::from_bins(
+    const VisibilityHistogramOptions& options, std::vector<LogOdds> bins) {
+  HYPERMAP_TRY(validate(options));
+  if (bins.size() != static_cast<std::size_t>(options.num_bins)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must have " + std::to_string(options.num_bins) + " bins, has " +
+                    std::to_string(bins.size()),
+                "histogram");
+  }
+  for (const LogOdds l : bins) {
+    if (l >= options.min_log_odds && l <= options.max_log_odds) continue;
+    return out_of_range("histogram", "bins must be within the bounds, one", l.value());
+  }
+  VisibilityHistogram histogram(options);
+  histogram.bins_ = std::move(bins);
+  return histogram;
+}
+
+void VisibilityHistogram::observe(double bearing_rad, double distance_m) {
+  add(bearing_rad, histogram_increment(options_, distance_m).value());
+}
+
+void VisibilityHistogram::weaken(double bearing_rad, double distance_m, double scale) {
+  add(bearing_rad, -scale * histogram_increment(options_, distance_m).value());
+}
+
+void VisibilityHistogram::merge(const VisibilityHistogram& other) {
+  assert(bins_.size() == other.bins_.size());
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    bins_[i] = std::clamp(bins_[i] + other.bins_[i], options_.min_log_odds, options_.max_log_odds);
+  }
+}
+
+void VisibilityHistogram::add(double bearing_rad, double increment) {
+  const double sum = std::accumulate(options_.weights.begin(), options_.weights.end(), 0.0);
+  const std::size_t half = options_.weights.size() / 2;
+  const std::size_t first = bin_of(bearing_rad) + bins_.size() - half;
+  for (std::size_t j = 0; j < options_.weights.size(); ++j) {
+    LogOdds& bin = bins_[(first + j) % bins_.size()];
+    bin = std::clamp(bin + LogOdds(options_.weights[j] / sum * increment),
+                     options_.min_log_odds,
+                     options_.max_log_odds);
+  }
+}
+
+double VisibilityHistogram::confidence() const {
+  std::size_t visible = 0;
+  std::size_t hidden = 0;
+  for (const LogOdds l : bins_) {
+    const double p = l.probability().value();
+    if (p > options_.visible_above) ++visible;
+    if (p < options_.hidden_below) ++hidden;
+  }
+  return visible + hidden == 0
+             ? 0.0
+             : static_cast<double>(visible) / static_cast<double>(visible + hidden);
+}
+
+std::size_t VisibilityHistogram::bin_of(double bearing_rad) const {
+  const double turns = bearing_rad / kTurn;
+  const double share = turns - std::floor(turns);
+  const auto bin = static_cast<std::size_t>(share * static_cast<double>(bins_.size()));
+  return std::min(bin, bins_.size() - 1);
+}
+
+LogOdds histogram_increment(const VisibilityHistogramOptions& options, double distance_m) {
+  return LogOdds(options.base_increment / (1.0 + distance_m / 2.0));
+}
+
+double angle_difference_rad(double a_rad, double b_rad) {
+  return std::atan2(std::sin(a_rad - b_rad), std::cos(a_rad - b_rad));
+}
+
+}  // namespace hypermap

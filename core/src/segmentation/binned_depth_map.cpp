@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/segmentation/binned_depth_map.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+constexpr int kMaxPanelsPerSide = 4096;
+
+Result<void> check_panels(int value, const char* field) {
+  if (value >= 1 && value <= kMaxPanelsPerSide) return {};
+  return fail(
+      ErrorCode::kInvalidArgument, "must be in 1..4096, is " + std::to_string(value), field);
+}
+
+/// First pixel of panel `panel` of `panels` over `side_px` pixels; panels differ by a pixel at
+/// most.
+int panel_begin(int panel, int panels, int side_px) {
+  return static_cast<int>(static_cast<std::int64_t>(panel) * side_px / panels);
+}
+
+/// The panel whose half-open pixel interval holds pixel `pixel`: the inverse of panel_begin.
+int panel_of(int pixel, int panels, int side_px) {
+  return static_cast<int>(((static_cast<std::int64_t>(pixel) + 1) * panels - 1) / side_px);
+}
+
+void extend(DepthPanel& panel, const Eigen::Vector3d& point_in_map, double distance_m) {
+  const bool is_first = panel.num_points == 0;
+  Box& box = panel.box;
+  box.min_in_map = is_first ? point_in_map : box.min_in_map.cwiseMin(point_in_map);
+  box.max_in_map = is_first ? point_in_map : box.max_in_map.cwiseMax(point_in_map);
+  panel.nearest_m = is_first ? distance_m : std::min(panel.nearest_m, distance_m);
+  panel.farthest_m = is_first ? distance_m : std::max(panel.farthest_m, distance_m);
+  ++panel.num_points;
+}
+
+DepthPanel make_panel(const RgbdFrame& frame,
+                      const PixelRect& rect,
+                      const BinnedDepthMapOptions& options) {
+  const Eigen::Isometry3d& map_from_camera = frame.map_from_camera.isometry();
+  DepthPanel panel;
+  const double middle_u = 0.5 * (rect.u_begin + rect.u_end - 1);
+  const double middle_v = 0.5 * (rect.v_begin + rect.v_end - 1);
+  panel.centre_direction_in_map =
+      map_from_camera.linear() * frame.camera.unproject(middle_u, middle_v, 1.0).xyz.normalized();
+  for (int v = rect.v_begin; v < rect.v_end; ++v) {
+    for (int u = rect.u_begin; u < rect.u_end; ++u) {
+      const float depth = frame.depth_m.at(u, v);
+      if (!is_measured(depth)) continue;
+      const double depth_m = static_cast<double>(depth);
+      if (depth_m < options.min_range_m || depth_m > options.max_range_m) continue;
+      const PointInCamera point = frame.camera.unproject(u, v, depth_m);
+      extend(panel, map_from_camera * point.xyz, point.xyz.norm());
+    }
+  }
+  return panel;
+}
+
+}  // namespace
+
+Result<void> validate(const BinnedDepthMapOptions& options) {
+  HYPERMAP_TRY(check_panels(options.columns, "columns"));
+  HYPERMAP_TRY(check_panels(options.rows, "rows"));
+  if (!(options.min_range_m >= 0.0) || !std::isfinite(options.min_range_m)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be finite and >= 0, is " + number_text(options.min_range_m),
+                "min_range_m");
+  }
+  if (options.max_range_m > options.min_range_m && std::isfinite(options.max_range_m)) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be finite and > min_range_m, is " + number_text(options.max_range_m),
+              "max_range_m");
+}
+
+BinnedDepthMap::BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options)
+    : columns_(options.columns),
+      rows_(options.rows),
+      camera_(frame.camera),
+      map_from_camera_(frame.map_from_camera),
+      camera_centre_(frame.map_from_camera.origin()),
+      panels_(static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows)) {}
+
+BinnedDepthMap BinnedDepthMap::create(const RgbdFrame& frame,
+                                      const BinnedDepthMapOptions& options,
+                                      int threads) {
+  BinnedDepthMap map(frame, options);
+  const int width_px = frame.camera.width_px;
+  const int height_px = frame.camera.height_px;
+  const auto make_row = [&](int row) {
+    for (int column = 0; column < options.columns; ++column) {
+      const PixelRect rect{.u_begin = panel_begin(column, options.columns, width_px),
+                           .v_begin = panel_begin(row, options.rows, height_px),
+                           .u_end = panel_begin(column + 1, options.columns, width_px),
+                           .v_end = panel_begin(row + 1, options.rows, height_px)};
+      const auto position = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns_) +
+                            static_cast<std::size_t>(column);
+      map.panels_[position] = make_panel(frame, rect, options);
+    }
+  };
+  tbb::task_arena arena(threads);
+  arena.execute([&] { tbb::parallel_for(0, options.rows, make_row); });
+  return map;
+}
+
+const DepthPanel& BinnedDepthMap::at(int column, int row) const {
+  assert(column >= 0 && column < columns_ && row >= 0 && row < rows_);
+  return panels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(column)];
+}
+
+const DepthPanel* BinnedDepthMap::panel_towards(const PointInMap& point) const {
+  const std::optional<PixelPoint> seen = camera_.project(map_from_camera_.inverse() * point);
+  if (!seen) return nullptr;
+  const double u = std::floor(seen->u_px + 0.5);
+  const double v = std::floor(seen->v_px + 0.5);
+  if (!(u >= 0.0 && u < camera_.width_px && v >= 0.0 && v < camera_.height_px)) return nullptr;
+  return &at(panel_of(static_cast<int>(u), columns_, camera_.width_px),
+             panel_of(static_cast<int>(v), rows_, camera_.height_px));
+}
+
+}  // namespace hypermap

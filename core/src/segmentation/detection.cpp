@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/segmentation/detection.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+bool by_id(const ClassEvidence& a, const ClassEvidence& b) {
+  return a.id < b.id;
+}
+
+bool by_probability_then_low_id(const ClassEvidence& a, const ClassEvidence& b) {
+  return a.probability != b.probability ? a.probability < b.probability : b.id < a.id;
+}
+
+}  // namespace
+
+double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept {
+  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
+  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
+  const double common = std::max(0.0, width) * std::max(0.0, height);
+  const double united = a.width_px() * a.height_px() + b.width_px() * b.height_px() - common;
+  return united > 0.0 ? common / united : 0.0;
+}
+
+std::optional<ClassEvidence> best_class(std::span<const ClassEvidence> scores) {
+  if (scores.empty()) return std::nullopt;
+  return *std::max_element(scores.begin(), scores.end(), by_probability_then_low_id);
+}
+
+std::vector<ClassEvidence> spread_score(ClassId id,
+                                        Probability score,
+                                        std::span<const ClassId> known) {
+  assert(std::find(known.begin(), known.end(), id) != known.end());
+  if (known.size() == 1) return {{id, Probability(1.0)}};
+  const Probability share((1.0 - score.value()) / static_cast<double>(known.size() - 1));
+  std::vector<ClassEvidence> out;
+  out.reserve(known.size());
+  for (const ClassId other : known) out.push_back({other, other == id ? score : share});
+  std::sort(out.begin(), out.end(), by_id);
+  return out;
+}
+
+Result<std::vector<ClassEvidence>> normalized(std::vector<ClassEvidence> scores) {
+  std::sort(scores.begin(), scores.end(), by_id);
+  const auto twice = std::adjacent_find(
+      scores.begin(), scores.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
+  if (twice != scores.end()) {
+    return fail(
+        ErrorCode::kInvalidArgument,
+        "must name each class once, names class " + std::to_string(twice->id.value) + " twice",
+        "class_scores");
+  }
+  double sum = 0.0;
+  for (const ClassEvidence& score : scores) sum += score.probability.value();
+  if (!(sum > 0.0)) {
+    return fail(
+        ErrorCode::kInvalidArgument, "must have a sum > 0, is " + number_text(sum), "class_scores");
+  }
+  for (ClassEvidence& score : scores) {
+    score.probability = Probability(std::min(1.0, score.probability.value() / sum));
+  }
+  return scores;
+}
+
+}  // namespace hypermap

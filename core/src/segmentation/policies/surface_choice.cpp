@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// A plane that goes on outside the box is background, unless nothing else is there.
+constexpr double kBackgroundPlaneScore = 0.05;
+/// A surface that overlaps another detection's box by this, and ours less, is that one's.
+constexpr double kRivalOverlap = 0.5;
+constexpr double kRivalScore = 0.1;
+/// A part has to widen what is covered of the box by this share; else it merely stands before it.
+constexpr double kPartMinGain = 0.03;
+/// Or it is a scrap of less than this share of the best surface: a leaf, a blade.
+constexpr double kScrapShare = 0.2;
+/// A part is not the background seen through the thing.
+constexpr double kPartMinOutline = 0.3;
+/// What stands out of its support covers at least this share of the box; else the thing is flat.
+constexpr double kStandsOutShare = 0.05;
+/// And a flat thing fills its box; otherwise the box shows only background and what is in the way,
+/// and to say that nothing was found is better than to put the thing in the wrong place.
+constexpr double kFlatShare = 0.6;
+PixelRect united(const PixelRect& a, const PixelRect& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.u_begin, b.u_begin),
+          std::min(a.v_begin, b.v_begin),
+          std::max(a.u_end, b.u_end),
+          std::max(a.v_end, b.v_end)};
+}
+
+/// Share of the box that the rectangle spans: a detector's box is tight around its thing.
+double span_share(const PixelRect& rect, const PixelRect& box) {
+  return static_cast<double>(rect.width()) * rect.height() /
+         (static_cast<double>(box.width()) * box.height());
+}
+
+double overlap(const PixelRect& a, const PixelRect& b) {
+  const double width = std::min(a.u_end, b.u_end) - std::max(a.u_begin, b.u_begin);
+  const double height = std::min(a.v_end, b.v_end) - std::max(a.v_begin, b.v_begin);
+  const double common = std::max(0.0, width) * std::max(0.0, height);
+  return common / (static_cast<double>(a.width()) * a.height() +
+                   static_cast<double>(b.width()) * b.height() - common);
+}
+
+/// Whether the surface fills another detection's box better than this one.
+bool is_rivals(const DepthComponent& component, const DepthWindow& window) {
+  const double own = overlap(component.bounds, window.box);
+  return std::any_of(window.rivals.begin(), window.rivals.end(), [&](const PixelRect& rival) {
+    const double theirs = overlap(component.bounds, rival);
+    return theirs > own && theirs > kRivalOverlap;
+  });
+}
+
+/// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
+/// hidden by what surrounds it, and not what another box is about.
+double score(const DepthComponent& component, const DepthWindow& window) {
+  const double outside = component.outside_share();
+  return component.num_in_box * (1.0 - outside) * (1.0 - outside) *
+         span_share(component.bounds_in_box, window.box) *
+         std::min(1.0, 2.0 * component.outline_share()) *
+         (component.kind != 0 ? kBackgroundPlaneScore : 1.0) *
+         (is_rivals(component, window) ? kRivalScore : 1.0);
+}
+
+/// Upright columns of space that a surface occupies, by their place on the floor plan.
+struct Column {
+  int x = 0;
+  int y = 0;
+  float low_m = 0.0F;
+  float high_m = 0.0F;
+};
+using Columns = std::vector<Column>;  // ascending by (x, y), each place once
+
+bool before(const Column& a, const Column& b) {
+  return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+}
+
+bool same_place(const Column& a, const Column& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+/// Joins columns of one place.
+Columns united(Columns columns) {
+  std::sort(columns.begin(), columns.end(), before);
+  Columns out;
+  for (const Column& column : columns) {
+    if (out.empty() || !same_place(out.back(), column)) {
+      out.push_back(column);
+      continue;
+    }
+    out.back().low_m = std::min(out.back().low_m, column.low_m);
+    out.back().high_m = std::max(out.back().high_m, column.high_m);
+  }
+  return out;
+}
+
+Columns columns_of(const DepthWindow& window,
+                   const DepthComponents& labelled,
+                   std::uint32_t id,
+                   const Eigen::Matrix3f& upright_from_camera,
+                   float edge_m) {
+  Columns columns;
+  for_each_cell_of(window, labelled, id, [&](int x, int y) {
+    const Eigen::Vector3f point = upright_from_camera * window.point_in_camera(x, y);
+    const Column column{static_cast<int>(std::floor(point.x() / edge_m)),
+                        static_cast<int>(std::floor(point.y() / edge_m)),
+                        point.z(),
+                        point.z()};
+    if (columns.empty() || !same_place(columns.back(), column)) columns.push_back(column);
+    columns.back().low_m = std::min(columns.back().low_m, point.z());
+    columns.back().high_m = std::max(columns.back().high_m, point.z());
+  });
+  return united(std::move(columns));
+}
+
+/// Whether a column of `a` stands beside, over or under one of `b`.
+bool are_near(const Columns& a, const Columns& b, float height_gap_m) {
+  return std::any_of(a.begin(), a.end(), [&](const Column& column) {
+    for (int x = column.x - 1; x <= column.x + 1; ++x) {
+      auto other = std::lower_bound(b.begin(), b.end(), Column{.x = x, .y = column.y - 1}, before);
+      for (; other != b.end() && other->x == x && other->y <= column.y + 1; ++other) {
+        const float gap_m = std::max(other->low_m - column.high_m, column.low_m - other->high_m);
+        if (gap_m <= height_gap_m) return true;
+      }
+    }
+    return false;
+  });
+}
+
+/// Surfaces that may complete the thing, the largest first: no background, and not a few pixels.
+ComponentIds part_candidates(const DepthWindow& window,
+                             const DepthComponents& labelled,
+                             std::uint32_t best,
+                             const ForegroundOptions& options) {
+  ComponentIds ids;
+  for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
+    const DepthComponent& component = labelled.components[id];
+    if (id == best || component.kind != 0 || component.num_in_box < 6) continue;
+    if (is_rivals(component, window) || component.outline_share() < kPartMinOutline) continue;
+    if (component.outside_share() <= options.part_max_outside) ids.push_back(id);
+  }
+  std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return labelled.components[a].num_in_box > labelled.components[b].num_in_box;
+  });
+  return ids;
+}
+
+/// Adds surfaces near the best one that widen what is covered of the box, until none does: the seat
+/// to the back of a chair, not the cup in front of a screen.
+ComponentIds with_parts(const DepthWindow& window,
+                        const DepthComponents& labelled,
+                        std::uint32_t best,
+                        const Eigen::Matrix3f& upright_from_camera,
+                        const ForegroundOptions& options) {
+  ComponentIds chosen{best};
+  if (options.part_gap_m <= 0.0) return chosen;
+  ComponentIds candidates = part_candidates(window, labelled, best, options);
+  if (candidates.empty()) return chosen;
+  const auto columns = [&](std::uint32_t id) {
+    return columns_of(
+        window, labelled, id, upright_from_camera, static_cast<float>(options.part_gap_m));
+  };
+  Columns reached = columns(best);
+  PixelRect covered = labelled.components[best].bounds_in_box;
+  const auto joins = [&](std::uint32_t id) {
+    const PixelRect bounds = labelled.components[id].bounds_in_box;
+    const PixelRect wider = united(covered, bounds);
+    const double gain = span_share(wider, window.box) - span_share(covered, window.box);
+    const bool is_scrap =
+        labelled.components[id].num_in_box < kScrapShare * labelled.components[best].num_in_box;
+    if (gain < kPartMinGain && !is_scrap) return false;
+    const double height_gap_m =
+        gain < kPartMinGain ? options.part_gap_m : options.part_height_gap_m;
+    const Columns part = columns(id);
+    if (!are_near(part, reached, static_cast<float>(height_gap_m))) return false;
+    reached.insert(reached.end(), part.begin(), part.end());
+    reached = united(std::move(reached));
+    covered = wider;
+    chosen.push_back(id);
+    return true;
+  };
+  while (std::erase_if(candidates, joins) > 0) {
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+/// The component of the highest score; `only_planes` or else any.
+std::uint32_t best_component(const DepthWindow& window,
+                             const DepthComponents& labelled,
+                             bool only_planes) {
+  std::uint32_t best = kNoComponent;
+  double best_score = 0.0;
+  for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
+    if (only_planes && labelled.components[id].kind == 0) continue;
+    const double value = score(labelled.components[id], window);
+    if (value <= best_score) continue;
+    best = id;
+    best_score = value;
+  }
+  return best;
+}
+
+}  // namespace
+
+ComponentIds choose_surfaces(const DepthWindow& window,
+                             const DepthComponents& labelled,
+                             const Eigen::Matrix3f& upright_from_camera,
+                             const ForegroundOptions& options) {
+  const std::uint32_t best = best_component(window, labelled, false);
+  if (best == kNoComponent) return {};
+  const std::vector<DepthComponent>& components = labelled.components;
+  double num_in_box = 0.0;
+  for (const DepthComponent& component : components) num_in_box += component.num_in_box;
+  if (components[best].kind == 0 && !is_rivals(components[best], window)) {
+    ComponentIds chosen = with_parts(window, labelled, best, upright_from_camera, options);
+    double num_chosen = 0.0;
+    for (const std::uint32_t id : chosen) num_chosen += components[id].num_in_box;
+    if (num_chosen >= kStandsOutShare * num_in_box) return chosen;
+  }
+  const std::uint32_t flat = best_component(window, labelled, true);
+  const bool is_flat =
+      flat != kNoComponent && components[flat].num_in_box >= kFlatShare * num_in_box;
+  return is_flat ? ComponentIds{flat} : ComponentIds{};
+}
+
+}  // namespace hypermap

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+
+#include <string>
+
+namespace hypermap {
+namespace {
+
+constexpr double kMaxRotationError = 1e-3;
+
+std::string size_text(int width_px, int height_px) {
+  return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
+template <class Pixel>
+Result<void> check_size(const Image<Pixel>& image,
+                        const PinholeCamera& camera,
+                        const std::string& field) {
+  if (image.width_px() == camera.width_px && image.height_px() == camera.height_px) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must have the camera's size " + size_text(camera.width_px, camera.height_px) +
+                  ", is " + size_text(image.width_px(), image.height_px()),
+              field);
+}
+
+Result<void> check_pose(const MapFromCamera& map_from_camera) {
+  const Eigen::Matrix4d& matrix = map_from_camera.isometry().matrix();
+  if (!matrix.allFinite()) {
+    return fail(ErrorCode::kInvalidArgument, "must be finite", "map_from_camera");
+  }
+  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+  const double error =
+      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (error > kMaxRotationError) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be a rotation within 0.001, is off by " + number_text(error),
+                "map_from_camera");
+  }
+  if (rotation.determinant() < 0.0) {
+    return fail(ErrorCode::kInvalidArgument, "must be a rotation, is a mirror", "map_from_camera");
+  }
+  return {};
+}
+
+Result<void> check_masks(const RgbdFrame& frame) {
+  for (std::size_t i = 0; i < frame.detections.size(); ++i) {
+    if (!frame.detections[i].mask) continue;
+    HYPERMAP_TRY(check_size(
+        *frame.detections[i].mask, frame.camera, "detections[" + std::to_string(i) + "].mask"));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validate(const RgbdFrame& frame) {
+  HYPERMAP_TRY(validate(frame.camera));
+  HYPERMAP_TRY(check_size(frame.depth_m, frame.camera, "depth_m"));
+  if (!frame.color.empty()) HYPERMAP_TRY(check_size(frame.color, frame.camera, "color"));
+  HYPERMAP_TRY(check_masks(frame));
+  return check_pose(frame.map_from_camera);
+}
+
+}  // namespace hypermap

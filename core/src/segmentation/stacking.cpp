@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/segmentation/stacking.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+/// The combined set: per class, what each detector that knows it says, already weighted.
+using Cells = std::map<ClassId, std::vector<double>>;
+
+double weight_of(DetectorId detector, const StackingOptions& options) {
+  if (options.rule != StackingRule::kWeighted) return 1.0;
+  const auto found = options.weights.find(detector);
+  return found == options.weights.end() ? 1.0 : found->second;
+}
+
+Cells combined_set(std::span<const std::vector<ClassEvidence>> likelihoods,
+                   std::span<const DetectorId> detectors,
+                   const StackingOptions& options) {
+  Cells cells;
+  for (std::size_t i = 0; i < likelihoods.size(); ++i) {
+    const double weight = weight_of(detectors[i], options);
+    for (const ClassEvidence& evidence : likelihoods[i]) {
+      cells[evidence.id].push_back(weight * evidence.probability.value());
+    }
+  }
+  return cells;
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double product_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 1.0, std::multiplies<>());
+}
+
+/// Each cell made one number by `combine`, scaled to sum 1; empty when all are 0.
+template <class Combine>
+std::vector<ClassEvidence> normalised_cells(const Cells& cells, Combine combine) {
+  double total = 0.0;
+  for (const auto& [id, values] : cells) total += combine(values);
+  std::vector<ClassEvidence> out;
+  if (!(total > 0.0)) return out;
+  for (const auto& [id, values] : cells) {
+    out.push_back({id, Probability(std::min(1.0, combine(values) / total))});
+  }
+  return out;
+}
+
+/// Detections of one thing, best score first; at most one of each detector.
+using Group = std::vector<const Detection*>;
+
+bool has_detector(const Group& group, DetectorId detector) {
+  return std::any_of(group.begin(), group.end(), [&](const Detection* member) {
+    return member->detector == detector;
+  });
+}
+
+/// Greedy: each detection joins the best overlapping group that its detector is not yet in.
+std::vector<Group> group_by_overlap(std::span<const Detection> detections, double min_overlap) {
+  std::vector<const Detection*> order;
+  for (const Detection& detection : detections) order.push_back(&detection);
+  std::stable_sort(order.begin(), order.end(), [](const Detection* a, const Detection* b) {
+    return a->score > b->score;
+  });
+  std::vector<Group> groups;
+  for (const Detection* detection : order) {
+    Group* best = nullptr;
+    double best_overlap = 0.0;
+    for (Group& group : groups) {
+      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
+      if (shared < min_overlap || shared <= best_overlap) continue;
+      if (has_detector(group, detection->detector)) continue;
+      best = &group;
+      best_overlap = shared;
+    }
+    if (best != nullptr) {
+      best->push_back(detection);
+    } else {
+      groups.push_back({detection});
+    }
+  }
+  return groups;
+}
+
+PixelBox mean_box(const Group& group) {
+  double total = 0.0;
+  for (const Detection* member : group) total += member->score.value();
+  PixelBox mean;
+  for (const Detection* member : group) {
+    const double share =
+        total > 0.0 ? member->score.value() / total : 1.0 / static_cast<double>(group.size());
+    mean.u_min_px += share * member->box_px.u_min_px;
+    mean.v_min_px += share * member->box_px.v_min_px;
+    mean.u_max_px += share * member->box_px.u_max_px;
+    mean.v_max_px += share * member->box_px.v_max_px;
+  }
+  return mean;
+}
+
+std::optional<MaskImage> united_mask(const Group& group) {
+  std::optional<MaskImage> mask;
+  for (const Detection* member : group) {
+    if (!member->mask) continue;
+    if (!mask) {
+      mask = member->mask;
+      continue;
+    }
+    if (mask->width_px() != member->mask->width_px() || mask->size() != member->mask->size()) {
+      continue;
+    }
+    const auto pixels = mask->pixels();
+    const auto others = member->mask->pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      pixels[i] = pixels[i] != 0 || others[i] != 0 ? 1 : 0;
+    }
+  }
+  return mask;
+}
+
+Result<Detection> join(const Group& group, const StackingOptions& options) {
+  std::vector<std::vector<ClassEvidence>> likelihoods;
+  std::vector<DetectorId> detectors;
+  for (const Detection* member : group) {
+    likelihoods.push_back(member->class_scores);
+    detectors.push_back(member->detector);
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<ClassEvidence> scores,
+                            combine_class_scores(likelihoods, detectors, options));
+  if (group.size() == 1) {
+    Detection alone = *group.front();
+    alone.class_scores = std::move(scores);
+    return alone;
+  }
+  return Detection{.box_px = mean_box(group),
+                   .class_scores = std::move(scores),
+                   .score = group.front()->score,
+                   .detector = group.front()->detector,
+                   .mask = united_mask(group)};
+}
+
+}  // namespace
+
+Result<void> validate(const StackingOptions& options) {
+  for (const auto& [detector, weight] : options.weights) {
+    if (std::isfinite(weight) && weight >= 0.0) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "must be finite and >= 0, is " + number_text(weight),
+                "weights[" + std::to_string(detector.value) + "]");
+  }
+  if (options.min_overlap > 0.0 && options.min_overlap <= 1.0) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be in (0, 1], is " + number_text(options.min_overlap),
+              "min_overlap");
+}
+
+Result<std::vector<ClassEvidence>> combine_class_scores(
+    std::span<const std::vector<ClassEvidence>> likelihoods,
+    std::span<const DetectorId> detectors,
+    const StackingOptions& options) {
+  assert(likelihoods.size() == detectors.size());
+  const Cells cells = combined_set(likelihoods, detectors, options);
+  std::vector<ClassEvidence> combined;
+  if (options.rule == StackingRule::kProduct) combined = normalised_cells(cells, product_of);
+  if (combined.empty()) combined = normalised_cells(cells, sum_of);
+  if (combined.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "must have a sum > 0 after weighting", "class_scores");
+  }
+  return combined;
+}
+
+Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
+                                                const StackingOptions& options) {
+  std::vector<Detection> joined;
+  for (const Group& group : group_by_overlap(detections, options.min_overlap)) {
+    Result<Detection> one = join(group, options);
+    if (!one) {
+      Error error = std::move(one).error();
+      error.entry = "detection " + std::to_string(group.front() - detections.data());
+      return Unexpected(std::move(error));
+    }
+    joined.push_back(std::move(*one));
+  }
+  return joined;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A whole map in one file, `.hmap`: layers in the form of the first implementation, and beside
+/// them the octree, the objects, the classes and where it all came from.
+///
+/// Source: [hypermap] 3.3.5 (archive of layers).
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/io/archive/hypermap_config.hpp"
+#include "hypermap/io/archive/octomap_tree.hpp"
+#include "hypermap/io/archive/provenance.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/codec/source_name.hpp"
+#include "hypermap/io/codec/zip_reader.hpp"
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+#include "hypermap/projection/grids/occupancy_grid.hpp"
+#include "hypermap/projection/layers/hypermap.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// An octree that another program wrote (or a second one of ours): its bytes are saved again as
+/// they are; `tree` is what they say. `to_semantic_octree` makes a map of it, `leaf_source` a view.
+struct OctomapExtension {
+  ExtensionEntry entry;
+  std::string bytes;
+  OctomapTree tree;
+  friend bool operator==(const OctomapExtension&, const OctomapExtension&) = default;
+};
+
+/// A grid of how much of a cell things of one class cover, in per cent; -1 where nothing is known.
+struct ClassGrid {
+  std::string class_name;
+  std::string frame_id = "map";
+  OccupancyGrid grid = {};
+  std::string name = {};  ///< Of its extension; empty: chosen when saved.
+  std::string file = {};  ///< Stem of its two members; empty: chosen when saved.
+  ValueTree extra = {};   ///< Unknown keys of its extension, as a map; null when there are none.
+  friend bool operator==(const ClassGrid&, const ClassGrid&) = default;
+};
+
+/// Everything that an archive holds. A value: copy it, compare it.
+struct MapArchive {
+  Hypermap hypermap;
+  ClassRegistry classes = {};
+  ObjectMap objects = {};
+  std::optional<SemanticOctree> octree = {};
+  std::vector<ClassGrid> class_grids = {};
+  std::optional<Provenance> provenance = {};
+  /// Unknown files and keys below come from archives of others; a new map leaves them empty.
+  std::vector<OctomapExtension> octomaps = {};
+  /// Extensions of unknown format, whole entries. Their files are among `opaque_files`.
+  std::vector<ValueTree> foreign_extensions = {};
+  /// Members that no layer and no known extension uses, in the order of their names.
+  std::vector<OpaqueFile> opaque_files = {};
+  /// Name, frame, file and unknown keys of our own extensions, by format, where they are not those
+  /// that a new archive would have.
+  std::map<std::string, ExtensionEntry, std::less<>> extension_entries = {};
+
+  friend bool operator==(const MapArchive&, const MapArchive&) = default;
+};
+
+struct ArchiveLimits {
+  ZipLimits zip = {};
+  std::uint64_t max_text_bytes = std::uint64_t{16} << 20;    ///< Of a YAML entry.
+  std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;  ///< Of the objects, a line each.
+  std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;   ///< Of an octree.
+  std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;  ///< Of our own octree.
+};
+
+/// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
+/// anywhere (absolute); told apart by content.
+///
+/// Everything is parsed aside; what is returned is whole.
+/// Findings: whatever was repaired, is unknown and kept, or is used by nothing.
+/// Errors: those of ZipReader and of the readers of the parts; kMalformedFile for a missing
+/// configuration or member, a file that leads out of the archive, a file that two layers share, a
+/// label without a class; kUnsupported for a newer version and for a file of another kind; kIo;
+/// kOutOfMemory. Each names archive and member.
+[[nodiscard]] Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
+                                                      const ArchiveLimits& limits = {});
+/// The same from an archive's bytes, which errors call `source.file`.
+[[nodiscard]] Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
+                                                       const SourceName& source,
+                                                       const ArchiveLimits& limits = {});
+
+/// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
+/// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse.
+[[nodiscard]] Result<std::string> write_archive(const MapArchive& archive,
+                                                const ArchiveLimits& limits = {});
+
+struct SaveOptions {
+  ArchiveLimits limits = {};
+  /// Parses the bytes before they replace anything, compares the maps, and after the replacement
+  /// compares the file with the bytes. For archives up to `max_verified_bytes`.
+  bool verify = true;
+  /// Larger archives are written without that second look. Unit: byte. Default: 1 GiB.
+  std::uint64_t max_verified_bytes = std::uint64_t{1} << 30;
+};
+
+/// Replaces the file atomically. Errors: those of write_archive and write_file_atomically;
+/// kMalformedFile when verification finds a difference (the old file is then still there, unless
+/// the disk itself returned other bytes, which is said).
+[[nodiscard]] Result<void> save_archive(const MapArchive& archive,
+                                        const std::filesystem::path& path,
+                                        const SaveOptions& options = {});
+[[nodiscard]] Result<void> save_archive(const MapArchive& archive,
+                                        const std::filesystem::path& path,
+                                        const SaveOptions& options,
+                                        FileCalls& calls);
+
+}  // namespace hypermap

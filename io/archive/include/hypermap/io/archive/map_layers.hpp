@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The 2D layers of a map, derived from its octree and its objects.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/projection/grids/layer_options.hpp"
+
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// The objects that the layer `semantic` stands for, in the order of their ids; all when there is
+/// no such layer. The others are not sure enough yet. Valid as long as the archive is not changed.
+[[nodiscard]] std::vector<const Object*> shown_objects(const MapArchive& archive);
+
+/// The voxels with the classes that the map stands for: a voxel of one of the objects `shown` bears
+/// that object's class, any other none; a voxel that does not reach the object's box
+/// grown by 5 cm, which a surface may be measured off, is of none. So neither a false alarm nor a
+/// single segment that took the floor in, which label voxels too, reach a grid or a picture; what
+/// each voxel itself was told stays in the octree.
+///
+/// Requires: archive.octree, which outlives the result. Ids that are no objects are left out.
+[[nodiscard]] LeafSource published_leaves(const MapArchive& archive,
+                                          std::span<const ObjectId> shown);
+
+/// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
+/// octree and from the objects that `objects` publishes; other layers stay as they are.
+///
+/// Requires: archive.octree. Errors: those of the grids and layers.
+/// Cost: two walks over the leaves.
+[[nodiscard]] Result<void> derive_layers(MapArchive& archive,
+                                         const ObjectPipelineOptions& objects,
+                                         const LayerOptions& options);
+
+}  // namespace hypermap

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The objects of a map as lines of JSON: a head, then one line for each object, all of its state,
+/// so that what is read equals what was written bit by bit.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/io/codec/source_name.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace hypermap {
+
+/// The newest version that is read, and the one that is written.
+inline constexpr int kObjectsVersion = 1;
+
+struct ObjectFileLimits {
+  std::size_t max_objects = 1'000'000;
+  std::size_t max_line_bytes = std::size_t{16} << 20;  ///< One object is one line.
+  std::size_t max_vertices = 100'000;                  ///< Of one polygon.
+};
+
+/// Errors: kInvalidArgument naming the object for a number that is not finite or a count beyond
+/// 2^63, which `parse_objects` would refuse.
+[[nodiscard]] Result<std::string> write_objects(const ObjectMap& objects);
+
+/// Errors: kMalformedFile with line and path for a missing or unknown key, a wrong type, a value
+/// that an object cannot have, a number of lines that is not the one said; kUnsupported "written by
+/// a newer version N"; kLimit.
+/// Boundary: polygons must have rings of three points and more within 1e6 m; whether they cross
+/// themselves is not judged again.
+[[nodiscard]] Result<ObjectMap> parse_objects(std::string_view bytes,
+                                              const SourceName& source,
+                                              const ObjectFileLimits& limits = {});
+
+}  // namespace hypermap

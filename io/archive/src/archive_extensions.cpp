@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "archive_extensions.hpp"
+
+#include "hypermap/io/archive/object_json.hpp"
+#include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/codec/bounded_yaml.hpp"
+#include "hypermap/io/codec/value_keys.hpp"
+#include "layers/layer_files.hpp"
+#include "octree/octree_options_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::array<std::string_view, 1> kGridKeys{"class"};
+
+/// Name and file of a new archive's extension.
+ExtensionEntry new_entry(std::string_view format) {
+  ExtensionEntry entry{.format = std::string(format)};
+  if (format == kOctomapFormat) {
+    entry.name = "octree";
+    entry.file = "octree.ot";
+  } else if (format == kObjectsFormat) {
+    entry.name = "objects";
+    entry.file = "objects.jsonl";
+  } else if (format == kClassesFormat) {
+    entry.name = "classes";
+    entry.file = "classes.yaml";
+  } else {
+    entry.name = "provenance";
+    entry.file = "provenance.yaml";
+  }
+  return entry;
+}
+
+/// Name and stem of the i-th class grid of a new archive.
+std::string plain_grid_name(std::size_t i) {
+  return "class_grid_" + std::to_string(i);
+}
+
+ExtensionEntry entry_of(const MapArchive& archive, std::string_view format) {
+  const auto kept = archive.extension_entries.find(format);
+  return kept == archive.extension_entries.end() ? new_entry(format) : kept->second;
+}
+
+void keep_entry(MapArchive& archive, ExtensionEntry entry) {
+  if (entry == new_entry(entry.format)) return;
+  std::string format = entry.format;
+  archive.extension_entries.insert_or_assign(std::move(format), std::move(entry));
+}
+
+/// Reads one extension; members named after formats.
+class ExtensionReader {
+ public:
+  ExtensionReader(MapArchive& archive,
+                  ArchiveMembers& members,
+                  const ExtensionEntry& entry,
+                  const std::string& owner,
+                  const ArchiveLimits& limits)
+      : archive_(archive), members_(members), entry_(entry), owner_(owner), limits_(limits) {}
+
+  Result<std::vector<Finding>> read() {
+    if (entry_.format == kOctomapFormat) return read_octree();
+    if (entry_.format == kClassGridFormat) return read_class_grid();
+    if (archive_.extension_entries.contains(entry_.format) || already_read())
+      return fail(ErrorCode::kMalformedFile,
+                  "a second extension of format '" + entry_.format + "'",
+                  owner_);
+    if (entry_.format == kObjectsFormat) return read_objects();
+    if (entry_.format == kClassesFormat) return read_classes();
+    return read_provenance();
+  }
+
+ private:
+  [[nodiscard]] SourceName source() const { return members_.source_of(entry_.file); }
+
+  /// Whether the part that this extension holds has come already.
+  [[nodiscard]] bool already_read() const {
+    if (entry_.format == kObjectsFormat)
+      return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
+    if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
+    return archive_.provenance.has_value();
+  }
+
+  Result<std::vector<Finding>> read_octree() {
+    HYPERMAP_ASSIGN_OR_RETURN(std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_octree_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(auto tree, parse_octomap(bytes, source()));
+    if (tree.value.kind != OctomapKind::kSemantic || archive_.octree) {
+      archive_.octomaps.push_back(
+          {.entry = entry_, .bytes = std::move(bytes), .tree = std::move(tree.value)});
+      return std::move(tree.findings);
+    }
+    HYPERMAP_ASSIGN_OR_RETURN(const OctreeOptions options, octree_options(entry_.extra));
+    auto octree =
+        to_semantic_octree(tree.value, options, {.max_voxels = limits_.max_octree_voxels});
+    if (!octree) return tl::make_unexpected(with_source(std::move(octree).error(), source()));
+    for (Finding& finding : octree->findings) {
+      finding.error = with_source(std::move(finding.error), source());
+      tree.findings.push_back(std::move(finding));
+    }
+    archive_.octree = std::move(octree->value);
+    ExtensionEntry kept = entry_;
+    kept.extra = without_octree_options(kept.extra);
+    keep_entry(archive_, std::move(kept));
+    return std::move(tree.findings);
+  }
+
+  Result<std::vector<Finding>> read_class_grid() {
+    const SourceName unnamed;
+    HYPERMAP_ASSIGN_OR_RETURN(const YamlNode class_node,
+                              YamlNode(entry_.extra, "", unnamed).at("class"));
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string class_name, class_node.as_string());
+    HYPERMAP_ASSIGN_OR_RETURN(auto layer, read_occupancy(members_, entry_.file, owner_, limits_));
+    const std::string plain = plain_grid_name(archive_.class_grids.size());
+    archive_.class_grids.push_back({.class_name = class_name,
+                                    .frame_id = entry_.frame_id,
+                                    .grid = std::move(layer.value.grid),
+                                    .name = entry_.name == plain ? "" : entry_.name,
+                                    .file = entry_.file == plain ? "" : entry_.file,
+                                    .extra = other_keys(entry_.extra, kGridKeys)});
+    return std::move(layer.findings);
+  }
+
+  Result<std::vector<Finding>> read_objects() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_objects_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.objects, parse_objects(bytes, source()));
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
+  }
+
+  Result<std::vector<Finding>> read_classes() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_text_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(bytes, source()));
+    HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> names, document.root().as_list());
+    for (const YamlNode& node : names) {
+      HYPERMAP_ASSIGN_OR_RETURN(const std::string name, node.as_string());
+      const std::size_t before = archive_.classes.size();
+      const auto added = archive_.classes.add(name);
+      if (!added) return tl::make_unexpected(node.error(added.error().what));
+      if (archive_.classes.size() == before)
+        return tl::make_unexpected(node.error("'" + printable(name) + "' is there twice"));
+    }
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
+  }
+
+  Result<std::vector<Finding>> read_provenance() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_text_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(auto provenance, parse_provenance(bytes, source()));
+    archive_.provenance = std::move(provenance.value);
+    keep_entry(archive_, entry_);
+    return std::move(provenance.findings);
+  }
+
+  MapArchive& archive_;
+  ArchiveMembers& members_;
+  const ExtensionEntry& entry_;
+  const std::string& owner_;
+  const ArchiveLimits& limits_;
+};
+
+void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
+  written.files.push_back({.name = entry.file, .bytes = std::move(bytes)});
+  written.entries.push_back(std::move(entry));
+}
+
+Result<void> put_octree(WrittenExtensions& written, const MapArchive& archive) {
+  if (!archive.octree) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(to_octomap_tree(*archive.octree)));
+  ExtensionEntry entry = entry_of(archive, kOctomapFormat);
+  std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
+  append_keys(keys, entry.extra);
+  entry.extra = make_map(std::move(keys));
+  put(written, std::move(entry), std::move(bytes));
+  return {};
+}
+
+Result<void> put_objects(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.objects == ObjectMap()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_objects(archive.objects));
+  put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
+  return {};
+}
+
+void put_classes(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.classes.size() == 0) return;
+  std::vector<ValueTree> names;
+  for (const std::string& name : archive.classes.names()) names.push_back(make_text(name));
+  put(written,
+      entry_of(archive, kClassesFormat),
+      write_yaml(make_list(std::move(names)), YamlStyle::kBlock));
+}
+
+Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
+  for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
+    const ClassGrid& grid = archive.class_grids[i];
+    const std::string plain = plain_grid_name(i);
+    ExtensionEntry entry{.format = std::string(kClassGridFormat),
+                         .name = grid.name.empty() ? plain : grid.name,
+                         .frame_id = grid.frame_id,
+                         .file = grid.file.empty() ? plain : grid.file};
+    std::vector<ValueTree::Entry> keys{{"class", make_text(grid.class_name)}};
+    append_keys(keys, grid.extra);
+    entry.extra = make_map(std::move(keys));
+    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy({.grid = grid.grid}, entry.file));
+    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    written.entries.push_back(std::move(entry));
+  }
+  return {};
+}
+
+Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archive) {
+  if (!archive.provenance) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(*archive.provenance));
+  put(written, entry_of(archive, kProvenanceFormat), std::move(bytes));
+  return {};
+}
+
+Result<void> check_class(const ClassRegistry& classes, ClassId id, const std::string& where) {
+  if (classes.contains(id)) return {};
+  return fail(ErrorCode::kMalformedFile,
+              "speaks of class " + std::to_string(id.value) + ", there are " +
+                  std::to_string(classes.size()),
+              where);
+}
+
+Result<void> check_object(const ClassRegistry& classes, const Object& object) {
+  const std::string where = "object " + std::to_string(object.id.value);
+  for (const ClassLogOdds& entry : object.belief.entries())
+    HYPERMAP_TRY(check_class(classes, entry.id, where));
+  const ObjectLedgerState& ledger = object.ledger.state();
+  if (ledger.first) HYPERMAP_TRY(check_class(classes, ledger.first->class_id, where));
+  for (const LedgerEntry& entry : ledger.newest)
+    HYPERMAP_TRY(check_class(classes, entry.class_id, where));
+  for (const LedgerSummary& summary : ledger.summaries)
+    HYPERMAP_TRY(check_class(classes, summary.class_id, where));
+  return {};
+}
+
+/// The largest class id that a label names, if any does.
+std::optional<ClassId> largest_class(const SemanticOctree& octree) {
+  std::optional<ClassId> largest;
+  octree.for_each_stored_leaf([&largest](const StoredLeaf& leaf) {
+    if (!leaf.label) return;
+    for (const ClassWeight& weight : leaf.label->classes)
+      if (weight.class_id != ClassWeight::kNone)
+        largest = std::max(largest.value_or(ClassId{0}), ClassId{weight.class_id});
+  });
+  return largest;
+}
+
+}  // namespace
+
+Result<std::vector<Finding>> read_extension(MapArchive& archive,
+                                            ArchiveMembers& members,
+                                            const ExtensionEntry& entry,
+                                            const std::string& owner,
+                                            const ArchiveLimits& limits) {
+  return ExtensionReader(archive, members, entry, owner, limits).read();
+}
+
+Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
+  WrittenExtensions written;
+  HYPERMAP_TRY(put_octree(written, archive));
+  for (const OctomapExtension& octomap : archive.octomaps)
+    put(written, octomap.entry, octomap.bytes);
+  HYPERMAP_TRY(put_objects(written, archive));
+  put_classes(written, archive);
+  HYPERMAP_TRY(put_class_grids(written, archive));
+  HYPERMAP_TRY(put_provenance(written, archive));
+  return written;
+}
+
+Result<void> check_classes(const MapArchive& archive) {
+  if (archive.octree)
+    if (const auto largest = largest_class(*archive.octree))
+      HYPERMAP_TRY(check_class(archive.classes, *largest, "octree"));
+  for (const Object& object : archive.objects.objects())
+    HYPERMAP_TRY(check_object(archive.classes, object));
+  return {};
+}
+
+}  // namespace hypermap

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What our archives hold beyond the strict form: octree, objects, classes, class grids,
+/// provenance.
+#pragma once
+
+#include "archive_members.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/hypermap_config.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+/// Reads one extension into `archive` and tells what it noticed. `owner` is how errors call it
+/// ("extensions[2].file"). Errors: those of its reader; kMalformedFile for a second one of a kind
+/// that a map has once.
+[[nodiscard]] Result<std::vector<Finding>> read_extension(MapArchive& archive,
+                                                          ArchiveMembers& members,
+                                                          const ExtensionEntry& entry,
+                                                          const std::string& owner,
+                                                          const ArchiveLimits& limits);
+
+/// All extensions of a map in a fixed order, and their files.
+struct WrittenExtensions {
+  std::vector<ExtensionEntry> entries;
+  std::vector<OpaqueFile> files;
+};
+[[nodiscard]] Result<WrittenExtensions> write_extensions(const MapArchive& archive);
+
+/// That every class which octree and objects speak of is in the registry.
+/// Errors: kMalformedFile naming the part.
+[[nodiscard]] Result<void> check_classes(const MapArchive& archive);
+
+}  // namespace hypermap

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/archive_info.hpp"
+#include "hypermap/io/codec/bounded_json.hpp"
+#include "hypermap/io/codec/json_text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace hypermap {
+namespace {
+
+std::string json_of(const Eigen::Vector3d& point, bool flat) {
+  std::string text = "[" + json_number(point.x()) + "," + json_number(point.y());
+  if (!flat) text += "," + json_number(point.z());
+  return text + "]";
+}
+
+std::string json_of(const LayerSummary& layer) {
+  std::string text = json_object({{"name", json_quoted(layer.name)},
+                                  {"class", json_quoted(layer.class_name)},
+                                  {"frame_id", json_quoted(layer.frame_id)}});
+  text.pop_back();  // the brace; what follows depends on the layer
+  if (layer.cells)
+    text += ",\"cells\":" + json_object({{"occupied", std::to_string(layer.cells->occupied)},
+                                         {"free", std::to_string(layer.cells->free)},
+                                         {"unknown", std::to_string(layer.cells->unknown)},
+                                         {"between", std::to_string(layer.cells->between)}});
+  if (layer.num_objects) text += ",\"objects\":" + std::to_string(*layer.num_objects);
+  if (layer.num_tentative) text += ",\"tentative\":" + std::to_string(*layer.num_tentative);
+  if (layer.leaves)
+    text += ",\"leaves\":" + json_object({{"occupied", std::to_string(layer.leaves->occupied)},
+                                          {"free", std::to_string(layer.leaves->free)}});
+  if (layer.bounds)
+    text += ",\"bounds\":" + json_object({{"min", json_of(layer.bounds->min(), layer.flat)},
+                                          {"max", json_of(layer.bounds->max(), layer.flat)}});
+  return text + "}";
+}
+
+std::string json_of(const FrameTransform& transform) {
+  return json_object({{"frame_id", json_quoted(transform.frame_id)},
+                      {"child_frame_id", json_quoted(transform.child_frame_id)},
+                      {"transform_pose",
+                       "[" + json_number(transform.x_m) + "," + json_number(transform.y_m) + "," +
+                           json_number(transform.yaw_rad) + "]"}});
+}
+
+/// A scalar as the number or truth value that it is, else as text.
+std::string json_of_scalar(const ValueTree& scalar) {
+  const std::string& text = scalar.text;
+  if (scalar.quoted) return json_quoted(text);
+  if (text == "true" || text == "false") return text;
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number =
+      error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number ? json_number(number) : json_quoted(text);
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): whoever read the tree bounded its depth
+std::string json_of(const ValueTree& tree) {
+  switch (tree.kind) {
+    case ValueKind::kScalar:
+      return json_of_scalar(tree);
+    case ValueKind::kList:
+      return json_array(tree.items, [](const ValueTree& item) { return json_of(item); });
+    case ValueKind::kMap: {
+      std::string text = "{";
+      for (const auto& [key, value] : tree.entries) {
+        if (text.size() > 1) text += ',';
+        text += json_quoted(key) + ":" + json_of(value);
+      }
+      return text + "}";
+    }
+    case ValueKind::kNull:
+      break;
+  }
+  return "null";
+}
+
+std::string json_of(const Provenance& provenance) {
+  const Eigen::Matrix4d matrix = provenance.map_from_input.isometry().matrix();
+  std::string rows;
+  for (int r = 0; r < 4; ++r) {
+    rows += r == 0 ? "[" : "],[";
+    for (int c = 0; c < 4; ++c) rows += (c > 0 ? "," : "") + json_number(matrix(r, c));
+  }
+  return json_object({{"tool", json_quoted(provenance.tool)},
+                      {"input", json_quoted(provenance.input)},
+                      {"input_hash", json_quoted(provenance.input_hash)},
+                      {"options", json_of(provenance.options)},
+                      {"map_from_input", "[" + rows + "]]"}});
+}
+
+std::string json_of_classes(const std::vector<std::string>& names) {
+  std::size_t id = 0;
+  return json_array(names, [&id](const std::string& name) {
+    return json_object({{"id", std::to_string(id++)}, {"name", json_quoted(name)}});
+  });
+}
+
+}  // namespace
+
+std::string to_json(const ArchiveInfo& info) {
+  const auto json = [](const auto& item) { return json_of(item); };
+  return json_object({{"format_version", std::to_string(info.format_version)},
+                      {"layers", json_array(info.layers, json)},
+                      {"classes", json_of_classes(info.classes)},
+                      {"transforms", json_array(info.transforms, json)},
+                      {"provenance", info.provenance ? json_of(*info.provenance) : "null"}});
+}
+
+}  // namespace hypermap

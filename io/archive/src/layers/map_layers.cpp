@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_layers.hpp"
+
+#include "hypermap/projection/grids/class_grids.hpp"
+#include "hypermap/projection/grids/occupancy_projection.hpp"
+#include "hypermap/projection/layers/object_footprints.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr const char* kOccupancyName = "occupancy";
+constexpr const char* kSemanticName = "semantic";
+
+std::vector<const Object*> objects_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+  std::vector<const Object*> found;
+  for (const ObjectId id : shown) found.push_back(&objects.at(id));
+  return found;
+}
+
+/// A surface is measured so much before or behind where it is.
+constexpr double kSurfaceNoiseM = 0.05;
+
+/// What an object lends to its voxels, and where.
+struct Owner {
+  ClassId class_id;
+  Box reach;
+};
+
+std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+  std::map<ObjectId, Owner> owners;
+  for (const ObjectId id : shown) {
+    const Object* object = objects.find(id);
+    const auto best = object != nullptr ? best_class(*object) : std::nullopt;
+    if (best) owners.emplace(id, Owner{best->id, grown(object->box, kSurfaceNoiseM)});
+  }
+  return owners;
+}
+
+/// Null for a voxel of none.
+const Owner* owner_of(const LeafSample& leaf, const std::map<ObjectId, Owner>& owners) {
+  const auto named = owners.find(leaf.object);
+  if (named == owners.end()) return nullptr;
+  const bool reaches = grown(named->second.reach, 0.5 * leaf.edge_m).contains(leaf.centre_in_map);
+  return reaches ? &named->second : nullptr;
+}
+
+/// Replaces the content of a layer, or adds the layer.
+Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent content) {
+  if (hypermap.find(name) != nullptr) return hypermap.set_content(name, std::move(content));
+  return hypermap.add_layer({LayerInfo{.name = name}, std::move(content)});
+}
+
+}  // namespace
+
+std::vector<const Object*> shown_objects(const MapArchive& archive) {
+  const Layer* layer = archive.hypermap.find(kSemanticName);
+  const auto* semantic = layer != nullptr ? std::get_if<SemanticLayer>(&layer->content) : nullptr;
+  std::vector<const Object*> shown;
+  for (const Object& object : archive.objects.objects()) {
+    if (semantic == nullptr || semantic->find(object.id.value) != nullptr) {
+      shown.push_back(&object);
+    }
+  }
+  return shown;
+}
+
+LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId> shown) {
+  return [leaves = leaf_source(*archive.octree),
+          owners = owners_of(archive.objects, shown)](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      LeafSample published = leaf;
+      const Owner* owner = owner_of(leaf, owners);
+      published.best_class = owner == nullptr ? std::nullopt : std::optional(owner->class_id);
+      if (owner == nullptr) published.object = kNoObject;
+      visit(published);
+    });
+  };
+}
+
+Result<void> derive_layers(MapArchive& archive,
+                           const ObjectPipelineOptions& objects,
+                           const LayerOptions& options) {
+  HYPERMAP_TRY(validate(options));
+  const auto shown = published(archive.objects, objects.publication);
+  const LeafSource leaves = published_leaves(archive, shown);
+  const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
+  const OccupancyProjectionOptions projection{.min_free_share = options.min_free_share};
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band, projection));
+  HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band, projection));
+  HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
+                            project_footprints(objects_of(archive.objects, shown),
+                                               archive.classes,
+                                               {.policy = objects.footprint,
+                                                .confidence = objects.publication.confidence}));
+  HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer{std::move(occupancy)}));
+  HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
+  archive.class_grids.clear();
+  for (auto& [id, grid] : class_grids) {
+    archive.class_grids.push_back(
+        {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
+  }
+  return {};
+}
+
+}  // namespace hypermap

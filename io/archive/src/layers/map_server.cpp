@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_server.hpp"
+
+#include "hypermap/io/codec/bounded_yaml.hpp"
+#include "hypermap/io/codec/byte_source.hpp"
+
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace hypermap {
+namespace {
+
+/// One pixel as its readers see it. Sums stay whole numbers, so that thresholds compare exactly.
+struct Shade {
+  double colors = 0.0;  ///< Sum over the colour channels.
+  double full = 1.0;    ///< What that sum is for white.
+  double alpha = 0.0;   ///< Of one channel; `white` when there is none.
+  double white = 1.0;   ///< Of one channel.
+  bool has_alpha = false;
+};
+
+Shade shade_of(const Picture& picture, std::size_t pixel) {
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  const std::size_t num_colors = channels - (picture.has_alpha() ? 1 : 0);
+  const auto sample = [&](std::size_t c) {
+    const std::size_t at = pixel * channels + c;
+    const int value = picture.bits == 8 ? int{picture.samples8[at]} : int{picture.samples16[at]};
+    return static_cast<double>(value);
+  };
+  Shade shade{.full = static_cast<double>(num_colors) * picture.max_value,
+              .white = static_cast<double>(picture.max_value),
+              .has_alpha = picture.has_alpha()};
+  for (std::size_t c = 0; c < num_colors; ++c) shade.colors += sample(c);
+  shade.alpha = shade.has_alpha ? sample(num_colors) : shade.white;
+  return shade;
+}
+
+bool is_transparent(const Shade& shade) {
+  return shade.alpha < shade.white;
+}
+
+/// Source: [hypermap] 3.3.5; `in_between` gives the occupancy for r in [0, 1].
+template <class InBetween>
+std::int8_t by_thresholds(double sum,
+                          double full,
+                          const MapMetadata& metadata,
+                          const InBetween& in_between) {
+  const double p = (metadata.negate ? sum : full - sum) / full;
+  if (p > metadata.occupied_thresh) return kOccupiedCell;
+  if (p < metadata.free_thresh) return kFreeCell;
+  if (metadata.mode == MapMode::kTrinary) return kUnknownCell;
+  const double width = metadata.occupied_thresh - metadata.free_thresh;
+  return in_between(width > 0.0 ? (p - metadata.free_thresh) / width : 0.0);
+}
+
+/// The grey value as a byte, negated if asked.
+int raw_value(const Shade& shade, const MapMetadata& metadata) {
+  const int value = static_cast<int>(std::lround(255.0 * shade.colors / shade.full));
+  return metadata.negate ? 255 - value : value;
+}
+
+std::int8_t raw_cell(const Shade& shade, const MapMetadata& metadata) {
+  const int value = raw_value(shade, metadata);
+  return value <= kOccupiedCell ? static_cast<std::int8_t>(value) : kUnknownCell;
+}
+
+std::int8_t hypermap_cell(const Shade& shade, const MapMetadata& metadata) {
+  if (is_transparent(shade)) return kUnknownCell;
+  if (metadata.mode == MapMode::kRaw) return raw_cell(shade, metadata);
+  return by_thresholds(shade.colors, shade.full, metadata, [](double r) {
+    return static_cast<std::int8_t>(std::lround(100.0 * r));
+  });
+}
+
+std::int8_t map_server_cell(const Shade& shade, const MapMetadata& metadata) {
+  if (metadata.mode == MapMode::kRaw) return raw_cell(shade, metadata);
+  if (metadata.mode == MapMode::kScale && is_transparent(shade)) return kUnknownCell;
+  const bool averages_alpha = metadata.mode == MapMode::kTrinary && shade.has_alpha;
+  const double sum = shade.colors + (averages_alpha ? shade.alpha : 0.0);
+  const double full = shade.full + (averages_alpha ? shade.white : 0.0);
+  return by_thresholds(
+      sum, full, metadata, [](double r) { return static_cast<std::int8_t>(99.0 * r); });
+}
+
+/// Raw values that are no occupancy and not 255, which a signed byte reads as -1.
+std::size_t count_odd_raw_values(const Picture& picture, const MapMetadata& metadata) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < picture.num_pixels(); ++i) {
+    const Shade shade = shade_of(picture, i);
+    const int value = raw_value(shade, metadata);
+    if (!is_transparent(shade) && value > kOccupiedCell && value < 255) ++count;
+  }
+  return count;
+}
+
+std::vector<Finding> findings_of(const Picture& picture,
+                                 const MapMetadata& metadata,
+                                 MapDialect dialect) {
+  if (metadata.mode != MapMode::kRaw || dialect != MapDialect::kHypermap) return {};
+  const std::size_t odd = count_odd_raw_values(picture, metadata);
+  if (odd == 0) return {};
+  return {{.severity = Severity::kWarning,
+           .error = {.code = ErrorCode::kMalformedFile,
+                     .what = std::to_string(odd) + " raw values of 101 to 254 are read as unknown",
+                     .field = "mode"}}};
+}
+
+GridGeometry geometry_of(const Picture& picture, const MapMetadata& metadata) {
+  return {.resolution_m = metadata.resolution_m,
+          .origin = {metadata.origin[0], metadata.origin[1]},
+          .yaw_rad = metadata.origin[2],
+          .cols = picture.width_px,
+          .rows = picture.height_px};
+}
+
+}  // namespace
+
+Result<Loaded<OccupancyGrid>> grid_from_picture(const Picture& picture,
+                                                const MapMetadata& metadata,
+                                                MapDialect dialect) {
+  const GridGeometry geometry = geometry_of(picture, metadata);
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid, OccupancyGrid::create(geometry));
+  const auto cell_of = dialect == MapDialect::kHypermap ? hypermap_cell : map_server_cell;
+  for (int row = 0; row < geometry.rows; ++row) {
+    const auto top_row = static_cast<std::size_t>(geometry.rows - 1 - row);
+    for (int col = 0; col < geometry.cols; ++col) {
+      const std::size_t pixel =
+          top_row * static_cast<std::size_t>(geometry.cols) + static_cast<std::size_t>(col);
+      grid.set({col, row}, cell_of(shade_of(picture, pixel), metadata));
+    }
+  }
+  return Loaded<OccupancyGrid>{std::move(grid), findings_of(picture, metadata, dialect)};
+}
+
+Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
+                                        MapDialect dialect) {
+  const SourceName source{.file = yaml_path.string()};
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(yaml_path, YamlLimits{}.max_bytes));
+  HYPERMAP_ASSIGN_OR_RETURN(Loaded<MapMetadata> metadata, parse_map_metadata(yaml, source));
+  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture,
+                            read_picture(yaml_path.parent_path() / metadata.value.image));
+  auto grid = grid_from_picture(picture, metadata.value, dialect);
+  if (!grid) return tl::make_unexpected(with_source(grid.error(), source));
+  std::vector<Finding> findings = std::move(metadata.findings);
+  for (Finding& finding : grid->findings) {
+    findings.push_back({finding.severity, with_source(finding.error, source)});
+  }
+  return Loaded<OccupancyLayer>{{std::move(grid->value), std::move(metadata.value.extra)},
+                                std::move(findings)};
+}
+
+}  // namespace hypermap

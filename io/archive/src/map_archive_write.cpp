@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "archive_extensions.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/zip_writer.hpp"
+#include "layers/layer_files.hpp"
+
+#include <exception>
+#include <iterator>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+void append_files(std::vector<OpaqueFile>& files, std::vector<OpaqueFile> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(files));
+}
+
+/// The configuration, then the files of layers and extensions in its order, then the rest.
+Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
+  HypermapConfig config{.frames = archive.hypermap.frames(),
+                        .foreign_extensions = archive.foreign_extensions,
+                        .extra = archive.hypermap.extra()};
+  std::vector<OpaqueFile> files;
+  for (const Layer& layer : archive.hypermap.layers()) {
+    config.layers.push_back({.class_name = std::string(class_of(layer)), .info = layer.info});
+    HYPERMAP_ASSIGN_OR_RETURN(auto layer_files, write_layer(layer));
+    append_files(files, std::move(layer_files));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(WrittenExtensions extensions, write_extensions(archive));
+  config.extensions = std::move(extensions.entries);
+  append_files(files, std::move(extensions.files));
+  append_files(files, archive.opaque_files);
+  files.insert(files.begin(),
+               {.name = std::string(kConfigName), .bytes = write_hypermap_config(config)});
+  return files;
+}
+
+Result<std::string> zip_of(const std::vector<OpaqueFile>& files, const ZipLimits& limits) {
+  ZipWriter writer(limits);
+  for (const OpaqueFile& file : files) {
+    auto added = writer.add(file.name, file.bytes);
+    if (!added) {
+      Error error = std::move(added).error();
+      error.entry = file.name;
+      return tl::make_unexpected(std::move(error));
+    }
+  }
+  return writer.finish();
+}
+
+/// The first part in which two maps differ, or an empty text. The octree is compared by what is
+/// stored of it: a blank label is none.
+std::string first_difference(const MapArchive& a, const MapArchive& b) {
+  const auto tree_of = [](const MapArchive& archive) {
+    return archive.octree ? to_octomap_tree(*archive.octree) : OctomapTree{};
+  };
+  if (!(a.hypermap == b.hypermap)) return "layers";
+  if (!(a.classes == b.classes)) return "classes";
+  if (!(a.objects == b.objects)) return "objects";
+  if (a.octree.has_value() != b.octree.has_value() || !(tree_of(a) == tree_of(b))) return "octree";
+  if (!(a.class_grids == b.class_grids)) return "class grids";
+  if (!(a.provenance == b.provenance)) return "provenance";
+  if (!(a.octomaps == b.octomaps)) return "octomaps";
+  if (!(a.foreign_extensions == b.foreign_extensions)) return "foreign extensions";
+  if (!(a.opaque_files == b.opaque_files)) return "opaque files";
+  return {};
+}
+
+/// What the loader would say of these bytes, and whether it would get the same map.
+Result<void> verify_bytes(const MapArchive& archive,
+                          std::string_view bytes,
+                          const SourceName& source,
+                          const ArchiveLimits& limits) {
+  auto again = parse_archive(bytes, source, limits);
+  if (!again) {
+    Error error = std::move(again).error();
+    error.what = "not saved, the archive could not be loaded again: " + error.what;
+    return tl::make_unexpected(std::move(error));
+  }
+  const std::string difference = first_difference(archive, again->value);
+  if (difference.empty()) return {};
+  return fail(ErrorCode::kMalformedFile,
+              "not saved, the map would not be the same after loading",
+              difference);
+}
+
+Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string stored, read_file(path, bytes.size()));
+  if (stored == bytes) return {};
+  Error error{.code = ErrorCode::kIo,
+              .what = "replaced, yet the disk returns other bytes than were written"};
+  error.file = path.string();
+  return tl::make_unexpected(std::move(error));
+}
+
+}  // namespace
+
+Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits& limits) try {
+  HYPERMAP_TRY(check_classes(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<OpaqueFile> files, members_of(archive));
+  return zip_of(files, limits.zip);
+} catch (const std::exception&) {
+  return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
+}
+
+Result<void> save_archive(const MapArchive& archive,
+                          const std::filesystem::path& path,
+                          const SaveOptions& options) {
+  FileCalls calls;
+  return save_archive(archive, path, options, calls);
+}
+
+Result<void> save_archive(const MapArchive& archive,
+                          const std::filesystem::path& path,
+                          const SaveOptions& options,
+                          FileCalls& calls) {
+  const auto in_file = [&path](Error error) {
+    return tl::make_unexpected(with_source(std::move(error), {.file = path.string()}));
+  };
+  auto bytes = write_archive(archive, options.limits);
+  if (!bytes) return in_file(std::move(bytes).error());
+  const bool verify = options.verify && bytes->size() <= options.max_verified_bytes;
+  if (verify)
+    if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options.limits); !same)
+      return in_file(std::move(same).error());
+  HYPERMAP_TRY(write_file_atomically(path, *bytes, calls));
+  if (verify) return verify_file(path, *bytes);
+  return {};
+}
+
+}  // namespace hypermap

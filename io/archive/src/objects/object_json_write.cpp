@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/object_json.hpp"
+#include "hypermap/io/codec/bounded_json.hpp"
+#include "hypermap/io/codec/json_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+/// Writes one object and remembers whether everything in it can be written.
+class ObjectWriter {
+ public:
+  [[nodiscard]] bool ok() const { return ok_; }
+
+  std::string json_of(const Object& object) {
+    return json_object({{"id", count(object.id.value)},
+                        {"belief", json_of(object.belief)},
+                        {"existence", number(object.existence)},
+                        {"box_confidence", number(object.box_confidence)},
+                        {"box", json_of(object.box)},
+                        {"centroid", vector(object.centroid_in_map)},
+                        {"histogram", json_of(object.histogram)},
+                        {"shapes", json_of(object.shapes)},
+                        {"points", json_of(object.points)},
+                        {"ledger", json_of(object.ledger)},
+                        {"first_seen_ns", std::to_string(object.first_seen.ns)},
+                        {"last_seen_ns", std::to_string(object.last_seen.ns)},
+                        {"num_observations", count(object.num_observations)},
+                        {"farthest_detection_m", number(object.farthest_detection_m)}});
+  }
+
+ private:
+  std::string number(double value) {
+    if (!std::isfinite(value)) {
+      ok_ = false;
+      return "null";
+    }
+    return json_number(value);
+  }
+  std::string number(LogOdds value) { return number(value.value()); }
+  std::string number(float value) { return number(static_cast<double>(value)); }
+  std::string count(std::uint64_t value) {
+    ok_ = ok_ && value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    return std::to_string(value);
+  }
+  template <class Vector>
+  std::string vector(const Vector& v) {
+    std::string text = "[";
+    for (Eigen::Index i = 0; i < v.size(); ++i) text += (i > 0 ? "," : "") + number(v(i));
+    return text + "]";
+  }
+
+  std::string json_of(const Box& box) {
+    return "[" + vector(box.min_in_map) + "," + vector(box.max_in_map) + "]";
+  }
+
+  std::string json_of(const ClassBelief& belief) {
+    const ClassBeliefOptions& options = belief.options();
+    return json_object(
+        {{"max_log_odds", number(options.max_log_odds)},
+         {"min_log_odds", number(options.min_log_odds)},
+         {"saturation", options.saturation == Saturation::kClamp ? "\"clamp\"" : "\"shift\""},
+         {"classes", json_array(belief.entries(), [this](const ClassLogOdds& entry) {
+            return "[" + count(entry.id.value) + "," + number(entry.log_odds) + "]";
+          })}});
+  }
+
+  std::string json_of(const VisibilityHistogram& histogram) {
+    const VisibilityHistogramOptions& options = histogram.options();
+    return json_object(
+        {{"base_increment", number(options.base_increment)},
+         {"weights", json_array(options.weights, [this](double w) { return number(w); })},
+         {"max_log_odds", number(options.max_log_odds)},
+         {"min_log_odds", number(options.min_log_odds)},
+         {"visible_above", number(options.visible_above)},
+         {"hidden_below", number(options.hidden_below)},
+         {"bins", json_array(histogram.bins(), [this](LogOdds bin) { return number(bin); })}});
+  }
+
+  std::string json_of(const Ring& ring) {
+    return json_array(ring, [this](const Eigen::Vector2d& point) { return vector(point); });
+  }
+  std::string json_of(const Polygon& polygon) {
+    std::string text = "[" + json_of(polygon.outer);
+    for (const Ring& hole : polygon.holes) text += "," + json_of(hole);
+    return text + "]";
+  }
+
+  std::string json_of(const ShapeEvidence& evidence) {
+    const ShapeEvidenceState& state = evidence.state();
+    return json_object(
+        {{"num_seen", count(state.num_seen)},
+         {"centroid_sum", vector(state.centroid_sum)},
+         {"hull", state.hull ? json_of(*state.hull) : "null"},
+         {"kept", json_array(state.shapes, [this](const Polygon& p) { return json_of(p); })}});
+  }
+
+  std::string json_of(const PointEvidence& evidence) {
+    const PointEvidenceOptions& options = evidence.options();
+    const PointEvidenceState& state = evidence.state();
+    return json_object({{"first_edge_m", number(options.edge_m)},
+                        {"max_cells", count(options.max_cells)},
+                        {"min_vote_share", number(options.min_vote_share)},
+                        {"edge_m", number(state.edge_m)},
+                        {"num_observations", count(state.num_observations)},
+                        {"votes", json_array(state.votes, [](const PointVote& vote) {
+                           return "[" + std::to_string(vote.cell.x) + "," +
+                                  std::to_string(vote.cell.y) + "," + std::to_string(vote.cell.z) +
+                                  "," + std::to_string(vote.votes) + "]";
+                         })}});
+  }
+
+  /// Kind, visibility and the rest in the order of LedgerEntry's fields.
+  std::string json_of(const LedgerEntry& entry) {
+    return "[" + count(entry.frame_index) + "," + std::to_string(entry.stamp.ns) + "," +
+           std::to_string(static_cast<int>(entry.kind)) + "," +
+           std::to_string(static_cast<int>(entry.visibility)) + "," + count(entry.detector.value) +
+           "," + count(entry.class_id.value) + "," + number(entry.score) + "," +
+           number(entry.bearing_rad) + "," + number(entry.distance_m) + "," + number(entry.effect) +
+           "]";
+  }
+  /// In the order of LedgerSummary's fields.
+  std::string json_of(const LedgerSummary& summary) {
+    return "[" + std::to_string(static_cast<int>(summary.kind)) + "," +
+           count(summary.detector.value) + "," + count(summary.class_id.value) + "," +
+           std::to_string(static_cast<int>(summary.bearing_bin)) + "," + count(summary.count) +
+           "," + number(summary.score_sum) + "," + number(summary.effect_sum) + "," +
+           count(summary.last_frame_index) + "]";
+  }
+  std::string json_of(const ObjectLedger& ledger) {
+    const ObjectLedgerState& state = ledger.state();
+    const auto json = [this](const auto& item) { return json_of(item); };
+    return json_object({{"first", state.first ? json_of(*state.first) : "null"},
+                        {"newest", json_array(state.newest, json)},
+                        {"summaries", json_array(state.summaries, json)},
+                        {"num_unsummarised", count(state.num_unsummarised)}});
+  }
+
+  bool ok_ = true;
+};
+
+}  // namespace
+
+Result<std::string> write_objects(const ObjectMap& objects) try {
+  std::string text = json_object({{"format", "\"hypermap-objects\""},
+                                  {"version", std::to_string(kObjectsVersion)},
+                                  {"num_objects", std::to_string(objects.size())},
+                                  {"next_id", std::to_string(objects.next_id().value)}}) +
+                     "\n";
+  for (const Object& object : objects.objects()) {
+    ObjectWriter writer;
+    text += writer.json_of(object) + "\n";
+    if (!writer.ok())
+      return fail(ErrorCode::kInvalidArgument,
+                  "has a number that is not finite or a count beyond 2^63",
+                  "object " + std::to_string(object.id.value));
+  }
+  return text;
+} catch (const std::exception&) {
+  return fail(ErrorCode::kOutOfMemory, "no memory for the objects");
+}
+
+}  // namespace hypermap

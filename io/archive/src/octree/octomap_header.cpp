@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "octomap_header.hpp"
+
+#include "hypermap/io/codec/text_file.hpp"
+
+#include <array>
+#include <charconv>
+#include <set>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::string_view kFirstLine = "# Octomap OcTree file";
+constexpr std::string_view kFirstLineBinary = "# Octomap OcTree binary file";
+constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 17;
+constexpr std::size_t kMaxIdBytes = 256;
+constexpr double kMinResolution = 1e-6;
+constexpr double kMaxResolution = 1e3;
+
+Result<std::uint64_t> parse_size(std::string_view text) {
+  std::uint64_t size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (error != std::errc() || end != text.data() + text.size())
+    return fail(ErrorCode::kMalformedFile,
+                "is '" + printable(text) + "', expected a number of nodes",
+                "size");
+  return size;
+}
+
+Result<double> parse_resolution(std::string_view text) {
+  double resolution = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), resolution);
+  if (error != std::errc() || end != text.data() + text.size() ||
+      !(resolution >= kMinResolution && resolution <= kMaxResolution))
+    return fail(ErrorCode::kMalformedFile,
+                "is '" + printable(text) + "', expected metres between 1e-6 and 1000",
+                "res");
+  return resolution;
+}
+
+/// Reads the header line by line.
+class HeaderParser {
+ public:
+  explicit HeaderParser(std::string_view bytes) : bytes_(bytes) {}
+
+  Result<OctomapHeader> parse() {
+    HYPERMAP_TRY(take_first_line());
+    bool at_data = false;
+    while (!at_data) {
+      HYPERMAP_ASSIGN_OR_RETURN(const std::string_view line, take_line());
+      const std::string_view text = trimmed(line);
+      at_data = text == "data";
+      if (at_data || text.empty() || text.front() == '#') continue;
+      HYPERMAP_TRY(take_key(text));
+    }
+    for (const std::string_view key : {"id", "size", "res"})
+      if (!seen_.contains(key))
+        return fail(ErrorCode::kMalformedFile, "is missing in the header", std::string(key));
+    header_.num_bytes = at_;
+    return std::move(header_);
+  }
+
+ private:
+  Result<void> take_first_line() {
+    header_.binary = bytes_.starts_with(kFirstLineBinary);
+    if (!header_.binary && !bytes_.starts_with(kFirstLine))
+      return fail(ErrorCode::kMalformedFile,
+                  "not an OctoMap file: expected '" + std::string(kFirstLine) + "' or '" +
+                      std::string(kFirstLineBinary) + "' in the first line");
+    HYPERMAP_TRY(take_line());
+    return {};
+  }
+
+  Result<std::string_view> take_line() {
+    const std::size_t end = bytes_.substr(0, kMaxHeaderBytes).find('\n', at_);
+    if (end == std::string_view::npos && bytes_.size() > kMaxHeaderBytes)
+      return fail(ErrorCode::kLimit,
+                  "no line 'data' in the first " + std::to_string(kMaxHeaderBytes) + " bytes",
+                  "header");
+    if (end == std::string_view::npos)
+      return fail(ErrorCode::kMalformedFile, "ends before the line 'data'", "header");
+    const std::string_view line = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    if (line.find('\r') != std::string_view::npos)
+      return fail(ErrorCode::kMalformedFile,
+                  "has CRLF line ends: the file was damaged by a transfer as text",
+                  "header");
+    return line;
+  }
+
+  Result<void> take_key(std::string_view text) {
+    const std::string_view key = text.substr(0, text.find_first_of(" \t"));
+    const std::string_view value = trimmed(text.substr(key.size()));
+    if (key != "id" && key != "size" && key != "res") {
+      header_.findings.push_back(
+          {.error = {.code = ErrorCode::kMalformedFile,
+                     .what = "unknown key '" + printable(key, 40) + "' is ignored",
+                     .field = "header"}});
+      return {};
+    }
+    if (!seen_.insert(std::string(key)).second)
+      return fail(ErrorCode::kMalformedFile, "is given twice", std::string(key));
+    if (key == "size") {
+      HYPERMAP_ASSIGN_OR_RETURN(header_.num_nodes, parse_size(value));
+    } else if (key == "res") {
+      HYPERMAP_ASSIGN_OR_RETURN(header_.resolution_m, parse_resolution(value));
+    } else if (value.empty() || value.size() > kMaxIdBytes) {
+      return fail(ErrorCode::kMalformedFile,
+                  "has " + std::to_string(value.size()) + " bytes, expected 1 to 256",
+                  "id");
+    } else {
+      header_.id = value;
+    }
+    return {};
+  }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  OctomapHeader header_;
+  std::set<std::string, std::less<>> seen_;
+};
+
+}  // namespace
+
+Result<OctomapHeader> parse_octomap_header(std::string_view bytes) {
+  return HeaderParser(bytes).parse();
+}
+
+std::string write_octomap_header(const OctomapHeader& header) {
+  std::array<char, 32> resolution{};
+  const auto [end, error] =
+      std::to_chars(resolution.data(), resolution.data() + resolution.size(), header.resolution_m);
+  std::string text(header.binary ? kFirstLineBinary : kFirstLine);
+  text += "\nid " + header.id + "\nsize " + std::to_string(header.num_nodes) + "\nres ";
+  text.append(resolution.data(), end);
+  return text + "\ndata\n";
+}
+
+}  // namespace hypermap

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/octomap_tree.hpp"
+
+#include "hypermap/core/base/class_palette.hpp"
+#include "octomap_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr int kBrickDepth = 13;  // a leaf of 8 x 8 x 8 voxels
+constexpr Rgb8 kUnlabelled{.r = 160, .g = 160, .b = 160};
+
+/// Log-odds, colour and label of a leaf: what siblings must share to become one.
+bool same_content(const OctomapTree& tree, std::size_t a, std::size_t b) {
+  const OctomapLeaf& first = tree.leaves[a];
+  const OctomapLeaf& second = tree.leaves[b];
+  if (first.log_odds != second.log_odds) return false;
+  if (!tree.colors.empty() && !(tree.colors[a] == tree.colors[b])) return false;
+  const bool labelled = first.label != OctomapLeaf::kNoLabel;
+  if (labelled != (second.label != OctomapLeaf::kNoLabel)) return false;
+  return !labelled || tree.labels[first.label] == tree.labels[second.label];
+}
+
+/// Whether the last eight leaves are all the children of one cube, alike.
+bool last_eight_are_one(const OctomapTree& tree) {
+  if (tree.leaves.size() < 8) return false;
+  const std::size_t first = tree.leaves.size() - 8;
+  const OctomapLeaf& corner = tree.leaves[first];
+  if (corner.depth == 0 || corner.key.morton() % (8 * corner.num_voxels()) != 0) return false;
+  for (std::size_t i = 1; i < 8; ++i) {
+    const OctomapLeaf& leaf = tree.leaves[first + i];
+    if (leaf.depth != corner.depth ||
+        leaf.key.morton() != corner.key.morton() + i * corner.num_voxels() ||
+        !same_content(tree, first, first + i))
+      return false;
+  }
+  return true;
+}
+
+void merge_last_eight(OctomapTree& tree) {
+  tree.leaves.resize(tree.leaves.size() - 7);
+  if (!tree.colors.empty()) tree.colors.resize(tree.leaves.size());
+  --tree.leaves.back().depth;
+}
+
+std::string name_of(std::size_t index) {
+  return "leaf " + std::to_string(index);
+}
+
+Result<void> check_leaf(const OctomapTree& tree, std::size_t index) {
+  const OctomapLeaf& leaf = tree.leaves[index];
+  const auto wrong = [&](std::string what) {
+    return fail(ErrorCode::kInvalidArgument, std::move(what), name_of(index));
+  };
+  if (leaf.depth > OctomapLeaf::kVoxelDepth) return wrong("deeper than 16");
+  if (leaf.key.morton() % leaf.num_voxels() != 0) return wrong("not aligned to its own edge");
+  if (!(std::abs(leaf.log_odds) <= kMaxLogOdds))
+    return wrong("log-odds are " + std::to_string(leaf.log_odds) + ", expected within +-32.767");
+  if (leaf.label != OctomapLeaf::kNoLabel && leaf.label >= tree.labels.size())
+    return wrong("points to a label that is not there");
+  if (index == 0) return {};
+  const OctomapLeaf& before = tree.leaves[index - 1];
+  if (before.key.morton() + before.num_voxels() > leaf.key.morton())
+    return wrong("overlaps the one before or stands before it in Morton order");
+  return {};
+}
+
+/// Counts what a conversion changed.
+struct Changes {
+  std::uint64_t clamped = 0;
+  std::uint64_t rounded = 0;
+};
+
+MilliLogOdds converted(float log_odds, const SensorModel& model, Changes& changes) {
+  const MilliLogOdds milli = to_milli(LogOdds(static_cast<double>(log_odds)));
+  const MilliLogOdds clamped = std::clamp(milli, model.clamp_min, model.clamp_max);
+  if (clamped != milli) {
+    ++changes.clamped;
+  } else if (static_cast<float>(from_milli(milli).value()) != log_odds) {
+    ++changes.rounded;
+  }
+  return clamped;
+}
+
+std::uint64_t num_voxels(const OctomapTree& tree) {
+  std::uint64_t total = 0;  // at most 2^48: the leaves are disjoint
+  for (const OctomapLeaf& leaf : tree.leaves) total += leaf.num_voxels();
+  return total;
+}
+
+std::uint64_t max_voxels(const OctomapTree& tree, const OctreeConversionOptions& options) {
+  const std::uint64_t by_leaves = options.max_voxels_per_leaf * tree.leaves.size();
+  return std::min(options.max_voxels, std::max(options.unjudged_voxels, by_leaves));
+}
+
+Finding counted(std::uint64_t count, const std::string& what) {
+  return {.error = {.code = ErrorCode::kMalformedFile,
+                    .what = std::to_string(count) + " leaves: " + what,
+                    .field = "octree"}};
+}
+
+}  // namespace
+
+Result<void> validate(const OctomapTree& tree) {
+  if (!tree.colors.empty() && tree.colors.size() != tree.leaves.size())
+    return fail(ErrorCode::kInvalidArgument, "expected one colour per leaf", "colors");
+  if ((tree.kind == OctomapKind::kColor) != !tree.colors.empty() && !tree.leaves.empty())
+    return fail(ErrorCode::kInvalidArgument, "colours belong to trees with colour", "colors");
+  if (tree.kind != OctomapKind::kSemantic && !tree.labels.empty())
+    return fail(ErrorCode::kInvalidArgument, "labels belong to semantic trees", "labels");
+  if (!(tree.resolution_m >= 1e-6 && tree.resolution_m <= 1e3))
+    return fail(ErrorCode::kInvalidArgument,
+                "is " + std::to_string(tree.resolution_m) + ", expected 1e-6 to 1000",
+                "resolution_m");
+  for (std::size_t i = 0; i < tree.leaves.size(); ++i) HYPERMAP_TRY(check_leaf(tree, i));
+  return {};
+}
+
+LeafSource leaf_source(const OctomapTree& tree) {
+  return [&tree](const LeafVisitor& visit) {
+    const VoxelGrid grid(tree.resolution_m);
+    for (const OctomapLeaf& leaf : tree.leaves) {
+      const double half_edge_m = 0.5 * leaf.edge_voxels() * tree.resolution_m;
+      const Eigen::Vector3d corner =
+          grid.centre(leaf.key).xyz - Eigen::Vector3d::Constant(0.5 * tree.resolution_m);
+      LeafSample sample;
+      sample.centre_in_map = corner + Eigen::Vector3d::Constant(half_edge_m);
+      sample.edge_m = 2.0 * half_edge_m;
+      sample.occupancy = LogOdds(static_cast<double>(leaf.log_odds));
+      sample.occupied = leaf.log_odds >= 0.0F;
+      if (sample.occupied && leaf.label != OctomapLeaf::kNoLabel) {
+        sample.best_class = tree.labels[leaf.label].best_class();
+        sample.object = tree.labels[leaf.label].object;
+      }
+      visit(sample);
+    }
+  };
+}
+
+OctomapTree to_octomap_tree(const SemanticOctree& octree) {
+  OctomapTree tree{.kind = OctomapKind::kSemantic, .resolution_m = octree.resolution_m()};
+  octree.for_each_stored_leaf([&tree](const StoredLeaf& stored) {
+    OctomapLeaf leaf{.key = stored.key,
+                     .log_odds = static_cast<float>(from_milli(stored.log_odds).value())};
+    if (stored.label && *stored.label != VoxelLabel{}) {
+      leaf.label = static_cast<std::uint32_t>(tree.labels.size());
+      tree.labels.push_back(*stored.label);
+    }
+    tree.leaves.push_back(leaf);
+    while (tree.leaves.back().depth > kBrickDepth && last_eight_are_one(tree))
+      merge_last_eight(tree);
+  });
+  return tree;
+}
+
+OctomapTree pruned(const OctomapTree& tree) {
+  OctomapTree merged{.kind = tree.kind, .resolution_m = tree.resolution_m, .labels = tree.labels};
+  for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
+    merged.leaves.push_back(tree.leaves[i]);
+    if (!tree.colors.empty()) merged.colors.push_back(tree.colors[i]);
+    while (last_eight_are_one(merged)) merge_last_eight(merged);
+  }
+  return merged;
+}
+
+OctomapTree without_labels(const OctomapTree& tree) {
+  OctomapTree plain{.resolution_m = tree.resolution_m, .leaves = tree.leaves};
+  for (OctomapLeaf& leaf : plain.leaves) leaf.label = OctomapLeaf::kNoLabel;
+  return pruned(plain);
+}
+
+OctomapTree with_class_colors(const OctomapTree& tree) {
+  OctomapTree colored{
+      .kind = OctomapKind::kColor, .resolution_m = tree.resolution_m, .leaves = tree.leaves};
+  colored.colors.reserve(tree.leaves.size());
+  for (OctomapLeaf& leaf : colored.leaves) {
+    const auto label = std::exchange(leaf.label, OctomapLeaf::kNoLabel);
+    const auto best =
+        label != OctomapLeaf::kNoLabel ? tree.labels[label].best_class() : std::nullopt;
+    const Rgb8 solid = best ? class_color(*best) : kUnlabelled;
+    colored.colors.push_back(leaf.log_odds >= 0.0F ? solid : kNoColor);
+  }
+  return pruned(colored);
+}
+
+Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
+                                                  const OctreeOptions& options,
+                                                  const OctreeConversionOptions& conversion) {
+  HYPERMAP_TRY(validate(tree));
+  const std::uint64_t voxels = num_voxels(tree);
+  const std::uint64_t limit = max_voxels(tree, conversion);
+  if (voxels > limit)
+    return fail(ErrorCode::kLimit,
+                std::to_string(tree.leaves.size()) + " leaves cover " + std::to_string(voxels) +
+                    " voxels, the limit is " + std::to_string(limit),
+                "octree");
+  OctreeOptions own = options;
+  own.resolution_m = tree.resolution_m;
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(own));
+  Changes changes;
+  for (const OctomapLeaf& leaf : tree.leaves) {
+    StoredLeaf stored;
+    stored.log_odds = converted(leaf.log_odds, octree.sensor_model(), changes);
+    if (leaf.label != OctomapLeaf::kNoLabel) stored.label = tree.labels[leaf.label];
+    for (std::uint64_t i = 0; i < leaf.num_voxels(); ++i) {
+      stored.key = VoxelKey::from_morton(leaf.key.morton() + i);
+      HYPERMAP_TRY(octree.set_leaf(stored));
+    }
+  }
+  Loaded<SemanticOctree> loaded{.value = std::move(octree), .findings = {}};
+  if (changes.clamped > 0)
+    loaded.findings.push_back(
+        counted(changes.clamped, "log-odds were clamped to the bounds of the sensor model"));
+  if (changes.rounded > 0)
+    loaded.findings.push_back(counted(changes.rounded, "log-odds were rounded to steps of 0.001"));
+  return loaded;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Whether a file is what it should be, by the same readers that load it.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/codec/file_kind.hpp"
+#include "hypermap/io/dataset/depth_file.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+struct FileCheckOptions {
+  std::optional<FileKind> as = std::nullopt;  ///< Insisted on; none: found by content.
+  PictureSize size = {};                      ///< What a picture must measure; 0: any.
+  bool strict = false;                        ///< Findings become errors.
+};
+
+struct FileJudgement {
+  std::optional<FileKind> kind;  ///< None when it could not be found.
+  std::string summary;           ///< "2 poses"; empty when the file was refused.
+  std::vector<Finding> findings;
+
+  [[nodiscard]] bool is_refused() const;
+  /// Of the command line: 0 nothing found, 1 findings, 2 refused content, 3 the system.
+  [[nodiscard]] int exit_code() const;
+};
+
+/// Reads the file as its kind asks, whole, and throws it away.
+/// Cost: bounded by the limits of the readers.
+[[nodiscard]] FileJudgement check_file(const std::filesystem::path& path,
+                                       const FileCheckOptions& options = {});
+
+}  // namespace hypermap

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Judges of what sequences are made of.
+#include "file_judges.hpp"
+#include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/text_file.hpp"
+#include "hypermap/io/dataset/dataset_description.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/dataset/detections_file.hpp"
+#include "hypermap/io/dataset/intrinsics_file.hpp"
+#include "hypermap/io/dataset/trajectory_file.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxSequenceTextBytes = std::size_t{256} << 20U;
+
+std::string number_of(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Words of the first line that is neither blank nor a comment.
+std::size_t num_columns(std::string_view text) {
+  for (const TextLine& line : split_lines(text)) {
+    const std::string_view content = trimmed(line.text);
+    if (!content.empty() && content.front() != '#') return split_words(content).size();
+  }
+  return 0;
+}
+
+Result<Verdict> judge_frames(const DatasetReader& reader) {
+  const DatasetSummary& summary = reader.summary();
+  Verdict out{summary.layout + ", " + number_of(reader.size(), "frame") + ", " +
+                  number_of(summary.num_detections, "detection"),
+              summary.findings};
+  for (const std::string& name : summary.unpaired) {
+    out.findings.push_back(
+        {Severity::kWarning, {.code = ErrorCode::kNotFound, .what = name, .field = "unpaired"}});
+  }
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    auto frame = reader.read(i);
+    if (!frame) out.findings.push_back({Severity::kError, std::move(frame).error()});
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Verdict> judge_depth(const fs::path& path, PictureSize expected) {
+  HYPERMAP_ASSIGN_OR_RETURN(const DepthImage depth, read_depth(path, {}, expected));
+  const auto valid =
+      std::count_if(depth.pixels().begin(), depth.pixels().end(), [](float z) { return z > 0.0F; });
+  return Verdict{std::to_string(depth.width_px()) + " x " + std::to_string(depth.height_px()) +
+                     ", " + number_of(static_cast<std::size_t>(valid), "measured pixel"),
+                 {}};
+}
+
+Result<Verdict> judge_trajectory(const fs::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxSequenceTextBytes));
+  const std::size_t columns = num_columns(text);
+  if (columns == 3) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_log_trajectory(path));
+    return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+  }
+  if (columns == 4) {
+    HYPERMAP_TRY(read_pose_matrix(path));
+    return Verdict{number_of(1, "pose"), {}};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_tum_trajectory(path));
+  return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+}
+
+Result<Verdict> judge_intrinsics(const fs::path& path, PictureSize expected) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_intrinsics(path));
+  const Intrinsics& k = loaded.value;
+  if (k.width_px || expected.width_px > 0) {
+    HYPERMAP_TRY(camera_of(k,
+                           expected.width_px > 0 ? expected.width_px : *k.width_px,
+                           expected.height_px > 0 ? expected.height_px : *k.height_px));
+  }
+  const std::string size =
+      k.width_px ? std::to_string(*k.width_px) + " x " + std::to_string(k.height_px.value_or(0))
+                 : "no size stated";
+  return Verdict{"camera, " + size, std::move(loaded.findings)};
+}
+
+Result<Verdict> judge_detections(const fs::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(path));
+  return Verdict{number_of(loaded.value.num_detections(), "detection") + " in " +
+                     number_of(loaded.value.frames.size(), "frame"),
+                 std::move(loaded.findings)};
+}
+
+Result<Verdict> judge_dataset(const fs::path& path) {
+  std::error_code ec;
+  if (!fs::is_directory(path, ec)) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_dataset_description(path));
+    return Verdict{"description of a dataset", std::move(loaded.findings)};
+  }
+  ClassRegistry registry;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto reader, open_dataset(path, {}, registry));
+  return judge_frames(*reader);
+}
+
+}  // namespace hypermap

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Replaces a file so that its name always stands for the whole old or the whole new content.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+
+namespace hypermap {
+
+/// The system calls of a save. Virtual so that a test can let any one of them fail; each behaves as
+/// its namesake (a negative result, errno set).
+class FileCalls {
+ public:
+  FileCalls() = default;
+  FileCalls(const FileCalls&) = delete;
+  FileCalls& operator=(const FileCalls&) = delete;
+  FileCalls(FileCalls&&) = delete;
+  FileCalls& operator=(FileCalls&&) = delete;
+  virtual ~FileCalls() = default;
+
+  virtual int open(const char* path, int flags, mode_t mode);
+  virtual ssize_t write(int descriptor, const char* bytes, std::size_t num_bytes);
+  virtual int fchmod(int descriptor, mode_t mode);
+  virtual int fchown(int descriptor, uid_t owner, gid_t group);
+  virtual int fsync(int descriptor);
+  virtual int close(int descriptor);
+  virtual int rename(const char* from, const char* to);
+  virtual int unlink(const char* path);
+};
+
+/// Whether a file could be replaced or made at `path`, to be asked before long work.
+/// Errors: kIo when its folder is not there or not writable, or when it is no regular file.
+[[nodiscard]] Result<void> check_target(const std::filesystem::path& path);
+
+/// Writes `bytes` to a temporary beside the target, syncs it, renames it over the target and syncs
+/// the folder.
+///
+/// A symbolic link is followed: its target is replaced and the link stays. Mode, and owner as far
+/// as the system allows, are those of the file that is replaced. Temporaries that dead processes
+/// left in the folder are removed first, those of living ones are not. Of two savers to one path
+/// the last one wins, whole.
+/// Errors: kIo naming path and errno. Then the old file is as it was and no temporary is left,
+/// with one exception that the message states: when only the sync of the folder fails, the file is
+/// "replaced, durability unconfirmed". kIo also when the target is no regular file (a device, a
+/// folder).
+/// Threads: any number at once; a limit on file sizes (RLIMIT_FSIZE) gives an error, no signal.
+[[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
+                                                 std::string_view bytes);
+[[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
+                                                 std::string_view bytes,
+                                                 FileCalls& calls);
+
+}  // namespace hypermap

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where things are in a dataset's folder and what they mean: the content of a `dataset.yaml`.
+///
+/// The known layouts are such descriptions too, made by looking (`look_for_layout`).
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/dataset/depth_file.hpp"
+#include "hypermap/io/dataset/intrinsics_file.hpp"
+
+#include <Eigen/Geometry>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+/// How poses find their pictures.
+enum class PosePairing {
+  kStamp,   ///< Nearest stamp within the tolerance.
+  kNumber,  ///< Record number, or number in the pose file's name, equals the picture's number.
+  kOrder,   ///< The n-th pose belongs to the n-th picture.
+};
+
+enum class TrajectoryFormat {
+  kTum,     ///< Lines `t tx ty tz qx qy qz qw`.
+  kLog,     ///< Open3D's records of a header and a 4x4 matrix.
+  kMatrix,  ///< A file with one 4x4 matrix for each picture.
+};
+
+enum class PoseDirection { kCameraToWorld, kWorldToCamera };
+
+/// Axes of the camera that the poses are about.
+enum class CameraAxes {
+  kOptical,  ///< x right, y down, z forward.
+  kOpenGl,   ///< x right, y up, z backward.
+  kRobot,    ///< x forward, y left, z up.
+};
+
+/// Paths are relative to the dataset's folder. A pattern has one `*` in its last part, which stands
+/// for the picture's number or stamp.
+struct DatasetDescription {
+  std::string layout = "described";
+  std::string name;
+  std::optional<Intrinsics> intrinsics;  ///< Of the colour camera, which depth is registered to.
+  std::string intrinsics_file;           ///< Instead of `intrinsics`; empty: none.
+  std::string depth;                     ///< A pattern, or a list file of lines `stamp path`.
+  std::string color;                     ///< The same; empty: no colour.
+  DepthFormat depth_format;
+  std::string trajectory;  ///< A file, or with kMatrix a pattern.
+  TrajectoryFormat trajectory_format = TrajectoryFormat::kTum;
+  PosePairing pair_by = PosePairing::kStamp;
+  PoseDirection pose_direction = PoseDirection::kCameraToWorld;
+  CameraAxes camera_axes = CameraAxes::kOptical;
+  std::optional<std::string> up_axis;   ///< x, -x, y, -y, z, -z
+  std::vector<std::string> detections;  ///< Files, one detector each.
+  double stamp_tolerance_s = 0.02;      ///< Range: 0 .. 3600
+  double frame_rate_hz = 30.0;          ///< Stamps of pictures that only have numbers. 1e-3 .. 1e4
+  /// Depth that is not registered to colour: its own camera, and where that is.
+  std::optional<Intrinsics> depth_intrinsics;
+  std::string depth_intrinsics_file;
+  Eigen::Isometry3d color_from_depth = Eigen::Isometry3d::Identity();
+  /// Pictures of class numbers and of instances, which become detections; patterns or empty.
+  std::string labels;
+  std::string instances;
+};
+
+/// Errors: those of `read_yaml`; kMalformedFile naming file, line and field: a required key is
+/// missing (`depth`, `trajectory`), a value of the wrong kind or outside its range, a path that
+/// leaves the folder. Findings: unknown keys, with the nearest known one.
+[[nodiscard]] Result<Loaded<DatasetDescription>> read_dataset_description(
+    const std::filesystem::path& path);
+
+/// What layout the folder has: a `dataset.yaml` in it comes first, then TUM RGB-D, 7-Scenes,
+/// ScanNet export, Open3D.
+///
+/// Errors: kIo when the folder is not there; kNotFound when it has none, with what was looked for;
+/// those of a `dataset.yaml`.
+/// Findings: intrinsics that the folder lacks and that were taken from the dataset's publication.
+[[nodiscard]] Result<Loaded<DatasetDescription>> look_for_layout(
+    const std::filesystem::path& folder);
+
+}  // namespace hypermap

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/dataset/dataset_reader.hpp"
+
+#include "depth_registration.hpp"
+#include "detection_pairing.hpp"
+#include "hypermap/io/dataset/dataset_description.hpp"
+#include "hypermap/io/dataset/trajectory_file.hpp"
+#include "label_images.hpp"
+#include "sequence_index.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error in_file(Error error, const std::string& file) {
+  if (error.file.empty()) error.file = file;
+  return error;
+}
+
+Unexpected frame_error(ErrorCode code, const std::string& file, std::string what) {
+  return Unexpected(Error{.code = code, .what = std::move(what), .file = file});
+}
+
+/// What a sequence is made of, ready for reading frame by frame.
+struct Sequence {
+  fs::path folder;
+  DatasetDescription description;
+  DatasetSummary summary;
+  std::vector<SequenceEntry> entries;  ///< All of them, before first and stride.
+  std::vector<PairedDetections> detectors;
+  std::optional<PinholeCamera> depth_camera;  ///< When depth is not registered to colour.
+  LabelNames label_names;
+  DetectorId label_detector;
+  std::vector<ClassId> label_classes;
+};
+
+/// All layouts are read by this one: what differs between them is the description.
+class FolderReader final : public DatasetReader {
+ public:
+  FolderReader(Sequence sequence, ClassRegistry registry, const DatasetOptions& options)
+      : sequence_(std::move(sequence)), registry_(std::move(registry)), options_(options) {}
+
+  [[nodiscard]] std::size_t size() const noexcept override { return sequence_.summary.num_frames; }
+  [[nodiscard]] std::string frame_name(std::size_t index) const override {
+    return sequence_.entries[position(index)].name;
+  }
+  [[nodiscard]] const DatasetSummary& summary() const noexcept override {
+    return sequence_.summary;
+  }
+
+  [[nodiscard]] Result<RgbdFrame> read(std::size_t index) const override {
+    const SequenceEntry& entry = sequence_.entries[position(index)];
+    RgbdFrame frame;
+    frame.index = position(index);
+    frame.name = entry.name;
+    frame.stamp = entry.stamp;
+    frame.camera = summary().camera;
+    HYPERMAP_ASSIGN_OR_RETURN(const InputFromCamera pose, pose_of(entry));
+    frame.map_from_camera = map_from_input() * pose;
+    HYPERMAP_ASSIGN_OR_RETURN(frame.depth_m, depth_of(entry));
+    if (options_.read_color && !entry.color.empty()) {
+      HYPERMAP_ASSIGN_OR_RETURN(frame.color, read_color(path(entry.color), picture_size()));
+    }
+    HYPERMAP_ASSIGN_OR_RETURN(frame.detections, detections_of(position(index), entry));
+    return frame;
+  }
+
+ private:
+  [[nodiscard]] std::size_t position(std::size_t index) const {
+    return options_.first + index * options_.stride;
+  }
+
+  [[nodiscard]] fs::path path(const std::string& relative) const {
+    return sequence_.folder / relative;
+  }
+
+  [[nodiscard]] PictureSize picture_size() const {
+    return {summary().camera.width_px, summary().camera.height_px};
+  }
+
+  [[nodiscard]] Result<InputFromCamera> pose_of(const SequenceEntry& entry) const {
+    if (entry.pose) return *entry.pose;
+    if (entry.pose_file.empty()) {
+      return frame_error(ErrorCode::kNotFound, path(entry.name).string(), entry.why_no_pose);
+    }
+    HYPERMAP_ASSIGN_OR_RETURN(const InputFromCamera written,
+                              read_pose_matrix(path(entry.pose_file)));
+    return as_optical(written, sequence_.description);
+  }
+
+  [[nodiscard]] Result<DepthImage> depth_of(const SequenceEntry& entry) const {
+    if (entry.depth.empty()) {
+      return frame_error(ErrorCode::kNotFound, path(entry.name).string(), "no depth picture");
+    }
+    const DepthFormat& format = sequence_.description.depth_format;
+    if (!sequence_.depth_camera) return read_depth(path(entry.depth), format, picture_size());
+    const PinholeCamera& camera = *sequence_.depth_camera;
+    HYPERMAP_ASSIGN_OR_RETURN(
+        const DepthImage depth,
+        read_depth(path(entry.depth), format, {camera.width_px, camera.height_px}));
+    return register_depth(depth, camera, summary().camera, sequence_.description.color_from_depth);
+  }
+
+  [[nodiscard]] Result<std::vector<Detection>> detections_of(std::size_t position,
+                                                             const SequenceEntry& entry) const {
+    std::vector<Detection> out;
+    for (const PairedDetections& detector : sequence_.detectors) {
+      for (const std::size_t i : detector.frames_of_entry[position]) {
+        HYPERMAP_TRY(append(
+            out, detector.set.frames[i], detector.known_classes, detector.detector, detector.file));
+      }
+    }
+    if (entry.labels.empty() && entry.instances.empty()) return out;
+    const auto full = [&](const std::string& p) { return p.empty() ? fs::path{} : path(p); };
+    HYPERMAP_ASSIGN_OR_RETURN(const FrameDetections labelled,
+                              read_label_detections(full(entry.labels),
+                                                    full(entry.instances),
+                                                    sequence_.label_names,
+                                                    options_.detection_reading.limits));
+    HYPERMAP_TRY(
+        append(out, labelled, sequence_.label_classes, sequence_.label_detector, labelled.image));
+    return out;
+  }
+
+  [[nodiscard]] Result<void> append(std::vector<Detection>& out,
+                                    const FrameDetections& frame,
+                                    std::span<const ClassId> known,
+                                    DetectorId detector,
+                                    const std::string& file) const {
+    auto resolved = resolve(
+        frame, registry_, known, detector, picture_size().width_px, picture_size().height_px);
+    if (!resolved) {
+      Error error = in_file(std::move(resolved).error(), file);
+      error.entry = frame.image;
+      return Unexpected(std::move(error));
+    }
+    std::move(resolved->detections.begin(), resolved->detections.end(), std::back_inserter(out));
+    return {};
+  }
+
+  Sequence sequence_;
+  ClassRegistry registry_;  ///< As it was when the dataset was opened; ids do not change.
+  DatasetOptions options_;
+};
+
+/// The size that most of the first pictures have; none when none of them can be read.
+std::optional<PictureSize> usual_size(const Sequence& sequence,
+                                      std::string SequenceEntry::*member) {
+  constexpr std::size_t kEnough = 5;
+  std::vector<PictureSize> sizes;
+  for (const SequenceEntry& entry : sequence.entries) {
+    if (sizes.size() >= kEnough) break;
+    if ((entry.*member).empty()) continue;
+    const auto size = read_picture_size(sequence.folder / (entry.*member));
+    if (size) sizes.push_back(*size);
+  }
+  if (sizes.empty()) return std::nullopt;
+  return *std::max_element(sizes.begin(), sizes.end(), [&](PictureSize a, PictureSize b) {
+    return std::count(sizes.begin(), sizes.end(), a) < std::count(sizes.begin(), sizes.end(), b);
+  });
+}
+
+Result<PinholeCamera> camera_from(const Intrinsics& intrinsics,
+                                  std::optional<PictureSize> size,
+                                  const std::string& file) {
+  const PictureSize pictures = size.value_or(PictureSize{});
+  auto camera = camera_of(intrinsics, pictures.width_px, pictures.height_px);
+  if (!camera) return Unexpected(in_file(std::move(camera).error(), file));
+  return camera;
+}
+
+/// Numbers of the description, or of the file that it names.
+Result<std::optional<Intrinsics>> intrinsics_from(const fs::path& folder,
+                                                  const std::optional<Intrinsics>& numbers,
+                                                  const std::string& file,
+                                                  std::vector<Finding>& findings) {
+  if (numbers || file.empty()) return numbers;
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_intrinsics(folder / file));
+  std::move(loaded.findings.begin(), loaded.findings.end(), std::back_inserter(findings));
+  return std::optional(loaded.value);
+}
+
+Result<void> settle_cameras(Sequence& sequence) {
+  DatasetDescription& d = sequence.description;
+  std::vector<Finding>& findings = sequence.summary.findings;
+  const std::string file = (sequence.folder / d.intrinsics_file).string();
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto color,
+      intrinsics_from(sequence.folder, d.intrinsics, d.intrinsics_file, findings));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto depth,
+      intrinsics_from(sequence.folder, d.depth_intrinsics, d.depth_intrinsics_file, findings));
+  if (!color) return frame_error(ErrorCode::kNotFound, file, "has no intrinsics");
+  if (color->depth_units_per_m) d.depth_format.units_per_m = *color->depth_units_per_m;
+  const auto depth_size = usual_size(sequence, &SequenceEntry::depth);
+  const auto color_size = usual_size(sequence, &SequenceEntry::color);
+  if (!depth) {
+    HYPERMAP_ASSIGN_OR_RETURN(sequence.summary.camera, camera_from(*color, depth_size, file));
+    return {};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.summary.camera, camera_from(*color, color_size, file));
+  HYPERMAP_ASSIGN_OR_RETURN(const PinholeCamera depth_camera,
+                            camera_from(*depth, depth_size, file));
+  const bool is_same =
+      depth_camera == sequence.summary.camera && d.color_from_depth.matrix().isIdentity(0.0);
+  if (!is_same) sequence.depth_camera = depth_camera;
+  return {};
+}
+
+Result<void> read_detection_files(const DatasetOptions& options,
+                                  Sequence& sequence,
+                                  ClassRegistry& registry) {
+  std::vector<fs::path> files = options.detections;
+  if (files.empty() && options.find_detections) {
+    for (const std::string& file : sequence.description.detections) {
+      files.push_back(sequence.folder / file);
+    }
+  }
+  for (const fs::path& file : files) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, options.detection_reading));
+    DatasetSummary& summary = sequence.summary;
+    std::move(loaded.findings.begin(), loaded.findings.end(), std::back_inserter(summary.findings));
+    PairedDetections paired =
+        pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
+    paired.file = file.string();
+    paired.detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
+    auto ids = register_classes(distinct_classes(paired.set.class_names), registry);
+    if (!ids) return Unexpected(in_file(std::move(ids).error(), paired.file));
+    paired.known_classes = std::move(*ids);
+    summary.num_detections += paired.set.num_detections();
+    summary.num_detection_frames += paired.set.frames.size();
+    std::copy(paired.unpaired.begin(), paired.unpaired.end(), std::back_inserter(summary.unpaired));
+    sequence.detectors.push_back(std::move(paired));
+  }
+  return {};
+}
+
+/// Label pictures count as a detector of their own, when no other detections are named.
+Result<void> prepare_labels(const DatasetOptions& options,
+                            Sequence& sequence,
+                            ClassRegistry& registry) {
+  const bool has_labels =
+      !sequence.description.labels.empty() || !sequence.description.instances.empty();
+  if (!has_labels || !options.find_detections || !options.detections.empty()) {
+    for (SequenceEntry& entry : sequence.entries) {
+      entry.labels.clear();
+      entry.instances.clear();
+    }
+    return {};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_names, read_label_names(sequence.folder));
+  std::vector<std::string> names;
+  for (const auto& [number, name] : sequence.label_names) names.push_back(name);
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_classes,
+                            register_classes(distinct_classes(names), registry));
+  sequence.label_detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
+  return {};
+}
+
+Result<Loaded<DatasetDescription>> describe(const fs::path& folder, const DatasetOptions& options) {
+  if (options.description) return read_dataset_description(*options.description);
+  return look_for_layout(folder);
+}
+
+Result<void> validate_options(const DatasetOptions& options) {
+  if (options.stride < 1) {
+    return fail(ErrorCode::kInvalidArgument, "must be >= 1, is 0", "stride");
+  }
+  const double tolerance_s = options.stamp_tolerance_s.value_or(0.0);
+  if (!(tolerance_s >= 0.0 && tolerance_s <= 3600.0)) {
+    return fail(ErrorCode::kInvalidArgument, "must be in 0 .. 3600 s", "stamp_tolerance_s");
+  }
+  return {};
+}
+
+/// How many frames remain after first, stride and max_frames.
+std::size_t num_chosen(std::size_t num_entries, const DatasetOptions& options) {
+  if (options.first >= num_entries) return 0;
+  const std::size_t all = (num_entries - options.first + options.stride - 1) / options.stride;
+  return std::min(all, options.max_frames.value_or(all));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path& path,
+                                                    const DatasetOptions& options,
+                                                    ClassRegistry& registry) {
+  HYPERMAP_TRY(validate_options(options));
+  HYPERMAP_ASSIGN_OR_RETURN(auto described, describe(path, options));
+  Sequence sequence;
+  sequence.folder = path;
+  sequence.description = std::move(described.value);
+  DatasetDescription& d = sequence.description;
+  if (options.stamp_tolerance_s) d.stamp_tolerance_s = *options.stamp_tolerance_s;
+  HYPERMAP_ASSIGN_OR_RETURN(SequenceIndex index, index_sequence(path, d));
+  DatasetSummary& summary = sequence.summary;
+  summary.layout = d.layout;
+  summary.name =
+      d.name.empty() ? fs::absolute(path / "").parent_path().filename().string() : d.name;
+  summary.stamp_tolerance_s = d.stamp_tolerance_s;
+  summary.num_depth = index.num_depth;
+  summary.num_color = index.num_color;
+  summary.num_poses = index.num_poses;
+  summary.up_axis = d.up_axis;
+  summary.unpaired = std::move(index.unpaired);
+  summary.findings = std::move(described.findings);
+  std::move(index.findings.begin(), index.findings.end(), std::back_inserter(summary.findings));
+  sequence.entries = std::move(index.entries);
+  summary.num_frames = num_chosen(sequence.entries.size(), options);
+  if (summary.num_frames == 0) {
+    return frame_error(ErrorCode::kNotFound, path.string(), "has no frame left to read");
+  }
+  HYPERMAP_TRY(settle_cameras(sequence));
+  summary.depth_units_per_m = d.depth_format.units_per_m;
+  ClassRegistry grown = registry;
+  HYPERMAP_TRY(read_detection_files(options, sequence, grown));
+  HYPERMAP_TRY(prepare_labels(options, sequence, grown));
+  registry = grown;
+  return std::make_unique<FolderReader>(std::move(sequence), std::move(grown), options);
+}
+
+}  // namespace hypermap

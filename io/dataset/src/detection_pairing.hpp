@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which detections belong to which frame.
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/io/dataset/detections_file.hpp"
+#include "sequence_index.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+/// One detector's file, its classes, and for each frame of the sequence what belongs to it.
+struct PairedDetections {
+  DetectionSet set;
+  std::vector<ClassId> known_classes;
+  DetectorId detector;
+  std::string file;
+  std::vector<std::vector<std::size_t>> frames_of_entry;  ///< Positions in `set.frames`.
+  std::vector<std::string> unpaired;
+};
+
+/// By the picture's path, else its name, else its number, else by stamp.
+[[nodiscard]] PairedDetections pair_detections(DetectionSet set,
+                                               const std::vector<SequenceEntry>& entries,
+                                               double stamp_tolerance_s);
+
+}  // namespace hypermap

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "label_images.hpp"
+
+#include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/text_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxTableBytes = std::size_t{16} << 20U;
+constexpr std::size_t kMinRegionPixels = 64;
+constexpr std::uint32_t kInstancesPerClass = 1000;
+
+/// NYU Depth V2, N. Silberman et al. 2012, in the order of the 40 classes, from 1 on.
+constexpr std::array<std::string_view, 40> kNyu40{
+    "wall",       "floor",          "cabinet",        "bed",
+    "chair",      "sofa",           "table",          "door",
+    "window",     "bookshelf",      "picture",        "counter",
+    "blinds",     "desk",           "shelves",        "curtain",
+    "dresser",    "pillow",         "mirror",         "floor mat",
+    "clothes",    "ceiling",        "books",          "refrigerator",
+    "television", "paper",          "towel",          "shower curtain",
+    "box",        "whiteboard",     "person",         "night stand",
+    "toilet",     "sink",           "lamp",           "bathtub",
+    "bag",        "otherstructure", "otherfurniture", "otherprop"};
+
+using NumberImage = Image<std::uint32_t>;
+
+Result<NumberImage> read_numbers(const fs::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture, read_picture(path));
+  if (picture.channels != 1) {
+    return Unexpected(Error{.code = ErrorCode::kMalformedFile,
+                            .what = "has " + std::to_string(picture.channels) +
+                                    " channels, expected one of class or instance numbers",
+                            .file = path.string()});
+  }
+  NumberImage out(picture.width_px, picture.height_px);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out.pixels()[i] = picture.bits == 16 ? picture.samples16[i] : picture.samples8[i];
+  }
+  return out;
+}
+
+std::vector<std::string_view> split_tabs(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find('\t', at), line.size());
+    cells.push_back(line.substr(at, end - at));
+    at = end + 1;
+  }
+  return cells;
+}
+
+Result<LabelNames> parse_table(std::string_view text, const fs::path& path) {
+  LabelNames names;
+  std::size_t id_column = 0;
+  std::size_t name_column = 0;
+  for (const TextLine& line : split_lines(text)) {
+    const auto cells = split_tabs(line.text);
+    if (line.number == 1) {
+      const auto id = std::find(cells.begin(), cells.end(), "id");
+      const auto name = std::find(cells.begin(), cells.end(), "category");
+      if (id == cells.end() || name == cells.end()) {
+        return Unexpected(Error{.code = ErrorCode::kMalformedFile,
+                                .what = "must have the columns id and category",
+                                .file = path.string(),
+                                .line = 1});
+      }
+      id_column = static_cast<std::size_t>(id - cells.begin());
+      name_column = static_cast<std::size_t>(name - cells.begin());
+      continue;
+    }
+    if (trimmed(line.text).empty()) continue;
+    const auto number = id_column < cells.size() ? parse_unsigned(cells[id_column]) : std::nullopt;
+    if (!number || *number > std::numeric_limits<std::uint16_t>::max() ||
+        name_column >= cells.size() || cells[name_column].empty()) {
+      return Unexpected(Error{.code = ErrorCode::kMalformedFile,
+                              .what = "must have a number as id and a category",
+                              .file = path.string(),
+                              .line = line.number});
+    }
+    names.emplace(static_cast<std::uint32_t>(*number), std::string(cells[name_column]));
+  }
+  return names;
+}
+
+/// Numbers of connected regions of equal value, 4 neighbours, from 1 on; 0 stays 0.
+NumberImage connected_regions(const NumberImage& values) {
+  NumberImage regions(values.width_px(), values.height_px(), 0);
+  std::uint32_t next = 0;
+  std::vector<std::pair<int, int>> open;
+  for (int v = 0; v < values.height_px(); ++v) {
+    for (int u = 0; u < values.width_px(); ++u) {
+      if (values.at(u, v) == 0 || regions.at(u, v) != 0) continue;
+      regions.at(u, v) = ++next;
+      open.assign(1, {u, v});
+      while (!open.empty()) {
+        const auto [x, y] = open.back();
+        open.pop_back();
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+          const int nx = x + dx;
+          const int ny = y + dy;
+          if (!values.contains(nx, ny) || regions.at(nx, ny) != 0) continue;
+          if (values.at(nx, ny) != values.at(u, v)) continue;
+          regions.at(nx, ny) = next;
+          open.emplace_back(nx, ny);
+        }
+      }
+    }
+  }
+  return regions;
+}
+
+/// One thing: how often each class number lies in it, and which pixels.
+struct Region {
+  std::map<std::uint32_t, std::size_t> votes;
+  std::vector<std::size_t> pixels;
+};
+
+std::map<std::uint32_t, Region> regions_of(const NumberImage& classes, const NumberImage& things) {
+  std::map<std::uint32_t, Region> regions;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const std::uint32_t thing = things.pixels()[i];
+    if (thing == 0) continue;
+    Region& region = regions[thing];
+    ++region.votes[classes.pixels()[i]];
+    region.pixels.push_back(i);
+  }
+  return regions;
+}
+
+/// The class most of the region's pixels have; the lowest number of equals.
+std::uint32_t majority(const Region& region) {
+  return std::max_element(region.votes.begin(),
+                          region.votes.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+NamedDetection detection_of(const Region& region, const std::string& name, int width, int height) {
+  MaskImage mask(width, height, 0);
+  PixelBox box{static_cast<double>(width), static_cast<double>(height), 0.0, 0.0};
+  for (const std::size_t pixel : region.pixels) {
+    mask.pixels()[pixel] = 1;
+    const auto u = static_cast<double>(pixel % static_cast<std::size_t>(width));
+    const std::size_t row = pixel / static_cast<std::size_t>(width);
+    const auto v = static_cast<double>(row);
+    box = {std::min(box.u_min_px, u),
+           std::min(box.v_min_px, v),
+           std::max(box.u_max_px, u + 1.0),
+           std::max(box.v_max_px, v + 1.0)};
+  }
+  NamedDetection out;
+  out.label = name;
+  out.score = Probability(1.0);
+  out.box_px = box;
+  out.mask = encode(mask);
+  return out;
+}
+
+Result<std::pair<NumberImage, NumberImage>> read_classes_and_things(const fs::path& labels,
+                                                                    const fs::path& instances) {
+  if (instances.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(NumberImage classes, read_numbers(labels));
+    NumberImage things = connected_regions(classes);
+    return std::pair{std::move(classes), std::move(things)};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(NumberImage things, read_numbers(instances));
+  if (labels.empty()) {
+    NumberImage classes = things;
+    for (std::uint32_t& value : classes.pixels()) value /= kInstancesPerClass;
+    return std::pair{std::move(classes), std::move(things)};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(NumberImage classes, read_numbers(labels));
+  if (classes.width_px() != things.width_px() || classes.height_px() != things.height_px()) {
+    return Unexpected(Error{.code = ErrorCode::kInvalidArgument,
+                            .what = "must have the size of the label picture",
+                            .file = instances.string()});
+  }
+  return std::pair{std::move(classes), std::move(things)};
+}
+
+}  // namespace
+
+Result<LabelNames> read_label_names(const fs::path& folder) {
+  constexpr const char* kTable = "scannetv2-labels.combined.tsv";
+  for (const fs::path& place : {folder, folder / "..", folder / "../.."}) {
+    std::error_code ec;
+    if (!fs::is_regular_file(place / kTable, ec)) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(place / kTable, kMaxTableBytes));
+    return parse_table(text, place / kTable);
+  }
+  LabelNames names;
+  for (std::size_t i = 0; i < kNyu40.size(); ++i) {
+    names.emplace(static_cast<std::uint32_t>(i + 1), std::string(kNyu40.at(i)));
+  }
+  return names;
+}
+
+Result<FrameDetections> read_label_detections(const fs::path& labels,
+                                              const fs::path& instances,
+                                              const LabelNames& names,
+                                              const DetectionLimits& limits) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto pictures, read_classes_and_things(labels, instances));
+  const auto& [classes, things] = pictures;
+  FrameDetections frame;
+  frame.image = labels.empty() ? instances.string() : labels.string();
+  frame.width_px = classes.width_px();
+  frame.height_px = classes.height_px();
+  for (const auto& [thing, region] : regions_of(classes, things)) {
+    const auto name = names.find(majority(region));
+    if (name == names.end() || region.pixels.size() < kMinRegionPixels) continue;
+    if (frame.detections.size() >= limits.max_per_frame) {
+      return Unexpected(Error{.code = ErrorCode::kLimit,
+                              .what = "at most " + std::to_string(limits.max_per_frame) +
+                                      " things in a picture are read",
+                              .file = frame.image});
+    }
+    frame.detections.push_back(detection_of(region, name->second, frame.width_px, frame.height_px));
+  }
+  return frame;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A map in the forms that other programs read.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+enum class ExportFormat {
+  kRosMap,        ///< map_server YAML + PGM of an occupancy layer.
+  kClassGrids,    ///< A map_server YAML + PGM for each class, in a folder.
+  kOctomap,       ///< `.ot` of an OcTree, or `.bt`.
+  kColorOctomap,  ///< `.ot` of a ColorOcTree coloured by class.
+  kPly,           ///< Occupied voxels as points with label, instance and confidence.
+  kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`.
+};
+
+/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson". Errors: kInvalidArgument
+/// listing them.
+[[nodiscard]] Result<ExportFormat> parse_export_format(std::string_view name);
+
+struct ExportRequest {
+  ExportFormat format = ExportFormat::kRosMap;
+  std::filesystem::path output;
+  /// Which 2D layer; the first of the kind that the format needs when absent.
+  std::optional<std::string> layer;
+  /// Only things, voxels or grids of these classes; all when empty.
+  std::vector<std::string> classes;
+  /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
+  bool keep_rotation = false;
+};
+
+/// Writes the export; each file is replaced atomically, other files are never touched. Returns the
+/// files that were written.
+///
+/// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
+/// is not known; kInvalidArgument for an output name that the format does not allow; kIo.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
+                                                                    const ExportRequest& request);
+
+}  // namespace hypermap

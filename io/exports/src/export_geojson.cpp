@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "export_parts.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace hypermap {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ring_json(const Ring& ring) {
+  Json points = Json::array();
+  for (const Eigen::Vector2d& point : ring) points.push_back({point.x(), point.y()});
+  points.push_back({ring.front().x(), ring.front().y()});
+  return points;
+}
+
+Json polygon_json(const Polygon& polygon) {
+  Json rings = Json::array({ring_json(polygon.outer)});
+  for (const Ring& hole : polygon.holes) rings.push_back(ring_json(hole));
+  return rings;
+}
+
+Json geometry_json(const std::vector<Polygon>& parts) {
+  if (parts.size() == 1) {
+    return {{"type", "Polygon"}, {"coordinates", polygon_json(parts.front())}};
+  }
+  Json polygons = Json::array();
+  for (const Polygon& part : parts) polygons.push_back(polygon_json(part));
+  return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
+}
+
+Json feature_json(const SemanticObject& object) {
+  Json properties{{"name", object.name}};
+  if (const auto confidence = confidence_of(object)) properties["confidence"] = *confidence;
+  if (!object.tags.empty()) properties["tags"] = object.tags;
+  return {{"type", "Feature"},
+          {"id", object.id},
+          {"properties", std::move(properties)},
+          {"geometry", geometry_json(object.parts)}};
+}
+
+bool is_wanted(const SemanticObject& object, const std::vector<std::string>& classes) {
+  if (classes.empty()) return true;
+  for (const std::string& name : classes) {
+    if (canonical_class_name(name) == canonical_class_name(object.name)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportRequest& request) {
+  // Plain .geojson promises longitude and latitude (RFC 7946); these are metres of the map.
+  if (!request.output.string().ends_with(".local.geojson")) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must end in .local.geojson, is '" + request.output.string() + "'",
+                "--output");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
+  Json features = Json::array();
+  for (const SemanticObject& object : std::get<SemanticLayer>(layer->content).objects()) {
+    if (is_wanted(object, request.classes)) features.push_back(feature_json(object));
+  }
+  const Json document{{"type", "FeatureCollection"},
+                      {"name", layer->info.name},
+                      {"frame_id", layer->info.frame_id},
+                      {"unit", "metre"},
+                      {"features", std::move(features)}};
+  HYPERMAP_TRY(write_file_atomically(
+      request.output, document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"));
+  return WrittenFiles{request.output};
+}
+
+}  // namespace hypermap

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the single exports share.
+#pragma once
+
+#include "hypermap/io/exports/map_export.hpp"
+
+#include <set>
+
+namespace hypermap {
+
+using WrittenFiles = std::vector<std::filesystem::path>;
+
+/// Ids of the classes that were asked for; none when all are wanted.
+/// Errors: kNotFound naming the class and those that are known.
+[[nodiscard]] Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
+                                                                      const ExportRequest& request);
+
+/// The layer that was asked for, or the first with this content.
+/// Errors: kNotFound, kUnsupported.
+template <class Content>
+[[nodiscard]] Result<const Layer*> wanted_layer(const MapArchive& archive,
+                                                const ExportRequest& request) {
+  if (request.layer) {
+    HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*request.layer));
+    if (std::holds_alternative<Content>(layer->content)) return layer;
+    return fail(
+        ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);
+  }
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (std::holds_alternative<Content>(layer.content)) return &layer;
+  }
+  return fail(ErrorCode::kNotFound, "the map has no layer of the kind that the format needs");
+}
+
+[[nodiscard]] Result<WrittenFiles> export_ros_map(const MapArchive& archive,
+                                                  const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_class_grids(const MapArchive& archive,
+                                                      const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_octomap(const MapArchive& archive,
+                                                  const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_color_octomap(const MapArchive& archive,
+                                                        const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_ply(const MapArchive& archive,
+                                              const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_geojson(const MapArchive& archive,
+                                                  const ExportRequest& request);
+
+}  // namespace hypermap

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The main job: a dataset becomes an archive.
+#pragma once
+
+#include "hypermap/core/base/job_progress.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/detector/onnx_detector.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+struct MappingJob {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  DatasetOptions dataset;
+  /// A network that looks at each colour picture, besides any detections on file.
+  std::optional<std::filesystem::path> model;
+  OnnxDetectorOptions detector;
+  SemanticMapperOptions mapper;
+  LayerOptions layers;
+  /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
+  /// none: what the dataset's description says, else z for TUM RGB-D, else "floor".
+  std::optional<std::string> up_axis;
+  /// More skipped frames than this share make the whole job fail. 0 .. 1
+  double max_skipped_share = 0.05;
+  /// Go on from the archive at `output`.
+  bool append = false;
+};
+
+/// Wall clock by stage, in seconds.
+struct MappingSeconds {
+  double read = 0.0;
+  double detect = 0.0;
+  double segment = 0.0;
+  double integrate = 0.0;
+  double associate = 0.0;
+  double visibility = 0.0;
+  double project = 0.0;
+  double write = 0.0;
+  double wall = 0.0;
+};
+
+struct MappingReport {
+  std::size_t num_frames = 0;     ///< In the map.
+  std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
+  std::vector<Finding> findings;  ///< Repairs and unknown keys while opening the dataset.
+  std::size_t num_detections = 0;
+  std::size_t num_segments = 0;
+  std::size_t num_unjudged = 0;   ///< Frames after which absent objects were not asked for.
+  IntegrationReport points;       ///< Summed over the frames.
+  std::size_t num_objects = 0;    ///< Published.
+  std::size_t num_tentative = 0;  ///< Not sure enough to be published.
+  LeafCount leaves;
+  std::string up;  ///< How the world was turned upright, in words.
+  std::size_t peak_rss_bytes = 0;
+  int num_threads = 1;
+  MappingSeconds seconds;
+};
+
+/// With more than one thread the next frame is read and decoded while one is worked on.
+/// Errors: kInvalidArgument when the mapper has a deadline; those of open_dataset,
+/// OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when more frames were
+/// skipped than allowed, naming the first. Nothing is written on an error.
+[[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
+                                                const JobProgress& progress = {});
+
+/// The JSON document of `map --stats`; see docs/CLI.md.
+[[nodiscard]] std::string to_json(const MappingReport& report);
+
+}  // namespace hypermap

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/jobs/detection_job.hpp"
+
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/dataset/class_names.hpp"
+#include "hypermap/io/dataset/detections_file.hpp"
+
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// Frames must be read without the detections that lie beside them: the detector's are wanted.
+DatasetOptions pictures_only(DatasetOptions options) {
+  options.detections.clear();
+  options.find_detections = false;
+  options.read_color = true;
+  return options;
+}
+
+Result<std::string> as_text(std::span<const FrameDetections> frames, const DetectionJob& job) {
+  if (job.output.extension() != ".jsonl") {
+    const auto names =
+        job.detector.class_names.empty() ? coco_class_names() : job.detector.class_names;
+    return to_coco_results(frames, names);
+  }
+  std::string lines;
+  for (const FrameDetections& frame : frames) lines += to_json_line(frame);
+  return lines;
+}
+
+}  // namespace
+
+Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgress& progress) {
+  HYPERMAP_TRY(check_target(job.output));
+  ClassRegistry classes;
+  HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
+                            OnnxDetector::load(job.model, job.detector, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
+                            open_dataset(job.input, pictures_only(job.dataset), classes));
+  DetectionJobReport report;
+  std::vector<FrameDetections> frames;
+  for (std::size_t i = 0; i < dataset->size(); ++i) {
+    const auto frame = dataset->read(i);
+    const auto found = frame ? detector.detect(frame->color)
+                             : Result<std::vector<Detection>>(Unexpected(frame.error()));
+    if (found) {
+      frames.push_back(named(*found,
+                             classes,
+                             frame->name,
+                             frame->stamp,
+                             frame->color.width_px(),
+                             frame->color.height_px()));
+      report.num_detections += found->size();
+    } else {
+      report.skipped.push_back(found.error());
+    }
+    if (progress && !progress(i + 1, dataset->size())) return interrupted();
+  }
+  report.num_frames = frames.size();
+  if (frames.empty()) {
+    return fail(ErrorCode::kNotFound, "no frame of the dataset could be given to the detector");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, as_text(frames, job));
+  HYPERMAP_TRY(write_file_atomically(job.output, text));
+  return report;
+}
+
+}  // namespace hypermap

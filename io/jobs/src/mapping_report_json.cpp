@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/jobs/mapping_job.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace hypermap {
+
+std::string to_json(const MappingReport& report) {
+  using Json = nlohmann::ordered_json;
+  const MappingSeconds& seconds = report.seconds;
+  const IntegrationReport& points = report.points;
+  Json json;
+  json["frames"] = report.num_frames;
+  json["frames_skipped"] = report.skipped.size();
+  json["skipped"] = Json::array();
+  for (const Error& error : report.skipped) json["skipped"].push_back(to_string(error));
+  json["points"] = points.num_hits + points.num_beyond_range + points.num_outside_volume;
+  json["points_skipped"] = {{"beyond_range", points.num_beyond_range},
+                            {"not_measured", points.num_not_measured},
+                            {"not_finite", points.num_not_finite},
+                            {"outside_volume", points.num_outside_volume}};
+  json["detections"] = report.num_detections;
+  json["segments"] = report.num_segments;
+  json["frames_unjudged"] = report.num_unjudged;
+  json["objects"] = report.num_objects;
+  json["objects_tentative"] = report.num_tentative;
+  json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};
+  json["up"] = report.up;
+  json["wall_s"] = seconds.wall;
+  json["stages_s"] = {{"read", seconds.read},
+                      {"detect", seconds.detect},
+                      {"segment", seconds.segment},
+                      {"integrate", seconds.integrate},
+                      {"associate", seconds.associate},
+                      {"visibility", seconds.visibility},
+                      {"project", seconds.project},
+                      {"write", seconds.write}};
+  json["frames_per_s"] =
+      seconds.wall > 0.0 ? static_cast<double>(report.num_frames) / seconds.wall : 0.0;
+  json["peak_rss_bytes"] = report.peak_rss_bytes;
+  json["threads"] = report.num_threads;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hypermap

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A detector of the simulation, perfect or with the errors that detectors make.
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/segmentation/detection.hpp"
+#include "hypermap/io/simulator/counter_rng.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// Source: docs/EVALUATION.md, "Noise".
+struct SimulatedDetectorOptions {
+  bool noisy = true;                    ///< False: exact boxes, no misses, no false alarms.
+  int min_visible_px = 200;             ///< Smaller things are not seen.           Range: >= 1
+  double min_unhidden_share = 0.2;      ///< Things hidden more are not seen.       Range: 0 .. 1
+  double miss_rate = 0.15;              ///< Share of visible things missed.        Range: 0 .. 1
+  double false_alarms_per_frame = 0.3;  ///< Mean of a Poisson distribution.        Range: 0 .. 20
+  double box_jitter = 0.04;             ///< Std. dev. of an edge, share of side.   Range: 0 .. 1
+  double similar_weight = 0.2;          ///< Share of the weight at similar classes. Range: 0 .. 1
+  double wrong_class_rate = 0.05;       ///< Share that names a wrong class outright. Range: 0 .. 1
+  double min_score = 0.3;               ///< Scores are uniform from here ...       Range: 0 .. 1
+  double max_score = 0.95;              ///< ... to here.                           Range: 0 .. 1
+  double perfect_probability = 0.99;    ///< Of the true class without noise.       Range: 0 .. 1
+  /// Also give the pixels of each thing (not of false alarms).
+  bool masks = false;
+  /// What the detector can name. Empty: `coco_class_names()`.
+  std::vector<std::string> class_names = {};
+};
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const SimulatedDetectorOptions& options);
+
+/// A thing as it appears in one picture.
+struct VisibleObject {
+  ObjectId id;
+  std::string_view class_name;
+  PixelBox box_px;  ///< Around its visible pixels.
+  int visible_px = 0;
+  double unhidden_share = 0.0;  ///< Of its own silhouette.
+};
+
+/// What is seen of each object: box and number of its pixels, in id order, those without a pixel
+/// left out. `class_names[id - 1]` is the class of object id; shares are left at 0.
+[[nodiscard]] std::vector<VisibleObject> visible_objects(
+    const Image<ObjectId>& instances, std::span<const std::string_view> class_names);
+
+/// Names things in pictures. A value: same seed, same frame, same things give the same detections.
+///
+/// Class vectors of the noisy detector: the score is the weight of the named class; of it a fifth
+/// goes to similar classes (chair/sofa, cup/bottle, tvmonitor/laptop, diningtable/desk, table/desk,
+/// as far as the detector knows them), and what is left to 1 spreads evenly over the others. A
+/// wrong class is a similar one where there is one, else any.
+class SimulatedDetector {
+ public:
+  /// Adds the detector's classes to `registry`.
+  /// Errors: of `validate` and of `ClassRegistry::add`.
+  [[nodiscard]] static Result<SimulatedDetector> create(const SimulatedDetectorOptions& options,
+                                                        ClassRegistry& registry,
+                                                        std::uint64_t seed);
+
+  /// True when the detector has a word for the class.
+  [[nodiscard]] bool can_name(std::string_view class_name) const;
+
+  /// True when an object of this size and openness counts as visible.
+  [[nodiscard]] bool is_visible(const VisibleObject& object) const;
+
+  /// Detections of one frame: those of `objects` (given in id order) that are visible and can be
+  /// named, then false alarms.
+  [[nodiscard]] std::vector<Detection> detect(std::span<const VisibleObject> objects,
+                                              const Image<ObjectId>& instances,
+                                              std::uint64_t frame) const;
+
+ private:
+  struct Known {
+    ClassId id;
+    std::string canonical;
+    std::vector<std::size_t> similar;  ///< Positions in known_.
+  };
+  SimulatedDetector() = default;
+  [[nodiscard]] std::optional<std::size_t> position_of(std::string_view class_name) const;
+  /// `weight` on the named class (noisy: a part of it on similar ones), the rest spread evenly.
+  [[nodiscard]] std::vector<ClassEvidence> class_vector(std::size_t named, double weight) const;
+  /// A similar class when there is one, else any other.
+  [[nodiscard]] std::size_t wrong_class(std::size_t truth, CounterRng& random) const;
+  [[nodiscard]] std::optional<Detection> detect_one(const VisibleObject& object,
+                                                    const Image<ObjectId>& instances,
+                                                    std::uint64_t frame) const;
+  [[nodiscard]] Detection false_alarm(const Image<ObjectId>& instances, CounterRng& random) const;
+
+  SimulatedDetectorOptions options_;
+  std::uint64_t seed_ = 0;
+  std::vector<Known> known_;
+};
+
+}  // namespace hypermap

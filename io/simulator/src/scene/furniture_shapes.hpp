@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The single shapes behind `build_furniture`. Each is built near its size and then fitted to it.
+#pragma once
+
+#include "hypermap/io/simulator/triangle_mesh.hpp"
+
+#include <Eigen/Core>
+
+namespace hypermap {
+
+/// What every shape is given: its extent, and two colours.
+struct ShapeInput {
+  Eigen::Vector3d size_m;
+  Rgb8 first;
+  Rgb8 second;
+};
+
+// Things to sit on (furniture_seats.cpp).
+[[nodiscard]] TriangleMesh build_chair(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_swivel_chair(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_sofa(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_bench(const ShapeInput& input);
+
+// What belongs to the room (furniture_room.cpp).
+[[nodiscard]] TriangleMesh build_table(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_cupboard(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_sink(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_bin(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_fan(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_noteboard(const ShapeInput& input);
+
+// What lies on tables (furniture_desk.cpp).
+[[nodiscard]] TriangleMesh build_monitor(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_keyboard(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_mouse(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_cup(const ShapeInput& input);
+
+// What people bring and leave (furniture_belongings.cpp).
+[[nodiscard]] TriangleMesh build_suitcase(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_umbrella(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_backpack(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_plant(const ShapeInput& input);
+
+}  // namespace hypermap

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/simulator/scene_file.hpp"
+
+#include "hypermap/io/codec/bounded_yaml.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr double kFarthestM = 1000.0;
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr std::size_t kMaxThings = 1000;
+constexpr std::size_t kMaxWaypoints = 10'000;
+
+constexpr std::array<std::pair<std::string_view, SurfacePattern>, 8> kPatterns{
+    {{"plain", SurfacePattern::kPlain},
+     {"wood", SurfacePattern::kWood},
+     {"tiles", SurfacePattern::kTiles},
+     {"fabric", SurfacePattern::kFabric},
+     {"keys", SurfacePattern::kKeys},
+     {"screen", SurfacePattern::kScreen},
+     {"notes", SurfacePattern::kNotes},
+     {"brick", SurfacePattern::kBrick}}};
+
+Unexpected refuse(const YamlNode& node,
+                  std::string what,
+                  ErrorCode code = ErrorCode::kMalformedFile) {
+  return tl::make_unexpected(node.error(std::move(what), code));
+}
+
+/// A map with none but these keys.
+Result<void> require_map(const YamlNode& node, std::span<const std::string_view> known) {
+  if (!node.is_map()) return refuse(node, "must be a map");
+  const std::vector<Finding> unknown = node.unknown_keys(known);
+  if (!unknown.empty()) return tl::make_unexpected(unknown.front().error);
+  return {};
+}
+
+/// The numbers of a list of `Size`.
+template <int Size>
+Result<Eigen::Matrix<double, Size, 1>> read_vector(const YamlNode& node) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<double> numbers, node.as_doubles(Size));
+  Eigen::Matrix<double, Size, 1> vector(numbers.data());
+  if (vector.cwiseAbs().maxCoeff() > kFarthestM)
+    return refuse(node, "coordinates must lie within 1000 m");
+  return vector;
+}
+
+Result<double> read_number(
+    const YamlNode& map, std::string_view key, double usual, double min, double max) {
+  const auto node = map.find(key);
+  if (!node) return usual;
+  return node->as_double(min, max);
+}
+
+Result<std::string> read_text(const YamlNode& map, std::string_view key) {
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, map.at(key));
+  HYPERMAP_ASSIGN_OR_RETURN(std::string text, node.as_string());
+  if (text.empty() || text.size() > 256) return refuse(node, "must have 1 to 256 bytes");
+  return text;
+}
+
+Result<std::vector<YamlNode>> read_list(const YamlNode& map,
+                                        std::string_view key,
+                                        std::size_t limit) {
+  const auto node = map.find(key);
+  if (!node) return std::vector<YamlNode>{};
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<YamlNode> items, node->as_list());
+  if (items.size() > limit)
+    return refuse(*node,
+                  "must have " + std::to_string(limit) + " items or fewer, has " +
+                      std::to_string(items.size()),
+                  ErrorCode::kLimit);
+  return items;
+}
+
+Result<Rgb8> read_color(const YamlNode& node) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> items, node.as_list());
+  if (items.size() != 3) return refuse(node, "must be [red, green, blue]");
+  std::array<std::uint8_t, 3> channels{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t value, items[i].as_int(0, 255));
+    channels[i] = static_cast<std::uint8_t>(value);
+  }
+  return Rgb8{channels[0], channels[1], channels[2]};
+}
+
+/// `color` and `pattern` of a map; what is absent stays as in `usual`.
+Result<SurfaceMaterial> read_surface(const YamlNode& map, SurfaceMaterial usual) {
+  if (const auto color = map.find("color")) {
+    HYPERMAP_ASSIGN_OR_RETURN(usual.color, read_color(*color));
+  }
+  const auto pattern = map.find("pattern");
+  if (!pattern) return usual;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string name, pattern->as_string());
+  const auto found = std::ranges::find(kPatterns, name, &decltype(kPatterns)::value_type::first);
+  if (found == kPatterns.end())
+    return refuse(
+        *pattern,
+        "must be plain, wood, tiles, fabric, keys, screen, notes or brick, is " + printable(name));
+  usual.pattern = found->second;
+  return usual;
+}
+
+Result<Ring> read_ring(const YamlNode& node) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> items, node.as_list());
+  if (items.size() > kMaxThings)
+    return refuse(node, "must have 1000 points or fewer", ErrorCode::kLimit);
+  Ring ring;
+  for (const YamlNode& item : items) {
+    HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Vector2d point, read_vector<2>(item));
+    ring.push_back(point);
+  }
+  return ring;
+}
+
+Result<void> read_materials(const YamlNode& building, Scene& scene) {
+  const auto node = building.find("materials");
+  if (!node) return {};
+  constexpr std::array<std::string_view, 3> kKeys{"floor", "walls", "ceiling"};
+  HYPERMAP_TRY(require_map(*node, kKeys));
+  const std::array<SurfaceMaterial*, 3> targets{
+      &scene.floor_material, &scene.wall_material, &scene.ceiling_material};
+  for (std::size_t i = 0; i < kKeys.size(); ++i) {
+    const auto item = node->find(kKeys[i]);
+    if (!item) continue;
+    constexpr std::array<std::string_view, 2> kSurfaceKeys{"color", "pattern"};
+    HYPERMAP_TRY(require_map(*item, kSurfaceKeys));
+    HYPERMAP_ASSIGN_OR_RETURN(*targets[i], read_surface(*item, *targets[i]));
+  }
+  return {};
+}
+
+Result<void> read_building(const YamlNode& node, Scene& scene) {
+  constexpr std::array<std::string_view, 4> kKeys{"height", "floor", "blocks", "materials"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(scene.wall_height_m, read_number(node, "height", 2.7, 0.5, 100.0));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode floor, node.at("floor"));
+  HYPERMAP_ASSIGN_OR_RETURN(Ring outer, read_ring(floor));
+  std::vector<Ring> holes;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> blocks,
+                            read_list(node, "blocks", kMaxThings));
+  for (const YamlNode& block : blocks) {
+    HYPERMAP_ASSIGN_OR_RETURN(Ring hole, read_ring(block));
+    holes.push_back(std::move(hole));
+  }
+  auto polygon = make_polygon(std::move(outer), std::move(holes));
+  if (!polygon) return refuse(floor, polygon.error().what);
+  scene.floor = *std::move(polygon);
+  return read_materials(node, scene);
+}
+
+Result<SceneFixture> read_fixture(const YamlNode& node) {
+  constexpr std::array<std::string_view, 4> kKeys{"from", "to", "color", "pattern"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode from, node.at("from"));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode to, node.at("to"));
+  SceneFixture fixture;
+  HYPERMAP_ASSIGN_OR_RETURN(fixture.box.min_in_map, read_vector<3>(from));
+  HYPERMAP_ASSIGN_OR_RETURN(fixture.box.max_in_map, read_vector<3>(to));
+  if (!(fixture.box.extent().minCoeff() > 0.0))
+    return refuse(node, "each coordinate of `to` must be greater than that of `from`");
+  HYPERMAP_ASSIGN_OR_RETURN(fixture.material, read_surface(node, {}));
+  return fixture;
+}
+
+/// What an object may say beyond name, class, shape and place.
+Result<void> read_looks(const YamlNode& node, SceneObject& object) {
+  if (const auto size = node.find("size")) {
+    HYPERMAP_ASSIGN_OR_RETURN(object.size_m, read_vector<3>(*size));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> colors, read_list(node, "colors", 2));
+  for (const YamlNode& item : colors) {
+    HYPERMAP_ASSIGN_OR_RETURN(const Rgb8 color, read_color(item));
+    object.colors.push_back(color);
+  }
+  if (const auto fixed = node.find("fixed")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const bool is_fixed, fixed->as_bool());
+    object.movable = !is_fixed;
+  }
+  return {};
+}
+
+Result<SceneObject> read_object(const YamlNode& node) {
+  constexpr std::array<std::string_view, 10> kKeys{
+      "name", "class", "shape", "on", "at", "height", "yaw", "size", "colors", "fixed"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  SceneObject object;
+  HYPERMAP_ASSIGN_OR_RETURN(object.name, read_text(node, "name"));
+  HYPERMAP_ASSIGN_OR_RETURN(object.class_name, read_text(node, "class"));
+  HYPERMAP_ASSIGN_OR_RETURN(object.shape, read_text(node, "shape"));
+  if (node.find("on")) {
+    HYPERMAP_ASSIGN_OR_RETURN(object.on, read_text(node, "on"));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode at, node.at("at"));
+  HYPERMAP_ASSIGN_OR_RETURN(object.position_m, read_vector<2>(at));
+  HYPERMAP_ASSIGN_OR_RETURN(object.height_m, read_number(node, "height", 0.0, -100.0, 100.0));
+  HYPERMAP_ASSIGN_OR_RETURN(const double yaw_deg, read_number(node, "yaw", 0.0, -3600.0, 3600.0));
+  object.yaw_rad = kRadPerDeg * yaw_deg;
+  HYPERMAP_TRY(read_looks(node, object));
+  return object;
+}
+
+Result<CameraWaypoint> read_waypoint(const YamlNode& node, double usual_height_m) {
+  constexpr std::array<std::string_view, 3> kKeys{"at", "look_at", "height"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode at, node.at("at"));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode target, node.at("look_at"));
+  HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Vector2d position, read_vector<2>(at));
+  CameraWaypoint waypoint;
+  HYPERMAP_ASSIGN_OR_RETURN(waypoint.look_at_in_map, read_vector<3>(target));
+  HYPERMAP_ASSIGN_OR_RETURN(const double height,
+                            read_number(node, "height", usual_height_m, 0.05, 100.0));
+  waypoint.position_in_map << position, height;
+  return waypoint;
+}
+
+Result<void> read_camera(const YamlNode& node, Scene& scene) {
+  constexpr std::array<std::string_view, 4> kKeys{"height", "speed", "turn_rate", "path"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(const double height_m, read_number(node, "height", 1.2, 0.05, 100.0));
+  HYPERMAP_ASSIGN_OR_RETURN(scene.path.speed_m_per_s,
+                            read_number(node, "speed", 0.3, 0.001, 100.0));
+  HYPERMAP_ASSIGN_OR_RETURN(const double turn_deg,
+                            read_number(node, "turn_rate", 25.0, 0.1, 3600.0));
+  scene.path.turn_rate_rad_per_s = kRadPerDeg * turn_deg;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> path,
+                            read_list(node, "path", kMaxWaypoints));
+  for (const YamlNode& item : path) {
+    HYPERMAP_ASSIGN_OR_RETURN(const CameraWaypoint waypoint, read_waypoint(item, height_m));
+    scene.waypoints.push_back(waypoint);
+  }
+  const auto valid = CameraPath::create(scene.waypoints, scene.path);
+  if (!valid) return refuse(node, valid.error().what);
+  return {};
+}
+
+Result<void> read_lights_and_jitter(const YamlNode& root, Scene& scene) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> lights, read_list(root, "lights", 100));
+  for (const YamlNode& item : lights) {
+    HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Vector3d light, read_vector<3>(item));
+    scene.lights_in_map.push_back(light);
+  }
+  const auto jitter = root.find("jitter");
+  if (!jitter) return {};
+  constexpr std::array<std::string_view, 2> kKeys{"position", "yaw"};
+  HYPERMAP_TRY(require_map(*jitter, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(scene.position_jitter_m,
+                            read_number(*jitter, "position", scene.position_jitter_m, 0.0, 10.0));
+  HYPERMAP_ASSIGN_OR_RETURN(const double yaw_deg, read_number(*jitter, "yaw", 10.0, 0.0, 180.0));
+  scene.yaw_jitter_rad = kRadPerDeg * yaw_deg;
+  return {};
+}
+
+Result<Scene> read_scene(const YamlNode& root) {
+  constexpr std::array<std::string_view, 7> kKeys{
+      "name", "building", "lights", "jitter", "fixtures", "objects", "camera"};
+  HYPERMAP_TRY(require_map(root, kKeys));
+  Scene scene;
+  HYPERMAP_ASSIGN_OR_RETURN(scene.name, read_text(root, "name"));
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode building, root.at("building"));
+  HYPERMAP_TRY(read_building(building, scene));
+  HYPERMAP_TRY(read_lights_and_jitter(root, scene));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto fixtures, read_list(root, "fixtures", kMaxThings));
+  for (const YamlNode& item : fixtures) {
+    HYPERMAP_ASSIGN_OR_RETURN(const SceneFixture fixture, read_fixture(item));
+    scene.fixtures.push_back(fixture);
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const auto objects, read_list(root, "objects", kMaxThings));
+  for (const YamlNode& item : objects) {
+    HYPERMAP_ASSIGN_OR_RETURN(SceneObject object, read_object(item));
+    scene.objects.push_back(std::move(object));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode camera, root.at("camera"));
+  HYPERMAP_TRY(read_camera(camera, scene));
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, read_yaml(path));
+  return read_scene(document.root());
+}
+
+Result<Scene> parse_scene(std::string_view yaml, const std::string& name) {
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(yaml, SourceName{name}));
+  return read_scene(document.root());
+}
+
+Result<std::filesystem::path> find_scene(const std::string& name_or_path,
+                                         const std::filesystem::path& data_dir) {
+  std::error_code ignored;
+  const std::filesystem::path given(name_or_path);
+  if (std::filesystem::is_regular_file(given, ignored)) return given;
+  const std::filesystem::path scenes = data_dir / "scenes";
+  const std::filesystem::path shipped = scenes / (name_or_path + ".yaml");
+  if (!given.has_parent_path() && std::filesystem::is_regular_file(shipped, ignored))
+    return shipped;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes, ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  std::string what = "no such file, and no scene of that name ships";
+  for (const std::string& name : names)
+    what += (&name == names.data() ? "; there are " : ", ") + name;
+  return tl::make_unexpected(Error{ErrorCode::kNotFound, std::move(what), name_or_path});
+}
+
+}  // namespace hypermap

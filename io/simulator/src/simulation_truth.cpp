@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/simulator/simulation_truth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr int kLeastDepthPixels = 200;
+
+ValueTree box_tree(const Box& box) {
+  std::vector<ValueTree> numbers;
+  for (const Eigen::Vector3d& corner : {box.min_in_map, box.max_in_map}) {
+    for (const double coordinate : corner) numbers.push_back(make_number(coordinate));
+  }
+  return make_list(std::move(numbers));
+}
+
+SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth& truth) {
+  std::vector<ValueTree::Entry> extra{{"thing", make_text(object.name)},
+                                      {"box", box_tree(object.box)}};
+  if (!truth.excluded_because.empty())
+    extra.emplace_back("excluded", make_text(truth.excluded_because));
+  SemanticObject result;
+  result.id = object.id.value;
+  result.name = object.class_name;
+  result.parts = {object.footprint};
+  result.extra = make_map(std::move(extra));
+  return result;
+}
+
+/// The thing as an object of a map that is sure of everything.
+Object certain_object(const PlacedObject& placed, ClassId class_id) {
+  Object object;
+  object.id = placed.id;
+  object.belief.observe(std::array{ClassEvidence{class_id, Probability(1.0)}}, Probability(0.5));
+  object.existence = object.belief.options().max_log_odds;
+  object.box_confidence = object.belief.options().max_log_odds;
+  object.box = placed.box;
+  object.centroid_in_map = placed.centroid_in_map;
+  object.shapes.add(placed.footprint);
+  object.num_observations = 1;
+  return object;
+}
+
+}  // namespace
+
+std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& detector) {
+  if (!detector.can_name(truth.class_name)) return "the detector has no word for this class";
+  if (truth.most_depth_pixels < kLeastDepthPixels)
+    return "never covered " + std::to_string(kLeastDepthPixels) + " depth pixels, at most " +
+           std::to_string(truth.most_depth_pixels);
+  return "";
+}
+
+Result<MapArchive> make_truth(const Simulator& simulator,
+                              const Scene& scene,
+                              std::span<const SimulatedTruth> truths) {
+  std::vector<SemanticObject> things;
+  std::vector<Object> objects;
+  MapArchive archive;
+  for (const PlacedObject& placed : simulator.objects()) {
+    things.push_back(semantic_object(placed, truths[placed.id.value - 1]));
+    HYPERMAP_ASSIGN_OR_RETURN(const ClassId class_id, archive.classes.add(placed.class_name));
+    objects.push_back(certain_object(placed, class_id));
+  }
+  const ObjectId next_id{static_cast<std::uint32_t>(objects.size() + 1)};
+  HYPERMAP_ASSIGN_OR_RETURN(archive.objects, ObjectMap::restore(std::move(objects), next_id));
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer semantic, SemanticLayer::create(std::move(things)));
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid,
+                            true_occupancy(simulator.furnished(), scene.waypoints));
+  HYPERMAP_TRY(archive.hypermap.add_layer(
+      {LayerInfo{.name = "occupancy"}, OccupancyLayer{.grid = std::move(grid)}}));
+  HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(semantic)}));
+  return archive;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From frames with detections to a labelled octree and the objects that stand in it.
+///
+/// Source: [smap] figure 3.1; [hypermap] 3.4, figure 8.
+#pragma once
+
+#include "hypermap/core/base/deadline.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/stop_watch.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/objects/absence.hpp"
+#include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+#include "hypermap/octree_semantic/occlusion/object_visibility.hpp"
+#include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+
+struct SemanticMapperOptions {
+  OctreeOptions octree;
+  IntegrationOptions integration;
+  ObjectPipelineOptions objects;
+  VisibilityOptions visibility;
+  /// Bounds the work on a frame, for live use; off to begin with.
+  DeadlineOptions deadline;
+  /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
+  /// The ids of `objects.transient_class_names`.
+  std::set<ClassId> transient_classes;
+  /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on
+  /// it.
+  int num_threads = 1;
+  friend bool operator==(const SemanticMapperOptions&, const SemanticMapperOptions&) = default;
+};
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const SemanticMapperOptions& options);
+
+/// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
+struct StageSeconds {
+  double segment = 0.0;
+  double associate = 0.0;
+  double integrate = 0.0;
+  double visibility = 0.0;
+};
+
+/// What became of one frame.
+struct FrameReport {
+  std::size_t num_detections = 0;  ///< After stacking.
+  std::size_t num_transient = 0;   ///< Of a class that does not stay.
+  std::size_t num_segments = 0;    ///< Detections that were found in the depth.
+  /// Detections that nobody looked at because the time was up, those of the lowest scores.
+  std::size_t num_deadline_dropped = 0;
+  std::size_t num_created = 0;
+  std::size_t num_matched = 0;
+  std::size_t num_merged = 0;   ///< Objects that proved to be another one.
+  std::size_t num_removed = 0;  ///< Objects that proved absent.
+  /// False when nothing was asked about objects that were not seen: detections had been dropped, so
+  /// that not to be seen means nothing, or there was no memory or no Embree for it.
+  bool judged = false;
+  IntegrationReport integration;
+  StageSeconds seconds;
+};
+
+/// The whole map in the making. Movable, not copyable; `octree()` and `objects()` are values.
+///
+/// Threads: one `integrate` at a time; const functions may run concurrently between two of them.
+class SemanticMapper {
+ public:
+  /// Errors: those of validate; kUnavailable when Embree cannot start.
+  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options);
+  /// Goes on from a map that was made before. Errors: those of create; kInvalidArgument when the
+  /// tree's options are not those of `options.octree`.
+  [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
+                                                     SemanticOctree octree,
+                                                     ObjectMap objects);
+
+  /// Puts one frame into the map: whole, or on an error not at all.
+  ///
+  /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
+  /// that cannot be found in the depth is counted, no error. Objects learn on a copy that takes
+  /// their place when the octree has the frame; should memory end after that, what is left of the
+  /// frame's work waits for the next one, see `FrameReport::judged`.
+  [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
+
+  /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
+  /// empty.
+  void set_clock(Clock clock) { clock_ = std::move(clock); }
+
+  [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
+  [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
+  [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
+
+ private:
+  SemanticMapper(SemanticMapperOptions options,
+                 SemanticOctree octree,
+                 ObjectMap objects,
+                 OcclusionScene occlusion);
+  /// Voxels of one object are to become those of another, or of none.
+  struct Handover {
+    ObjectId from;
+    ObjectId into;
+    Box bounds;
+  };
+  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
+  [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
+  [[nodiscard]] std::vector<Handover> handovers(const ObjectMap& objects,
+                                                std::span<const ObjectMerge> merges) const;
+  void hand_over_voxels();
+  void weaken_unseen(const RgbdFrame& frame,
+                     const AssociationReport& association,
+                     FrameReport& report);
+  [[nodiscard]] Result<std::vector<VisibilityVerdict>> judge(const RgbdFrame& frame,
+                                                             std::span<const ObjectId> seen_now);
+
+  SemanticMapperOptions options_;
+  SemanticOctree octree_;
+  ObjectMap objects_;
+  OcclusionScene occlusion_;
+  FrameIntegrator integrator_;
+  Clock clock_ = wall_clock_s;
+  std::vector<Handover> handovers_;  ///< Still to be done; mostly none.
+};
+
+}  // namespace hypermap

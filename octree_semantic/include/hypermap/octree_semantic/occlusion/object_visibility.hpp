@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a frame shows of each known object: is it visible, hidden, or gone?
+///
+/// Source: [smap] 3.5.5 and figure 3.23 ask it of panels of a binned depth map. Deviation: policy
+/// `rays`: rays from the camera to points of the object, against what this frame measured along
+/// them and, where it measured nothing, against the map's own geometry. So an object behind a table
+/// is hidden, and one that is only seen from behind is not gone.
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/absence.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+struct VisibilityOptions {
+  int max_rays = 128;        ///< Rays per object at most, 1 .. 65,536, spread evenly over it.
+  double max_range_m = 5.0;  ///< Farther points are out of view, > 0.
+  double depth_tolerance_m = 0.08;  ///< Measured and expected depth agree within this, >= 0,
+  double depth_tolerance_per_m2 =
+      0.005;                        ///< plus this times the depth squared, >= 0. Kinect: 0.003
+  double min_in_view_share = 0.25;  ///< Less of the object in the picture: out of view, [0, 1].
+  /// Less of what can be told is open to the camera: occluded, [0, 1].
+  double min_open_share = 0.1;
+  /// At least so much of what is open shows what lies behind: absent, (0, 1].
+  double absent_share = 0.5;
+  /// At least so much of what can be told is hidden: partly occluded, (0, 1].
+  double partly_occluded_share = 0.3;
+  friend bool operator==(const VisibilityOptions&, const VisibilityOptions&) = default;
+};
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const VisibilityOptions& options);
+
+/// Answers lines of sight, 1 where hidden, in their order; as OcclusionScene::occluded.
+using AnswerLines = std::function<Result<std::vector<std::uint8_t>>(std::span<const SightLine>)>;
+
+/// One verdict for each object whose box meets the space that the camera overlooks, by ascending
+/// id. `seen_now`, ascending, are objects that this frame detected: those are never occluded or
+/// absent. `answer` is asked once with all lines along which this frame measured nothing, and not
+/// at all when there are none: then the map need not be brought up to date for it.
+///
+/// Errors: those of `answer`.
+/// Boundary: where the frame measured nothing and the map hides nothing, nothing can be told; an
+/// object of which nothing can be told is out of view. An object without points is judged by the
+/// corners and the centre of its box.
+/// Requires: validate(options), validate(frame).
+[[nodiscard]] Result<std::vector<VisibilityVerdict>> judge_visibility(
+    const ObjectMap& objects,
+    const RgbdFrame& frame,
+    const AnswerLines& answer,
+    const VisibilityOptions& options = {},
+    std::span<const ObjectId> seen_now = {});
+
+}  // namespace hypermap

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The map as OctoMap's trees, for every program that knows OctoMap, and back.
+///
+/// The only public header with types of OctoMap. Log-odds here are steps of 0.001, there 32-bit
+/// floats: what comes from OctoMap is rounded, what goes there and comes back is the same.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+#include "hypermap/octree_semantic/octree/voxel_label.hpp"
+
+#include <octomap/ColorOcTree.h>
+#include <octomap/OcTree.h>
+#include <octomap/OccupancyOcTreeBase.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace hypermap {
+
+/// A node of OctoMap that also knows class and object.
+///
+/// In a file: the 32-bit log-odds, then 20 bytes, all little-endian: object (32 bits), votes (16),
+/// rest (16), and for each of three classes its id (16) and its log-odds in steps of 0.001 (16).
+/// A node without a label has object 0, votes 0, rest 0, and ids 65535 with log-odds 0.
+class SemanticOcTreeNode : public octomap::OcTreeNode {
+ public:
+  SemanticOcTreeNode() = default;
+
+  [[nodiscard]] const VoxelLabel& label() const noexcept { return label_; }
+  void set_label(const VoxelLabel& label) noexcept { label_ = label; }
+
+  bool operator==(const SemanticOcTreeNode& rhs) const {
+    return rhs.value == value && rhs.label_ == label_;
+  }
+  // The names below are OctoMap's: its templates call them.
+  void copyData(const SemanticOcTreeNode& from) {  // NOLINT(readability-identifier-naming)
+    octomap::OcTreeNode::copyData(from);
+    label_ = from.label_;
+  }
+  std::istream& readData(std::istream& stream);         // NOLINT(readability-identifier-naming)
+  std::ostream& writeData(std::ostream& stream) const;  // NOLINT(readability-identifier-naming)
+
+ private:
+  VoxelLabel label_;
+};
+
+/// OctoMap's tree with our payload, registered as "SemanticOcTree": `octomap::AbstractOcTree::read`
+/// gives one. Equal siblings (label included) are pruned; inner nodes have no label.
+class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
+ public:
+  explicit SemanticOcTree(double resolution_m);
+  [[nodiscard]] SemanticOcTree* create() const override { return new SemanticOcTree(resolution); }
+  [[nodiscard]] std::string getTreeType() const override {  // NOLINT(readability-identifier-naming)
+    return "SemanticOcTree";
+  }
+
+ private:
+  /// Registers the type before `main`, as OctoMap asks of its trees.
+  class Registration {
+   public:
+    Registration();
+    void ensure_linked() const {}
+  };
+  static const Registration kRegistration;
+};
+
+/// Occupancy alone. The sensor model goes along; the tree is pruned.
+[[nodiscard]] std::unique_ptr<octomap::OcTree> to_octomap(const SemanticOctree& tree);
+/// Occupancy, and the class as colour (`class_color`): grey where something unlabelled stands, and
+/// white, OctoMap's "no colour", in empty space.
+[[nodiscard]] std::unique_ptr<octomap::ColorOcTree> to_color_octomap(const SemanticOctree& tree);
+/// Everything.
+[[nodiscard]] std::unique_ptr<SemanticOcTree> to_semantic_octomap(const SemanticOctree& tree);
+
+struct OctomapImportOptions {
+  /// A pruned node stands for up to 2^48 voxels; more than so many in all are refused.
+  std::size_t max_voxels = std::size_t{1} << 28U;
+};
+
+/// Everything that an OctoMap tree knows, with its sensor model. Probabilities of the model are
+/// rounded to 0.000001, log-odds to 0.001 and clamped by that model.
+///
+/// Errors: kInvalidArgument when resolution or sensor model are none that we allow, or a log-odds
+/// is NaN; kLimit when there are more voxels than `max_voxels`; kOutOfMemory.
+[[nodiscard]] Result<SemanticOctree> from_octomap(const octomap::OcTree& tree,
+                                                  const OctomapImportOptions& options = {});
+/// The same; colours are not read, they are no classes.
+[[nodiscard]] Result<SemanticOctree> from_octomap(const octomap::ColorOcTree& tree,
+                                                  const OctomapImportOptions& options = {});
+/// The same with labels. Errors: also kInvalidArgument when a label breaks the rules of VoxelLabel.
+[[nodiscard]] Result<SemanticOctree> from_octomap(const SemanticOcTree& tree,
+                                                  const OctomapImportOptions& options = {});
+
+}  // namespace hypermap

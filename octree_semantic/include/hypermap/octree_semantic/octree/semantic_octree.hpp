@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What is known of space: for each voxel whether it is occupied, of which class and object.
+///
+/// OctoMap's model (keys, log-odds, clamping, threshold) stored in bricks of 8 x 8 x 8 voxels that
+/// are found by the key of their corner. FrameIntegrator writes it.
+/// Source: A. Hornung et al., "OctoMap", Autonomous Robots 34 (2013).
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/geometry/frames.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/octree_semantic/octree/brick.hpp"
+#include "hypermap/octree_semantic/octree/brick_table.hpp"
+#include "hypermap/octree_semantic/octree/sensor_model.hpp"
+#include "hypermap/octree_semantic/octree/voxel_grid.hpp"
+#include "hypermap/octree_semantic/octree/voxel_key.hpp"
+#include "hypermap/octree_semantic/octree/voxel_label.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+struct OctreeOptions {
+  double resolution_m = 0.05;         ///< Edge of a voxel, 0.001 .. 10.
+  SensorModelOptions sensor_model{};  ///< OctoMap's defaults.
+  /// Class evidence of a voxel saturates at +- this, 0.1 .. 30. [smap] table D.2: 10.
+  LogOdds max_class_log_odds{10.0};
+  friend bool operator==(const OctreeOptions&, const OctreeOptions&) = default;
+};
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const OctreeOptions& options);
+
+/// All that the map keeps of one known voxel, exactly: for archives.
+struct StoredLeaf {
+  VoxelKey key;
+  MilliLogOdds log_odds = 0;
+  std::optional<VoxelLabel> label{};
+  friend bool operator==(const StoredLeaf&, const StoredLeaf&) = default;
+};
+using StoredLeafVisitor = std::function<void(const StoredLeaf&)>;
+
+struct LeafCount {
+  std::size_t occupied = 0;
+  std::size_t free = 0;
+  friend bool operator==(const LeafCount&, const LeafCount&) = default;
+};
+
+/// What a ray met in the map.
+struct RayCast {
+  enum class Outcome : std::uint8_t {
+    kHit,      ///< An occupied voxel.
+    kUnknown,  ///< A voxel of which nothing is known, and the ray was to stop there.
+    kNothing,  ///< Nothing up to the range or to the end of the map's volume.
+  };
+  Outcome outcome = Outcome::kNothing;
+  VoxelKey key;             ///< The voxel hit or unknown; meaningless for kNothing.
+  double distance_m = 0.0;  ///< To where the ray enters that voxel; 0 when it starts inside.
+};
+
+struct RayCastOptions {
+  double max_range_m = 10.0;     ///< > 0, may be infinite.
+  bool stop_at_unknown = false;  ///< Else unknown space is seen through.
+};
+
+/// The 3D map. A value: a copy shares its bricks until one of the two is written, so it is cheap.
+///
+/// Threads: const functions may run concurrently; a copy made before may be read while the original
+/// is written.
+class SemanticOctree {
+ public:
+  /// Errors: those of `validate`.
+  [[nodiscard]] static Result<SemanticOctree> create(const OctreeOptions& options);
+  /// Errors: those of `validate`, of `set_leaf`, and kInvalidArgument when a key occurs twice.
+  [[nodiscard]] static Result<SemanticOctree> from_leaves(const OctreeOptions& options,
+                                                          std::span<const StoredLeaf> leaves);
+
+  [[nodiscard]] const OctreeOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const VoxelGrid& grid() const noexcept { return grid_; }
+  [[nodiscard]] double resolution_m() const noexcept { return grid_.resolution_m(); }
+  [[nodiscard]] const SensorModel& sensor_model() const noexcept { return model_; }
+
+  /// What is known at a point; none where nothing is known or outside the volume.
+  /// Class and object are told of occupied voxels only: empty space belongs to nothing.
+  [[nodiscard]] std::optional<LeafSample> at(const PointInMap& point) const;
+  [[nodiscard]] std::optional<LeafSample> at(const VoxelKey& key) const;
+  [[nodiscard]] std::optional<StoredLeaf> stored_at(const VoxelKey& key) const;
+
+  /// Visits every known voxel, in Morton order. Cost: sorts the bricks' keys, then linear.
+  void for_each_leaf(const LeafVisitor& visit) const;
+  void for_each_stored_leaf(const StoredLeafVisitor& visit) const;
+  /// Known voxels whose centre lies in the closed box, in Morton order.
+  void for_each_leaf_in(const Box& box_in_map, const LeafVisitor& visit) const;
+  /// Occupied voxels whose best class is `id`, in Morton order.
+  void for_each_leaf_of(ClassId id, const LeafVisitor& visit) const;
+  /// Occupied voxels of an object, in Morton order; `bounds_in_map` spares a look at all others.
+  void for_each_leaf_of(ObjectId id, const Box& bounds_in_map, const LeafVisitor& visit) const;
+  void for_each_leaf_of(ObjectId id, const LeafVisitor& visit) const;
+
+  /// The first occupied voxel along a ray.
+  ///
+  /// Boundary: starts in an occupied voxel: a hit at distance 0. A ray through a corner passes from
+  /// voxel to voxel by faces, x before y before z. Starts outside the volume, or no finite
+  /// direction: kNothing.
+  [[nodiscard]] RayCast cast_ray(const PointInMap& origin,
+                                 const Eigen::Vector3d& direction_in_map,
+                                 const RayCastOptions& options = {}) const;
+
+  [[nodiscard]] LeafCount num_leaves() const;
+  [[nodiscard]] bool empty() const { return num_leaves() == LeafCount{}; }
+  [[nodiscard]] std::size_t num_bricks() const noexcept { return bricks_.size(); }
+  /// Heap and table; bricks shared with a copy counted in full, the one that all free space of this
+  /// tree shares counted once.
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+  /// Replaces one voxel. Errors: kInvalidArgument when the log-odds lie beyond the clamps of the
+  /// sensor model or the label breaks its rules; kOutOfMemory.
+  [[nodiscard]] Result<void> set_leaf(const StoredLeaf& leaf);
+  /// Voxels of object `from` within the box become voxels of `to` (kNoObject: of none). Returns how
+  /// many. Give the object's box, grown by a voxel.
+  std::size_t relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map);
+  std::size_t relabel_object(ObjectId from, ObjectId to);
+
+  /// Bricks for those who work on whole bricks (integration, occlusion, interchange).
+  [[nodiscard]] const BrickTable& bricks() const noexcept { return bricks_; }
+  [[nodiscard]] BrickTable& bricks() noexcept { return bricks_; }
+
+  /// Same options and same known voxels with the same content, however the bricks came to be.
+  friend bool operator==(const SemanticOctree& a, const SemanticOctree& b);
+
+ private:
+  SemanticOctree(const OctreeOptions& options, const SensorModel& model)
+      : options_(options), grid_(options.resolution_m), model_(model), bricks_(model.clamp_min) {}
+  [[nodiscard]] LeafSample sample(const VoxelKey& key, const Brick& brick, std::size_t cell) const;
+
+  OctreeOptions options_;
+  VoxelGrid grid_;
+  SensorModel model_;
+  BrickTable bricks_;
+};
+
+/// The tree as others see it; `tree` must outlive the result.
+[[nodiscard]] LeafSource leaf_source(const SemanticOctree& tree);
+
+}  // namespace hypermap

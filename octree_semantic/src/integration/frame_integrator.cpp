@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+
+#include "frame_checks.hpp"
+#include "integration/marking/measured_points.hpp"
+#include "integration_workspace.hpp"
+
+namespace hypermap {
+
+struct FrameIntegrator::Workspace : IntegrationWorkspace {};
+
+FrameIntegrator::FrameIntegrator() : workspace_(std::make_unique<Workspace>()) {}
+FrameIntegrator::FrameIntegrator(FrameIntegrator&&) noexcept = default;
+FrameIntegrator& FrameIntegrator::operator=(FrameIntegrator&&) noexcept = default;
+FrameIntegrator::~FrameIntegrator() = default;
+
+Result<IntegrationReport> FrameIntegrator::integrate(SemanticOctree& tree,
+                                                     const RgbdFrame& frame,
+                                                     std::span<const PixelLabels> labels,
+                                                     const IntegrationOptions& options) {
+  HYPERMAP_TRY(validate(options));
+  HYPERMAP_TRY(validate(frame));
+  HYPERMAP_TRY(check_sensor(tree.grid(), frame.map_from_camera.origin()));
+  HYPERMAP_TRY(check_labels(labels, frame.depth_m.size()));
+  const DepthPoints points(frame);
+  return workspace_->integrate(tree, points, &points, labels, options);
+}
+
+Result<IntegrationReport> FrameIntegrator::integrate_cloud(
+    SemanticOctree& tree,
+    const PointInMap& sensor,
+    std::span<const Eigen::Vector3f> points_in_map,
+    std::span<const PixelLabels> labels,
+    const IntegrationOptions& options) {
+  HYPERMAP_TRY(validate(options));
+  if (options.mode == IntegrationMode::kProjective) {
+    return fail(ErrorCode::kInvalidArgument,
+                "a cloud has no picture to project into: use exact or discretize",
+                "mode");
+  }
+  HYPERMAP_TRY(check_sensor(tree.grid(), sensor));
+  HYPERMAP_TRY(check_labels(labels, points_in_map.size()));
+  const CloudPoints points(sensor, points_in_map);
+  return workspace_->integrate(tree, points, nullptr, labels, options);
+}
+
+}  // namespace hypermap

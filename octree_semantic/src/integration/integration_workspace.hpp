@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Working memory of an integrator and the steps of one integration.
+#pragma once
+
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+#include "integration/labels/belief_batch.hpp"
+#include "integration/labels/label_evidence.hpp"
+#include "integration/labels/label_votes.hpp"
+#include "integration/marking/bit_window.hpp"
+#include "integration/marking/depth_pyramid.hpp"
+#include "integration/marking/end_points.hpp"
+#include "integration/marking/free_projection.hpp"
+#include "integration/marking/measured_points.hpp"
+#include "kernels/kernels.hpp"
+#include "octree/point_f.hpp"
+#include "workers.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// All memory is kept from frame to frame; it is bounded by the window that a frame reaches over.
+class IntegrationWorkspace {
+ public:
+  /// Errors: as FrameIntegrator::integrate, of what was not checked before. `picture` are the same
+  /// points when they come from a depth image, else null; mode projective needs it.
+  [[nodiscard]] Result<IntegrationReport> integrate(SemanticOctree& tree,
+                                                    const MeasuredPoints& points,
+                                                    const DepthPoints* picture,
+                                                    std::span<const PixelLabels> labels,
+                                                    const IntegrationOptions& options);
+
+ private:
+  /// A brick of the map that the frame changes.
+  struct Staged {
+    std::size_t window_brick = 0;
+    std::uint32_t position = 0;
+    bool changed = false;
+  };
+  /// What one thread needs of its own.
+  struct Slot {
+    EndSink ends;
+    BitLayer passed;  // voxels that rays went through
+    kernels::MergeCounts merged;
+  };
+
+  void prepare(const IntegrationOptions& options);
+  [[nodiscard]] const WindowGeometry* prepare_far(const KeyBox& everything);
+  void find_ends(const MeasuredPoints& points,
+                 const EndPoints& ends,
+                 IntegrationMode mode,
+                 IntegrationReport& report);
+  void cast_rays(double resolution_m, const PointF& sensor);
+  void project(const DepthPoints& picture,
+               const EndPoints& ends,
+               double resolution_m,
+               double max_range_m);
+  void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
+  void stage(SemanticOctree& tree, IntegrationReport& report);
+  void stage_brick(SemanticOctree& tree, std::size_t window_brick, IntegrationReport& report);
+  void stage_labels(Brick& brick, std::size_t window_brick) const;
+  void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
+  void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;
+  bool commit_labels(Brick& brick, std::size_t window_brick, const SemanticOctree& tree) noexcept;
+  /// Adds what the frame says to the labels of a brick that has votes.
+  void observe_labels(LabelTable& labels, std::size_t window_brick, MilliLogOdds limit) noexcept;
+  void clear() noexcept;
+
+  [[nodiscard]] BitLayer& hit() noexcept { return slots_.front().ends.hit; }
+  [[nodiscard]] BitLayer& passed() noexcept { return slots_.front().passed; }
+  [[nodiscard]] std::vector<PointF>& ray_ends() noexcept { return slots_.front().ends.ray_ends; }
+
+  FreeProjection projection_;
+  BeliefBatch batch_;
+  Workers workers_;
+  WindowGeometry window_;      // around the sensor
+  WindowGeometry far_window_;  // over all measurements
+  std::vector<Slot> slots_;    // one per worker; united in the first
+  std::vector<std::uint32_t> cell_of_measurement_;
+  DepthPyramid pyramid_;
+  LabelVotes votes_;
+  LabelEvidence evidence_;
+  std::vector<Staged> staged_;
+};
+
+}  // namespace hypermap

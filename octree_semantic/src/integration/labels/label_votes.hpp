@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Counts, for each voxel hit in a frame, how many measurements of each label ended in it.
+#pragma once
+
+#include "hypermap/octree_semantic/octree/brick.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// How many measurements of one label ended in a voxel.
+struct LabelVote {
+  std::uint32_t label = 0;  ///< Position among the frame's labels.
+  std::uint32_t count = 0;
+};
+
+/// Votes of one frame. The order in which measurements are added does not matter.
+///
+/// Two labels per voxel are counted in place, further ones (where three things meet) in a list.
+class LabelVotes {
+ public:
+  /// Forgets all and makes room for a window of `num_bricks`. Throws std::bad_alloc.
+  void start(std::size_t num_bricks, std::size_t num_labels);
+  /// `count` measurements of `label` ended in `cell`. Throws std::bad_alloc.
+  void add(std::uint32_t cell, std::uint32_t label, std::uint32_t count);
+  /// Call once after the last `add`.
+  void finish();
+
+  /// Voxels of a brick that have votes; null when none has.
+  [[nodiscard]] const BrickBits* labelled(std::size_t brick) const noexcept {
+    const std::uint32_t slab = slab_of_brick_[brick];
+    return slab == kNoSlab ? nullptr : &slabs_[slab].labelled;
+  }
+  /// Votes of a voxel, by ascending label. Valid until the next call.
+  /// Requires: the voxel is labelled.
+  [[nodiscard]] std::span<const LabelVote> votes(std::size_t brick, std::size_t cell) noexcept;
+
+ private:
+  static constexpr std::uint32_t kNoSlab = 0xFFFF'FFFF;
+  struct Slab {
+    BrickBits labelled;
+    std::array<std::array<LabelVote, 2>, kBrickVolume> votes;  // count 0: unused
+    std::size_t brick = 0;
+  };
+  struct FurtherVote {
+    std::uint32_t cell = 0;
+    std::uint32_t label = 0;
+    std::uint32_t count = 0;
+    friend auto operator<=>(const FurtherVote&, const FurtherVote&) = default;
+  };
+  [[nodiscard]] Slab& slab(std::size_t brick);
+
+  std::vector<std::uint32_t> slab_of_brick_;
+  std::vector<Slab> slabs_;
+  std::size_t num_slabs_ = 0;  // in use; the others keep their memory
+  std::vector<FurtherVote> further_;
+  std::vector<LabelVote> gathered_;
+};
+
+}  // namespace hypermap

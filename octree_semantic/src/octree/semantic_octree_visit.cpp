@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Visits and queries over many voxels of a SemanticOctree.
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hypermap {
+namespace {
+
+Box everywhere() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
+}
+
+/// Bricks from `min` to `max` per axis, both included; none when min > max.
+struct BrickRange {
+  std::array<int, 3> min{};
+  std::array<int, 3> max{};
+
+  [[nodiscard]] bool contains(BrickKey key) const {
+    const VoxelKey corner = key.corner();
+    const std::array<int, 3> at{
+        corner.x / kBrickEdge, corner.y / kBrickEdge, corner.z / kBrickEdge};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (at[i] < min[i] || at[i] > max[i]) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] double volume() const {
+    double total = 1.0;
+    for (std::size_t i = 0; i < 3; ++i) total *= std::max(0, max[i] - min[i] + 1);
+    return total;
+  }
+};
+
+BrickRange bricks_around(const Box& box, const VoxelGrid& grid) {
+  const auto brick_along = [&grid](double coordinate_m) {
+    const double voxels = coordinate_m * grid.voxels_per_m() + kOriginKey;
+    // NaN compares false and becomes the lower end.
+    const double inside = voxels > 0.0 ? std::min(voxels, kKeysPerAxis - 1.0) : 0.0;
+    return static_cast<int>(inside) / kBrickEdge;
+  };
+  BrickRange range;
+  for (int i = 0; i < 3; ++i) {
+    range.min[static_cast<std::size_t>(i)] = brick_along(box.min_in_map[i]);
+    range.max[static_cast<std::size_t>(i)] = brick_along(box.max_in_map[i]);
+  }
+  return range;
+}
+
+/// Positions of the bricks in the range, in Morton order: looked up one by one when the range is
+/// small, else picked from all.
+std::vector<std::uint32_t> positions_in(const BrickTable& table, const BrickRange& range) {
+  std::vector<std::uint32_t> found;
+  if (range.volume() < static_cast<double>(table.size())) {
+    for (int x = range.min[0]; x <= range.max[0]; ++x) {
+      for (int y = range.min[1]; y <= range.max[1]; ++y) {
+        for (int z = range.min[2]; z <= range.max[2]; ++z) {
+          const VoxelKey corner{static_cast<std::uint16_t>(x * kBrickEdge),
+                                static_cast<std::uint16_t>(y * kBrickEdge),
+                                static_cast<std::uint16_t>(z * kBrickEdge)};
+          const std::uint32_t position = table.position(BrickKey::of(corner));
+          if (position != BrickTable::kNone) found.push_back(position);
+        }
+      }
+    }
+  } else {
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
+      if (range.contains(table.key(i))) found.push_back(i);
+    }
+  }
+  std::sort(found.begin(), found.end(), [&table](std::uint32_t a, std::uint32_t b) {
+    return table.key(a) < table.key(b);
+  });
+  return found;
+}
+
+}  // namespace
+
+void SemanticOctree::for_each_leaf(const LeafVisitor& visit) const {
+  for (const std::uint32_t position : bricks_.in_morton_order()) {
+    const Brick& brick = bricks_.brick(position);
+    const BrickKey key = bricks_.key(position);
+    brick.known.for_each([&](std::size_t cell) { visit(sample(key.voxel(cell), brick, cell)); });
+  }
+}
+
+void SemanticOctree::for_each_stored_leaf(const StoredLeafVisitor& visit) const {
+  for (const std::uint32_t position : bricks_.in_morton_order()) {
+    const Brick& brick = bricks_.brick(position);
+    const BrickKey key = bricks_.key(position);
+    brick.known.for_each([&](std::size_t cell) {
+      StoredLeaf leaf{
+          .key = key.voxel(cell), .log_odds = brick.log_odds[cell], .label = std::nullopt};
+      if (const VoxelLabel* label = brick.label(cell)) leaf.label = *label;
+      visit(leaf);
+    });
+  }
+}
+
+void SemanticOctree::for_each_leaf_in(const Box& box_in_map, const LeafVisitor& visit) const {
+  for (const std::uint32_t position : positions_in(bricks_, bricks_around(box_in_map, grid_))) {
+    const Brick& brick = bricks_.brick(position);
+    const BrickKey key = bricks_.key(position);
+    brick.known.for_each([&](std::size_t cell) {
+      const LeafSample leaf = sample(key.voxel(cell), brick, cell);
+      if (box_in_map.contains(leaf.centre_in_map)) visit(leaf);
+    });
+  }
+}
+
+void SemanticOctree::for_each_leaf_of(ClassId id, const LeafVisitor& visit) const {
+  for (const std::uint32_t position : bricks_.in_morton_order()) {
+    const Brick& brick = bricks_.brick(position);
+    if (!brick.labels) continue;
+    const BrickKey key = bricks_.key(position);
+    brick.labels->labelled().for_each([&](std::size_t cell) {
+      const LeafSample leaf = sample(key.voxel(cell), brick, cell);
+      if (leaf.occupied && leaf.best_class == id) visit(leaf);
+    });
+  }
+}
+
+void SemanticOctree::for_each_leaf_of(ObjectId id,
+                                      const Box& bounds_in_map,
+                                      const LeafVisitor& visit) const {
+  for (const std::uint32_t position : positions_in(bricks_, bricks_around(bounds_in_map, grid_))) {
+    const Brick& brick = bricks_.brick(position);
+    if (!brick.labels) continue;
+    const BrickKey key = bricks_.key(position);
+    brick.labels->labelled().for_each([&](std::size_t cell) {
+      const LeafSample leaf = sample(key.voxel(cell), brick, cell);
+      const bool wanted = leaf.occupied && leaf.object == id;
+      if (wanted && bounds_in_map.contains(leaf.centre_in_map)) visit(leaf);
+    });
+  }
+}
+
+void SemanticOctree::for_each_leaf_of(ObjectId id, const LeafVisitor& visit) const {
+  for_each_leaf_of(id, everywhere(), visit);
+}
+
+std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map) {
+  if (from == kNoObject || from == to) return 0;
+  std::size_t num_changed = 0;
+  for (const std::uint32_t shared : positions_in(bricks_, bricks_around(bounds_in_map, grid_))) {
+    if (!bricks_.brick(shared).labels) continue;
+    std::vector<std::size_t> cells;
+    const BrickKey key = bricks_.key(shared);
+    bricks_.brick(shared).labels->labelled().for_each([&](std::size_t cell) {
+      const bool inside = bounds_in_map.contains(grid_.centre(key.voxel(cell)).xyz);
+      if (inside && bricks_.brick(shared).label(cell)->object == from) cells.push_back(cell);
+    });
+    if (cells.empty()) continue;
+    bricks_.reserve_changes(1);
+    const std::uint32_t position = bricks_.prepare(key);
+    for (const std::size_t cell : cells) {
+      VoxelLabel& label = bricks_.writable(position).labels->at(cell);
+      label.object = to;
+      if (to == kNoObject) label.object_votes = 0;
+    }
+    bricks_.note_change(position);
+    num_changed += cells.size();
+  }
+  if (num_changed != 0) bricks_.commit();
+  return num_changed;
+}
+
+std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to) {
+  return relabel_object(from, to, everywhere());
+}
+
+LeafSource leaf_source(const SemanticOctree& tree) {
+  return [&tree](const LeafVisitor& visit) { tree.for_each_leaf(visit); };
+}
+
+}  // namespace hypermap

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How the 2D layers of a map are derived from its voxels.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+
+namespace hypermap {
+
+struct LayerOptions {
+  /// Band of heights over the floor in which things are obstacles. Unit: metre. Default: 0.1 .. 1.8
+  double min_height_m = 0.1;
+  double max_height_m = 1.8;  ///< > min_height_m
+  /// Least share of the band's height that must have been seen free for a free cell, in (0, 1].
+  double min_free_share = 0.5;
+  friend bool operator==(const LayerOptions&, const LayerOptions&) = default;
+};
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const LayerOptions& options);
+
+}  // namespace hypermap

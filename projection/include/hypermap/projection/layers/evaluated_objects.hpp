@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which objects of an archive an evaluation compares.
+#pragma once
+
+#include "hypermap/core/evaluation/map_evaluation.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
+
+#include <vector>
+
+namespace hypermap {
+
+/// Objects of a semantic layer as evaluations take them: of a truth made here with its excluded
+/// things marked, or of a map labelled by hand (nothing excluded, size from the footprint).
+///
+/// A shape of several parts stands for its convex hull.
+[[nodiscard]] std::vector<EvaluatedObject> evaluated_objects(const SemanticLayer& layer);
+
+}  // namespace hypermap

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What is where in a hypermap: by place, by text, by number, and combined, in any frame.
+///
+/// Source: [hypermap] 3.3.1 (spatial and keyword queries), 3.3.2 (points and polygons are taken to
+/// the layer's frame), 3.3.3 (string and integer representations), table 2.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/projection/layers/hypermap.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// One thing found.
+struct LayerAnswer {
+  std::uint64_t id = 0;  ///< Of the object; of a grid's cell its place in row-major order.
+  std::string name;      ///< String representation: the object's name; Free, Occupied, Unknown.
+  std::int64_t value =
+      0;  ///< Integer representation: the object's id; the cell's occupancy, -1..100.
+  Eigen::Vector2d position =
+      Eigen::Vector2d::Zero();            ///< Centroid or cell centre, in the query's frame.
+  std::optional<double> confidence = {};  ///< In [0, 1], when the layer knows it.
+};
+
+/// Where a query looks and in which frame it speaks.
+struct QueryScope {
+  std::string layer;
+  std::string frame_id = {};  ///< Of points and areas, in and out; empty: the layer's own.
+};
+
+/// Everything below: answers in ascending id. Errors: kNotFound when the layer is unknown or
+/// nothing connects the frames; kUnsupported when the layer is opaque; kInvalidArgument when a
+/// coordinate is not finite. An empty list is a normal answer, also for a point outside the grid.
+///
+/// Area queries take the objects that meet the area (touching included), and the cells whose
+/// interior it meets.
+
+/// getString: what is at a point. Source: [hypermap] table 2, F10, F11.
+[[nodiscard]] Result<std::vector<LayerAnswer>> query_at(const Hypermap& map,
+                                                        const QueryScope& scope,
+                                                        const Eigen::Vector2d& point);
+/// getStrings: what is in an area. Source: [hypermap] table 2, 3.3.1.
+[[nodiscard]] Result<std::vector<LayerAnswer>> query_area(const Hypermap& map,
+                                                          const QueryScope& scope,
+                                                          const Polygon& area);
+/// getCoords, getCoordsArea: where a text is, on the whole layer or in an area.
+/// Source: [hypermap] table 2, F12.
+[[nodiscard]] Result<std::vector<LayerAnswer>> query_string(
+    const Hypermap& map,
+    const QueryScope& scope,
+    std::string_view text,
+    const std::optional<Polygon>& area = std::nullopt);
+/// The same by integer representation. Source: [hypermap] F13.
+[[nodiscard]] Result<std::vector<LayerAnswer>> query_int(
+    const Hypermap& map,
+    const QueryScope& scope,
+    std::int64_t value,
+    const std::optional<Polygon>& area = std::nullopt);
+
+/// The names of `answers` in order, each once: what getStrings lists.
+[[nodiscard]] std::vector<std::string> distinct_names(const std::vector<LayerAnswer>& answers);
+
+}  // namespace hypermap

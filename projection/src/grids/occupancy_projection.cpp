@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/projection/grids/occupancy_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+/// A leaf's edge on a cell's edge up to rounding does not reach into the next cell.
+constexpr double kSlackCells = 1e-6;
+
+double height_within(const HeightBand& band, const LeafSample& leaf) {
+  const double low = std::max(leaf.centre_in_map.z() - leaf.edge_m / 2, band.min_m);
+  const double high = std::min(leaf.centre_in_map.z() + leaf.edge_m / 2, band.max_m);
+  return high - low > kSlackCells * leaf.edge_m ? high - low : 0.0;
+}
+
+/// Length that a cell of an axis shares with [from, to], all in cells.
+double overlap(int cell, double from, double to) {
+  return std::min(to, cell + 1.0) - std::max(from, static_cast<double>(cell));
+}
+
+int first_cell(double from) {
+  return static_cast<int>(std::floor(from + kSlackCells));
+}
+int last_cell(double to) {
+  return static_cast<int>(std::ceil(to - kSlackCells)) - 1;
+}
+
+/// The unturned case, without polygons.
+void visit_straight(const GridGeometry& geometry,
+                    const LeafSample& leaf,
+                    double height_m,
+                    const ColumnVisitor& visit) {
+  const double half = leaf.edge_m / geometry.resolution_m / 2;
+  const Eigen::Vector2d middle = to_cells(geometry, leaf.centre_in_map.head<2>());
+  const Eigen::Vector2d from = (middle.array() - half).max(0.0);
+  const Eigen::Vector2d to(std::min(middle.x() + half, static_cast<double>(geometry.cols)),
+                           std::min(middle.y() + half, static_cast<double>(geometry.rows)));
+  if (!(from.x() < to.x() && from.y() < to.y())) return;
+  for (int row = first_cell(from.y()); row <= last_cell(to.y()); ++row) {
+    for (int col = first_cell(from.x()); col <= last_cell(to.x()); ++col) {
+      const double covered = overlap(col, from.x(), to.x()) * overlap(row, from.y(), to.y());
+      visit({col, row}, std::min(covered, 1.0), height_m);
+    }
+  }
+}
+
+Polygon square_of(const LeafSample& leaf) {
+  const double half = leaf.edge_m / 2;
+  const Eigen::Vector2d c = leaf.centre_in_map.head<2>();
+  return {.outer = {c + Eigen::Vector2d(-half, -half),
+                    c + Eigen::Vector2d(half, -half),
+                    c + Eigen::Vector2d(half, half),
+                    c + Eigen::Vector2d(-half, half)},
+          .holes = {}};
+}
+
+/// What the leaves of a band take up on the floor.
+struct Extent {
+  Eigen::Vector2d min = Eigen::Vector2d::Constant(1e300);
+  Eigen::Vector2d max = Eigen::Vector2d::Constant(-1e300);
+  double smallest_edge_m = 0.0;
+};
+
+Extent extent_of(const LeafSource& leaves, const HeightBand& band) {
+  Extent extent;
+  leaves([&](const LeafSample& leaf) {
+    if (height_within(band, leaf) <= 0.0) return;
+    const Eigen::Vector2d centre = leaf.centre_in_map.head<2>();
+    const Eigen::Vector2d half = Eigen::Vector2d::Constant(leaf.edge_m / 2);
+    extent.min = extent.min.cwiseMin(centre - half);
+    extent.max = extent.max.cwiseMax(centre + half);
+    const bool is_smaller = extent.smallest_edge_m == 0.0 || leaf.edge_m < extent.smallest_edge_m;
+    if (is_smaller) extent.smallest_edge_m = leaf.edge_m;
+  });
+  return extent;
+}
+
+/// Cells that start at multiples of the resolution, as the octree's voxels do.
+Result<GridGeometry> around(const Extent& extent, double resolution_m) {
+  const Eigen::Vector2d from = (extent.min / resolution_m).array() + kSlackCells;
+  const Eigen::Vector2d to = (extent.max / resolution_m).array() - kSlackCells;
+  const Eigen::Vector2d first(std::floor(from.x()), std::floor(from.y()));
+  const Eigen::Vector2d size(std::ceil(to.x()) - first.x(), std::ceil(to.y()) - first.y());
+  if (!(size.maxCoeff() < 1e6)) {
+    return fail(ErrorCode::kLimit, "the map is too wide for this resolution", "resolution_m");
+  }
+  const GridGeometry geometry{.resolution_m = resolution_m,
+                              .origin = first * resolution_m,
+                              .cols = static_cast<int>(size.x()),
+                              .rows = static_cast<int>(size.y())};
+  HYPERMAP_TRY(validate(geometry));
+  return geometry;
+}
+
+}  // namespace
+
+Result<void> validate(const HeightBand& band, const OccupancyProjectionOptions& options) {
+  if (!(band.min_m < band.max_m) || !std::isfinite(band.max_m - band.min_m)) {
+    return fail(ErrorCode::kInvalidArgument, "min must be below max, both finite", "height_band");
+  }
+  if (!(options.resolution_m >= 0.0)) {
+    return fail(ErrorCode::kInvalidArgument, "must be >= 0", "resolution_m");
+  }
+  if (!(options.min_free_share > 0.0 && options.min_free_share <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument, "must be in (0, 1]", "min_free_share");
+  }
+  if (options.geometry) return validate(*options.geometry);
+  return {};
+}
+
+void for_each_column(const GridGeometry& geometry,
+                     const HeightBand& band,
+                     const LeafSample& leaf,
+                     const ColumnVisitor& visit) {
+  const double height_m = height_within(band, leaf);
+  if (height_m <= 0.0) return;
+  if (geometry.yaw_rad == 0.0) return visit_straight(geometry, leaf, height_m, visit);
+  for_each_covered_cell(geometry, square_of(leaf), [&](Cell cell, double covered) {
+    visit(cell, covered, height_m);
+  });
+}
+
+Result<GridGeometry> projection_geometry(const LeafSource& leaves,
+                                         const HeightBand& band,
+                                         const OccupancyProjectionOptions& options) {
+  HYPERMAP_TRY(validate(band, options));
+  if (options.geometry) return *options.geometry;
+  const Extent extent = extent_of(leaves, band);
+  const bool is_empty = extent.smallest_edge_m == 0.0;
+  if (is_empty) return GridGeometry{};
+  return around(extent, options.resolution_m > 0.0 ? options.resolution_m : extent.smallest_edge_m);
+}
+
+Result<OccupancyGrid> project_occupancy(const LeafSource& leaves,
+                                        const HeightBand& band,
+                                        const OccupancyProjectionOptions& options) {
+  HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry,
+                            projection_geometry(leaves, band, options));
+  try {
+    std::vector<float> free_m(geometry.num_cells(), 0.0F);  // mean height seen free, by cell
+    std::vector<std::int8_t> cells(geometry.num_cells(), kUnknownCell);
+    leaves([&](const LeafSample& leaf) {
+      for_each_column(geometry, band, leaf, [&](Cell cell, double covered, double height_m) {
+        const std::size_t i = geometry.index(cell);
+        if (leaf.occupied) {
+          cells[i] = kOccupiedCell;
+        } else {
+          free_m[i] += static_cast<float>(covered * height_m);
+        }
+      });
+    });
+    // Rounding of sums must not make a column miss a share that it has exactly.
+    const double needed_m = options.min_free_share * (band.max_m - band.min_m) * (1.0 - 1e-5);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool is_free = cells[i] != kOccupiedCell && static_cast<double>(free_m[i]) >= needed_m;
+      if (is_free) cells[i] = kFreeCell;
+    }
+    return OccupancyGrid::create(geometry, std::move(cells));
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "no memory for the grid", "resolution_m");
+  }
+}
+
+}  // namespace hypermap

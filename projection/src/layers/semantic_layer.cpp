@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/projection/layers/semantic_layer.hpp"
+
+#include "hypermap/core/base/utf8.hpp"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+namespace bg = boost::geometry;
+using RPoint = bg::model::point<double, 2, bg::cs::cartesian>;
+using RBox = bg::model::box<RPoint>;
+using REntry = std::pair<RBox, std::uint64_t>;
+using RTree = bg::index::rtree<REntry, bg::index::rstar<16>>;  // R*: [hypermap] 2.5.3
+using Ids = std::vector<std::uint64_t>;
+
+RBox to_box(const Rect& rect) {
+  return {{rect.min.x(), rect.min.y()}, {rect.max.x(), rect.max.y()}};
+}
+
+REntry entry_of(const SemanticObject& object) {
+  return {to_box(bounds_of(object)), object.id};
+}
+
+Unexpected invalid(const SemanticObject& object, std::string what, std::string field) {
+  Error error{
+      .code = ErrorCode::kInvalidArgument, .what = std::move(what), .field = std::move(field)};
+  error.entry = "object " + std::to_string(object.id) + " (" + printable(object.name, 40) + ")";
+  return Unexpected(std::move(error));
+}
+
+Result<void> validate_name(const SemanticObject& object) {
+  const std::string& name = object.name;
+  if (name.empty()) return invalid(object, "must not be empty", "name");
+  if (name.size() > SemanticLayer::kMaxNameBytes) {
+    return invalid(object,
+                   "has " + std::to_string(name.size()) + " bytes, the limit is " +
+                       std::to_string(SemanticLayer::kMaxNameBytes),
+                   "name");
+  }
+  if (first_bad_utf8(name) < name.size()) return invalid(object, "is no UTF-8", "name");
+  return {};
+}
+
+Result<void> validate(const SemanticObject& object) {
+  HYPERMAP_TRY(validate_name(object));
+  if (object.parts.empty()) return invalid(object, "has no polygon", "shape");
+  for (const double confidence : object.confidence) {
+    if (!(confidence >= 0.0 && confidence <= 1.0)) {
+      return invalid(object, "must be from 0 to 1, is " + std::to_string(confidence), "confidence");
+    }
+  }
+  const std::size_t count = object.confidence.size();
+  if (count > 1 && count != object.tags.size()) {
+    return invalid(object,
+                   std::to_string(count) + " values for " + std::to_string(object.tags.size()) +
+                       " tags, expected one for each",
+                   "confidence");
+  }
+  return {};
+}
+
+bool has_lower_id(const SemanticObject& object, std::uint64_t id) {
+  return object.id < id;
+}
+
+Ids sorted(Ids ids) {
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+}  // namespace
+
+std::optional<double> confidence_of(const SemanticObject& object) {
+  const auto best = std::max_element(object.confidence.begin(), object.confidence.end());
+  return best == object.confidence.end() ? std::nullopt : std::optional<double>(*best);
+}
+
+Eigen::Vector2d position_of(const SemanticObject& object) {
+  if (object.parts.size() == 1) return centroid(object.parts.front());
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  double area = 0.0;
+  for (const Polygon& part : object.parts) {
+    moment += area_m2(part) * centroid(part);
+    area += area_m2(part);
+  }
+  return moment / area;
+}
+
+Rect bounds_of(const SemanticObject& object) {
+  Rect rect = bounds(object.parts.front());
+  for (const Polygon& part : object.parts) {
+    const Rect other = bounds(part);
+    rect.min = rect.min.cwiseMin(other.min);
+    rect.max = rect.max.cwiseMax(other.max);
+  }
+  return rect;
+}
+
+struct SemanticLayer::Impl {
+  std::vector<SemanticObject> objects;  // ascending ids
+  RTree tree;
+  std::map<std::string, std::set<std::uint64_t>, std::less<>> ids_of_name;
+
+  auto place(std::uint64_t id) {
+    return std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
+  }
+  [[nodiscard]] const SemanticObject* find(std::uint64_t id) const {
+    const auto found = std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
+    return found != objects.end() && found->id == id ? &*found : nullptr;
+  }
+  /// Ids of those whose bounds meet the box and whose shape passes the exact test.
+  template <class ExactTest>
+  [[nodiscard]] Ids select(const RBox& box, const ExactTest& meets) const {
+    Ids ids;
+    for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
+      const SemanticObject& object = *find(it->second);
+      if (std::any_of(object.parts.begin(), object.parts.end(), meets)) ids.push_back(object.id);
+    }
+    return sorted(std::move(ids));
+  }
+};
+
+SemanticLayer::SemanticLayer() : impl_(std::make_unique<Impl>()) {}
+SemanticLayer::SemanticLayer(const SemanticLayer& other)
+    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+SemanticLayer::SemanticLayer(SemanticLayer&& other) noexcept = default;
+SemanticLayer& SemanticLayer::operator=(const SemanticLayer& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+SemanticLayer& SemanticLayer::operator=(SemanticLayer&& other) noexcept = default;
+SemanticLayer::~SemanticLayer() = default;
+
+Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects) {
+  if (objects.size() > kMaxObjects) {
+    return fail(
+        ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
+  }
+  for (const SemanticObject& object : objects) HYPERMAP_TRY(validate(object));
+  std::sort(
+      objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  const auto twice = std::adjacent_find(
+      objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
+  if (twice != objects.end()) return invalid(*twice, "is borne by two objects", "id");
+  SemanticLayer layer;
+  std::vector<REntry> entries;
+  for (const SemanticObject& object : objects) {
+    entries.push_back(entry_of(object));
+    layer.impl_->ids_of_name[object.name].insert(object.id);
+  }
+  layer.impl_->tree = RTree(entries.begin(), entries.end());
+  layer.impl_->objects = std::move(objects);
+  return layer;
+}
+
+Result<void> SemanticLayer::add(SemanticObject object) {
+  HYPERMAP_TRY(validate(object));
+  if (find(object.id) != nullptr) return invalid(object, "is borne by another object", "id");
+  if (impl_->objects.size() >= kMaxObjects) {
+    return fail(
+        ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
+  }
+  impl_->tree.insert(entry_of(object));
+  impl_->ids_of_name[object.name].insert(object.id);
+  impl_->objects.insert(impl_->place(object.id), std::move(object));
+  return {};
+}
+
+Result<void> SemanticLayer::replace(SemanticObject object) {
+  if (find(object.id) == nullptr) {
+    return fail(ErrorCode::kNotFound, "no object has the id " + std::to_string(object.id), "id");
+  }
+  HYPERMAP_TRY(validate(object));
+  erase(object.id);
+  return add(std::move(object));
+}
+
+bool SemanticLayer::erase(std::uint64_t id) {
+  const SemanticObject* object = find(id);
+  if (object == nullptr) return false;
+  impl_->tree.remove(entry_of(*object));
+  const auto named = impl_->ids_of_name.find(object->name);
+  named->second.erase(id);
+  if (named->second.empty()) impl_->ids_of_name.erase(named);
+  impl_->objects.erase(impl_->place(id));
+  return true;
+}
+
+std::uint64_t SemanticLayer::next_id() const {
+  return impl_->objects.empty() ? 0 : impl_->objects.back().id + 1;
+}
+
+std::span<const SemanticObject> SemanticLayer::objects() const {
+  return impl_->objects;
+}
+
+const SemanticObject* SemanticLayer::find(std::uint64_t id) const {
+  return impl_->find(id);
+}
+
+std::vector<std::uint64_t> SemanticLayer::at(const Eigen::Vector2d& point) const {
+  if (!point.allFinite()) return {};
+  return impl_->select(to_box({point, point}),
+                       [&](const Polygon& part) { return contains(part, point); });
+}
+
+std::vector<std::uint64_t> SemanticLayer::in(const Polygon& area) const {
+  return impl_->select(to_box(bounds(area)),
+                       [&](const Polygon& part) { return intersects(part, area); });
+}
+
+std::vector<std::uint64_t> SemanticLayer::named(std::string_view name) const {
+  const auto found = impl_->ids_of_name.find(name);
+  if (found == impl_->ids_of_name.end()) return {};
+  return {found->second.begin(), found->second.end()};
+}
+
+bool operator==(const SemanticLayer& a, const SemanticLayer& b) {
+  return a.impl_->objects == b.impl_->objects;
+}
+
+}  // namespace hypermap

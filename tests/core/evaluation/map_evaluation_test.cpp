@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/evaluation/map_evaluation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hypermap {
+namespace {
+
+EvaluatedObject thing(const std::string& name, double x, double y, double side = 0.5) {
+  const double h = side / 2.0;
+  EvaluatedObject out;
+  out.class_name = name;
+  out.centroid = {x, y};
+  out.footprint =
+      make_polygon({{x - h, y - h}, {x + h, y - h}, {x + h, y + h}, {x - h, y + h}}).value();
+  return out;
+}
+
+TEST(Evaluation, ByHand) {
+  // Two chairs, one found 0.1 m aside; a table that nobody found; a sofa that is not there.
+  // Precision 1/2, recall 1/3, F1 = 2 * 1 / (2 + 3) = 0.4. In place the found chair shares
+  // 0.4 * 0.5 = 0.2 of 0.5 - 0.2 = 0.3: 2/3, the mean over three truths is 2/9.
+  const std::vector truth{thing("chair", 0, 0), thing("chair", 5, 0), thing("table", 0, 5)};
+  const std::vector map{thing("chair", 0.1, 0), thing("sofa", 9, 9)};
+  const auto report = evaluate(map, truth);
+  const OneToOneMetric& all = report.all.one_to_one;
+  EXPECT_DOUBLE_EQ(*all.precision, 0.5);
+  EXPECT_NEAR(*all.recall, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(*all.f1, 0.4, 1e-12);
+  EXPECT_NEAR(*all.distance_m, 0.1, 1e-12);
+  EXPECT_NEAR(*all.jaccard_in_place, 2.0 / 9.0, 1e-9);
+  EXPECT_EQ(report.false_positives, std::vector<std::size_t>{1});
+  EXPECT_EQ(report.classes.at("chair").one_to_one.matched, 1U);
+  EXPECT_FALSE(report.classes.at("table").one_to_one.precision.has_value());
+}
+
+TEST(Evaluation, TheTextsMetricLetsOneMapObjectServeSeveralTruths) {
+  // [hypermap] 5.2.1: distances 0.1 and 4.9, both shapes equal after alignment; the table's class
+  // is not in the map and does not count.
+  const std::vector truth{thing("chair", 0, 0), thing("chair", 5, 0), thing("cup", 0, 5)};
+  const std::vector map{thing("chair", 0.1, 0)};
+  const NearestMetric& metric = evaluate(map, truth).all.nearest;
+  EXPECT_EQ(metric.n, 2U);
+  EXPECT_EQ(metric.num_truth, 3U);
+  EXPECT_NEAR(*metric.distance_m, 2.5, 1e-12);
+  EXPECT_NEAR(*metric.jaccard, 1.0, 1e-9);
+}
+
+TEST(Evaluation, GatesDependOnTheSizeOfTheTruth) {
+  // docs/EVALUATION.md: 0.5 m, 0.25 m for truths under 30 cm; the gate itself matches.
+  const auto matched = [](double side, double distance) {
+    return evaluate(std::vector{thing("cup", distance, 0, side)},
+                    std::vector{thing("cup", 0, 0, side)})
+        .all.one_to_one.matched;
+  };
+  EXPECT_EQ(matched(0.4, 0.5), 1U);
+  EXPECT_EQ(matched(0.4, 0.51), 0U);
+  EXPECT_EQ(matched(0.1, 0.25), 1U);
+  EXPECT_EQ(matched(0.1, 0.26), 0U);
+  EXPECT_EQ(matched(0.3, 0.4), 1U);
+}
+
+TEST(Evaluation, AThingThatIsThereTwiceIsADuplicate) {
+  const auto report = evaluate(std::vector{thing("chair", 0.1, 0), thing("chair", -0.2, 0)},
+                               std::vector{thing("chair", 0, 0)});
+  EXPECT_EQ(report.all.one_to_one.duplicates, 1U);
+  EXPECT_EQ(report.duplicates, std::vector<std::size_t>{1});
+  EXPECT_EQ(report.false_positives, std::vector<std::size_t>{1});
+}
+
+TEST(Evaluation, ExcludedTruthsAreNeitherRightNorWrong) {
+  EvaluatedObject hidden = thing("chair", 0, 0);
+  hidden.excluded = true;
+  const auto report =
+      evaluate(std::vector{thing("chair", 0.1, 0)}, std::vector{hidden, thing("cup", 3, 3, 0.1)});
+  EXPECT_EQ(report.all.one_to_one.excluded, 1U);
+  EXPECT_EQ(report.all.one_to_one.num_map, 0U);
+  EXPECT_EQ(report.all.one_to_one.num_truth, 1U);
+  EXPECT_FALSE(report.all.one_to_one.precision.has_value());
+  EXPECT_DOUBLE_EQ(*report.all.one_to_one.recall, 0.0);
+}
+
+TEST(Evaluation, OtherSpellingsAreTheSameClass) {
+  const auto report = evaluate(std::vector{thing("couch", 0, 0), thing("tv", 3, 0)},
+                               std::vector{thing("sofa", 0, 0), thing("tvmonitor", 3, 0)});
+  EXPECT_EQ(report.all.one_to_one.matched, 2U);
+}
+
+TEST(Evaluation, TheAssignmentIsTheBestOneNotTheFirst) {
+  // Greedily the first chair would take the truth at 0 (0.2 away) and leave the second without.
+  const auto report = evaluate(std::vector{thing("chair", 0.2, 0), thing("chair", -0.3, 0)},
+                               std::vector{thing("chair", 0, 0), thing("chair", 0.6, 0)});
+  EXPECT_EQ(report.all.one_to_one.matched, 2U);
+}
+
+TEST(Evaluation, SmallFootprintsAreJudgedApart) {
+  const auto report = evaluate(std::vector{thing("cup", 0, 0, 0.1), thing("chair", 2, 0)},
+                               std::vector{thing("cup", 0, 0, 0.1), thing("chair", 2, 0)});
+  EXPECT_EQ(report.all.one_to_one.num_judged, 1U);
+  EXPECT_EQ(report.all.one_to_one.num_small, 1U);
+}
+
+TEST(Evaluation, OnlyChosenClassesCount) {
+  EvaluationOptions options;
+  options.classes = {"Couch"};
+  const auto report = evaluate(std::vector{thing("sofa", 0, 0), thing("cup", 1, 0)},
+                               std::vector{thing("sofa", 0, 0), thing("cup", 1, 0)},
+                               options);
+  EXPECT_EQ(report.all.one_to_one.num_truth, 1U);
+  EXPECT_EQ(report.classes.size(), 1U);
+}
+
+TEST(Evaluation, NothingAgainstNothingIsNothing) {
+  const auto report = evaluate({}, {});
+  EXPECT_FALSE(report.all.one_to_one.f1.has_value());
+  EXPECT_FALSE(report.all.nearest.distance_m.has_value());
+  EXPECT_EQ(validate(EvaluationOptions{.gate_m = 0.0}).error().field, "gate_m");
+}
+
+}  // namespace
+}  // namespace hypermap

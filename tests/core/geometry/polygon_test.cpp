@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/geometry/polygon.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace hypermap {
+namespace {
+
+using ::testing::HasSubstr;
+
+Ring square(double x, double y, double side) {
+  return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+Polygon polygon_of(const Ring& ring) {
+  return make_polygon(ring).value();
+}
+
+std::string refusal(const Ring& ring, const std::vector<Ring>& holes = {}) {
+  const auto polygon = make_polygon(ring, holes);
+  return polygon ? "accepted" : polygon.error().what;
+}
+
+TEST(Polygon, ClosedClockwiseAndRepeatedPointsAreMended) {
+  const Polygon p = polygon_of({{0, 0}, {0, 1}, {0, 1}, {1, 1}, {1, 0}, {0, 0}});
+  EXPECT_EQ(p.outer.size(), 4U);
+  EXPECT_DOUBLE_EQ(area_m2(p), 1.0);
+  EXPECT_EQ(p, polygon_of({{1, 0}, {1, 1}, {0, 1}, {0, 0}}));
+}
+
+TEST(Polygon, TheHoleIsNoArea) {
+  // 4 * 4 - 1 * 1 = 15; the centroid of the square is (2, 2), of the hole (1.5, 1.5):
+  // (16 * 2 - 1 * 1.5) / 15 = 30.5 / 15.
+  const Polygon p = make_polygon(square(0, 0, 4), {square(1, 1, 1)}).value();
+  EXPECT_DOUBLE_EQ(area_m2(p), 15.0);
+  EXPECT_NEAR(centroid(p).x(), 30.5 / 15.0, 1e-12);
+  EXPECT_FALSE(contains(p, {1.5, 1.5}));
+  EXPECT_TRUE(contains(p, {1.0, 1.5}));
+  EXPECT_TRUE(contains(p, {3.0, 3.0}));
+}
+
+TEST(Polygon, EdgesAndCornersAreInside) {
+  const Polygon p = polygon_of(square(0, 0, 1));
+  EXPECT_TRUE(contains(p, {0.0, 0.0}));
+  EXPECT_TRUE(contains(p, {0.5, 1.0}));
+  EXPECT_FALSE(contains(p, {0.5, std::nextafter(1.0, 2.0)}));
+  EXPECT_FALSE(contains(p, {-1.0, 0.0}));
+}
+
+TEST(Polygon, JaccardByHand) {
+  // [hypermap] 3.4.1: squares of side 2 shifted by 1 share 2 of 4 + 4 - 2 = 6.
+  const Polygon a = polygon_of(square(0, 0, 2));
+  EXPECT_NEAR(jaccard(a, polygon_of(square(1, 0, 2))), 2.0 / 6.0, 1e-12);
+  EXPECT_NEAR(jaccard(a, a), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(jaccard(a, polygon_of(square(2, 0, 2))), 0.0);
+  EXPECT_DOUBLE_EQ(jaccard(a, polygon_of(square(5, 5, 2))), 0.0);
+}
+
+TEST(Polygon, PolygonsThatTouchIntersect) {
+  const Polygon a = polygon_of(square(0, 0, 1));
+  EXPECT_TRUE(intersects(a, polygon_of(square(1, 1, 1))));
+  EXPECT_TRUE(intersects(a, polygon_of(square(0.25, 0.25, 0.5))));
+  EXPECT_FALSE(intersects(a, polygon_of(square(1.001, 0, 1))));
+}
+
+TEST(Polygon, RefusalsNameTheReason) {
+  EXPECT_THAT(refusal({}), HasSubstr("0 distinct points"));
+  EXPECT_THAT(refusal({{1, 2}}), HasSubstr("1 distinct points"));
+  EXPECT_THAT(refusal({{0, 0}, {1, 0}, {0, 0}, {1, 0}}), HasSubstr("2 distinct points"));
+  EXPECT_THAT(refusal({{0, 0}, {1, 0}, {2, 0}}), HasSubstr("spike"));
+  EXPECT_THAT(refusal({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {1, 2}, {0, 2}}),
+              HasSubstr("spike at (1, 3)"));
+  EXPECT_THAT(refusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), HasSubstr("crosses"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal({{0, 0}, {nan, 0}, {1, 1}}), HasSubstr("point 1 is (nan, 0)"));
+  EXPECT_THAT(refusal({{0, 0}, {1e308, 0}, {1, 1}}), HasSubstr("1e6 m"));
+  EXPECT_THAT(refusal({{0, 0}, {1e9, 0}, {1, 1}}), HasSubstr("1e6 m"));
+}
+
+TEST(Polygon, ARingThatTouchesItselfIsRefused) {
+  EXPECT_THAT(refusal({{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}), HasSubstr("touches"));
+  EXPECT_THAT(refusal({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), HasSubstr("touches"));
+}
+
+TEST(Polygon, HolesMustLieInsideAndApart) {
+  const Ring outer = square(0, 0, 10);
+  EXPECT_THAT(refusal(outer, {square(20, 20, 1)}), HasSubstr("hole 1 lies outside"));
+  EXPECT_THAT(refusal(outer, {square(1, 1, 3), square(2, 2, 1)}), HasSubstr("hole 2 lies inside"));
+  EXPECT_THAT(refusal(outer, {square(1, 1, 3), square(2, 2, 3)}), HasSubstr("cross"));
+  EXPECT_THAT(refusal(outer, {square(1, 1, 3), square(1, 1, 3)}), HasSubstr("cross"));
+  EXPECT_EQ(refusal(outer, {square(1, 1, 3), square(5, 5, 3)}), "accepted");
+}
+
+TEST(Polygon, RoundingDoesNotInventCrossings) {
+  // A sliver whose sides are one unit in the last place apart.
+  const double up = std::nextafter(0.1, 1.0);
+  EXPECT_EQ(refusal({{0, 0}, {0.3, 0.1}, {0.3, up}}), "accepted");
+}
+
+Ring star(std::size_t n, double inner, double outer) {
+  Ring ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    const double r = i % 2 == 0 ? outer : inner;
+    ring.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return ring;
+}
+
+TEST(Polygon, AHundredThousandPointsAreJudged) {
+  EXPECT_TRUE(make_polygon(star(100'000, 1.0, 2.0)).has_value());
+  const auto more = make_polygon(star(100'002, 1.0, 2.0));
+  ASSERT_FALSE(more);
+  EXPECT_EQ(more.error().code, ErrorCode::kLimit);
+}
+
+TEST(Polygon, ManyCrossingsAreRefusedAtTheFirst) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  Ring ring;
+  for (int i = 0; i < 100'000; ++i) ring.emplace_back(place(random), place(random));
+  EXPECT_THAT(refusal(ring), HasSubstr("crosses"));
+}
+
+/// Brute force: does any pair of edges that are no neighbours meet?
+bool is_simple_by_pairs(const Ring& ring) {
+  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const auto side = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const auto& c) {
+    const double s = cross(b - a, c - a);
+    return s > 0 ? 1 : s < 0 ? -1 : 0;
+  };
+  const auto on = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const auto& p) {
+    return side(a, b, p) == 0 && (p - a).dot(p - b) <= 0;
+  };
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = i + 2; k < n; ++k) {
+      if (i == 0 && k == n - 1) continue;
+      const Eigen::Vector2d &a = ring[i], &b = ring[i + 1], &c = ring[k], &d = ring[(k + 1) % n];
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return false;
+      if (on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b)) return false;
+    }
+  }
+  return true;
+}
+
+TEST(Polygon, TheSweepAgreesWithAllPairs) {
+  // Small whole coordinates: touching, vertical and collinear edges are frequent, products exact.
+  std::mt19937 random(3);
+  int num_simple = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    Ring ring;
+    const int n = 3 + static_cast<int>(random() % 6);
+    for (int i = 0; i < n; ++i) {
+      ring.emplace_back(static_cast<double>(random() % 6), static_cast<double>(random() % 6));
+    }
+    const auto polygon = make_polygon(ring);
+    if (!polygon && (polygon.error().what.find("spike") != std::string::npos ||
+                     polygon.error().what.find("distinct") != std::string::npos)) {
+      continue;
+    }
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    while (ring.front() == ring.back()) ring.pop_back();
+    ASSERT_EQ(polygon.has_value(), is_simple_by_pairs(ring)) << "round " << round;
+    num_simple += polygon ? 1 : 0;
+  }
+  EXPECT_GT(num_simple, 1000);
+}
+
+TEST(ConvexHull, InnerAndCollinearPointsAreLeftOut) {
+  const std::vector<Eigen::Vector2d> points{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 1}};
+  const Polygon hull = convex_hull(points).value();
+  EXPECT_EQ(hull.outer, (Ring{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  EXPECT_FALSE(convex_hull(std::span(points).first(3)).has_value());
+  EXPECT_FALSE(convex_hull({}).has_value());
+}
+
+TEST(ResolveWinding, ASimpleRingIsItself) {
+  const auto parts = resolve_winding(square(0, 0, 1)).value();
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0], polygon_of(square(0, 0, 1)));
+}
+
+TEST(ResolveWinding, ARingWoundTwiceIsItsAreaOnce) {
+  Ring twice = square(0, 0, 2);
+  const Ring again = square(0, 0, 2);
+  twice.insert(twice.end(), again.begin(), again.end());
+  const auto parts = resolve_winding(twice).value();
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_NEAR(area_m2(parts[0]), 4.0, 1e-9);
+}
+
+TEST(ResolveWinding, OverlappingLoopsFillTheirUnion) {
+  // A pentagram winds twice about its middle; its non-zero fill is the whole star. With radius 1
+  // the area of the star is 10 tan(pi/10) / (3 - tan(pi/10)^2) = 1.12257.
+  Ring star;
+  for (int i = 0; i < 5; ++i) {
+    const double angle = std::numbers::pi / 2 + 4.0 * std::numbers::pi * i / 5.0;
+    star.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const auto parts = resolve_winding(star).value();
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].outer.size(), 10U);
+  EXPECT_NEAR(area_m2(parts[0]), 1.12257, 1e-5);
+}
+
+TEST(ResolveWinding, LoopsThatTouchInAPointAreTwoParts) {
+  const auto parts =
+      resolve_winding({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
+  ASSERT_TRUE(parts.has_value()) << parts.error().what;
+  ASSERT_EQ(parts->size(), 2U);
+  EXPECT_NEAR(area_m2((*parts)[0]), 1.0, 1e-9);
+  EXPECT_NEAR(area_m2((*parts)[1]), 1.0, 1e-9);
+  EXPECT_LT(centroid((*parts)[0]).y(), centroid((*parts)[1]).y());
+}
+
+TEST(ResolveWinding, ABandAroundNothingKeepsItsHole) {
+  // A way around a square courtyard that overlaps its own start: 16 - 4 of area and a hole.
+  const Ring band{
+      {0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0.5}, {1, 0.5}, {1, 3}, {3, 3}, {3, 1}, {0, 1}};
+  const auto parts = resolve_winding(band);
+  ASSERT_TRUE(parts.has_value()) << parts.error().what;
+  ASSERT_EQ(parts->size(), 1U);
+  EXPECT_EQ((*parts)[0].holes.size(), 1U);
+  EXPECT_FALSE(contains((*parts)[0], {2, 2}));
+}
+
+TEST(ResolveWinding, BowTiesAndSpikesAreRefused) {
+  EXPECT_THAT(resolve_winding({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).error().what, HasSubstr("bow-tie"));
+  EXPECT_THAT(
+      resolve_winding({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {1, 2}, {0, 2}}).error().what,
+      HasSubstr("spike"));
+  // A line of two pieces there and back.
+  EXPECT_THAT(
+      resolve_winding({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {2, 4}, {1, 3}, {1, 2}, {0, 2}})
+          .error()
+          .what,
+      HasSubstr("spike"));
+}
+
+TEST(ResolveWinding, RandomScribblesAreRefusedInBoundedTime) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  for (const std::size_t n : {3000U, 4096U, 50'000U}) {
+    Ring ring;
+    for (std::size_t i = 0; i < n; ++i) ring.emplace_back(place(random), place(random));
+    EXPECT_FALSE(resolve_winding(ring).has_value());
+  }
+}
+
+}  // namespace
+}  // namespace hypermap

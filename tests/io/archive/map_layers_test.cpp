@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr ClassId kChair{0};
+constexpr ClassId kGiraffe{1};
+
+Object chair_at(double x) {
+  Object object;
+  object.belief.observe(std::array{ClassEvidence{kChair, Probability(0.9)}}, Probability(0.5));
+  object.box = {{x, 0.0, 0.0}, {x + 0.4, 0.4, 0.8}};
+  return object;
+}
+
+StoredLeaf voxel(const SemanticOctree& octree, double x, ObjectId object, ClassId seen_as) {
+  VoxelLabel label;
+  label.classes[0] = {static_cast<std::uint16_t>(seen_as.value), 2000};
+  label.object = object;
+  label.object_votes = 1;
+  const auto key = octree.grid().key(PointInMap{{x, 0.2, 0.5}});
+  return {.key = key.value(), .log_odds = 1000, .label = label};
+}
+
+/// A chair whose one voxel was once called a giraffe, and a false alarm on the wall beside it.
+MapArchive archive_with_a_false_alarm() {
+  MapArchive archive;
+  (void)archive.classes.add("chair").value();
+  (void)archive.classes.add("giraffe").value();
+  const ObjectId chair = archive.objects.add(chair_at(0.0));
+  const ObjectId alarm = archive.objects.add(chair_at(2.0));
+  archive.octree = SemanticOctree::create({}).value();
+  EXPECT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, 0.2, chair, kGiraffe)));
+  EXPECT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, 2.2, alarm, kGiraffe)));
+  return archive;
+}
+
+TEST(PublishedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
+  const MapArchive archive = archive_with_a_false_alarm();
+  const std::array shown{ObjectId{1}};
+  std::vector<LeafSample> seen;
+  published_leaves(archive, shown)([&](const LeafSample& leaf) { seen.push_back(leaf); });
+  ASSERT_EQ(seen.size(), 2U);
+  for (const LeafSample& leaf : seen) {
+    const bool of_chair = leaf.centre_in_map.x() < 1.0;
+    EXPECT_TRUE(leaf.occupied);
+    EXPECT_EQ(leaf.best_class, of_chair ? std::optional(kChair) : std::nullopt);
+    EXPECT_EQ(leaf.object, of_chair ? ObjectId{1} : kNoObject);
+  }
+}
+
+TEST(PublishedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
+  // A frame's segment took the floor in; the object, of which all frames tell, ends at x = 0.4.
+  MapArchive archive = archive_with_a_false_alarm();
+  const std::array shown{ObjectId{1}};
+  const auto class_at = [&](double x) {
+    EXPECT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, x, ObjectId{1}, kChair)));
+    std::optional<ClassId> found;
+    published_leaves(archive, shown)([&](const LeafSample& leaf) {
+      if (std::abs(leaf.centre_in_map.x() - x) < 0.5 * leaf.edge_m) found = leaf.best_class;
+    });
+    return found;
+  };
+  EXPECT_EQ(class_at(0.44), kChair) << "half a voxel and 5 cm may stick out";
+  EXPECT_EQ(class_at(0.51), std::nullopt);
+  EXPECT_EQ(class_at(1.1), std::nullopt);
+}
+
+TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {
+  const MapArchive archive = archive_with_a_false_alarm();
+  published_leaves(archive,
+                   {})([](const LeafSample& leaf) { EXPECT_EQ(leaf.best_class, std::nullopt); });
+}
+
+TEST(LayerOptions, RefuseABandThatIsNone) {
+  EXPECT_TRUE(validate(LayerOptions{}));
+  EXPECT_FALSE(validate(LayerOptions{.min_height_m = 1.0, .max_height_m = 1.0}));
+  EXPECT_FALSE(validate(LayerOptions{.min_free_share = 0.0}));
+  EXPECT_FALSE(validate(LayerOptions{.min_height_m = std::numeric_limits<double>::quiet_NaN()}));
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_server.hpp"
+
+#include "hypermap/io/codec/bounded_yaml.hpp"
+#include "hypermap/io/codec/pgm_image.hpp"
+#include "support/hostile_index.hpp"
+#include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const SourceName kMapSource{.file = "map.yaml"};
+const std::string kGood =
+    "image: a.pgm\nresolution: 0.05\norigin: [-1, -2, 0.5]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+std::string refused_map(const std::string& yaml) {
+  const auto metadata = parse_map_metadata(yaml, kMapSource);
+  EXPECT_FALSE(metadata) << yaml;
+  return metadata ? "" : to_string(metadata.error());
+}
+
+Picture gray(std::vector<std::uint8_t> samples, int channels = 1) {
+  const int width_px = static_cast<int>(samples.size()) / channels;
+  return {
+      .width_px = width_px, .height_px = 1, .channels = channels, .samples8 = std::move(samples)};
+}
+
+std::vector<int> cells(const Picture& picture, const MapMetadata& metadata, MapDialect dialect) {
+  const auto grid = grid_from_picture(picture, metadata, dialect);
+  EXPECT_TRUE(grid);
+  return {grid->value.cells().begin(), grid->value.cells().end()};
+}
+
+TEST(MapServer, TheMetadataIsRead) {
+  const auto metadata =
+      parse_map_metadata(kGood + "mode: scale\nmap_type: occupancy\n", kMapSource);
+  ASSERT_TRUE(metadata);
+  EXPECT_EQ(metadata->value.image, "a.pgm");
+  EXPECT_EQ(metadata->value.resolution_m, 0.05);
+  EXPECT_THAT(metadata->value.origin, ElementsAre(-1, -2, 0.5));
+  EXPECT_EQ(metadata->value.mode, MapMode::kScale);
+  EXPECT_EQ(metadata->findings.size(), 1U);
+  EXPECT_NE(metadata->value.extra.find("map_type"), nullptr);
+  EXPECT_EQ(parse_map_metadata(kGood, kMapSource)->value.mode, MapMode::kTrinary);
+}
+
+TEST(MapServer, FieldsOutsideTheirRangeAreNamedWithTheirLine) {
+  EXPECT_THAT(refused_map(kGood + "mode: both\n"), HasSubstr("map.yaml:7: mode: is 'both'"));
+  EXPECT_THAT(refused_map("a: 1\n"), HasSubstr("image: the key is missing"));
+  EXPECT_THAT(refused_map("- 1\n"), HasSubstr("expected a map"));
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string yaml = kGood;
+    return refused_map(yaml.replace(yaml.find(from), from.size(), to));
+  };
+  EXPECT_THAT(with("0.05", "1e-7"), HasSubstr("map.yaml:2: resolution"));
+  EXPECT_THAT(with("0.05", "1001"), HasSubstr("resolution"));
+  EXPECT_THAT(with("0.05", "0,05"), HasSubstr("resolution"));
+  EXPECT_THAT(with("-1,", "1e18,"), HasSubstr("origin"));
+  EXPECT_THAT(with("-1,", ""), HasSubstr("expected 3 numbers"));
+  EXPECT_THAT(with("0.65", "1.5"), HasSubstr("occupied_thresh"));
+  EXPECT_THAT(with("0.65", "0.1"), HasSubstr("below free_thresh"));
+  EXPECT_THAT(with("negate: 0", "negate: 2"), HasSubstr("negate"));
+}
+
+TEST(MapServer, TrinaryComparesStrictly) {
+  // p = (255 - c) / 255; with thresholds 0.6 and 0.2: c = 102 is exactly 0.6, c = 204 exactly 0.2.
+  const MapMetadata metadata{.image = "a", .occupied_thresh = 0.6, .free_thresh = 0.2};
+  EXPECT_THAT(cells(gray({0, 101, 102, 204, 205, 255}), metadata, MapDialect::kHypermap),
+              ElementsAre(100, 100, -1, -1, 0, 0));
+  MapMetadata negated = metadata;
+  negated.negate = true;
+  EXPECT_THAT(cells(gray({0, 50, 51, 153, 154, 255}), negated, MapDialect::kHypermap),
+              ElementsAre(0, 0, -1, -1, 100, 100));
+}
+
+TEST(MapServer, ScaleIsAHundredRInTheThesisAndNinetyNineInRos) {
+  // Source: [hypermap] 3.3.5. c = 100, thresholds 1 and 0: r = 155 / 255 = 0.6078:
+  // 60.78 -> 61 rounded; 99 r = 60.17 -> 60 cut.
+  const MapMetadata metadata{
+      .image = "a", .occupied_thresh = 1.0, .free_thresh = 0.0, .mode = MapMode::kScale};
+  EXPECT_THAT(cells(gray({100, 0, 255}), metadata, MapDialect::kHypermap), ElementsAre(61, 100, 0));
+  EXPECT_THAT(cells(gray({100, 0, 255}), metadata, MapDialect::kMapServer), ElementsAre(60, 99, 0));
+}
+
+TEST(MapServer, RawValuesAreTakenAsTheyAre) {
+  const MapMetadata metadata{.image = "a", .mode = MapMode::kRaw};
+  const Picture picture = gray({0, 100, 101, 200, 255});
+  EXPECT_THAT(cells(picture, metadata, MapDialect::kHypermap), ElementsAre(0, 100, -1, -1, -1));
+  EXPECT_THAT(cells(picture, metadata, MapDialect::kMapServer), ElementsAre(0, 100, -1, -1, -1));
+  const auto grid = grid_from_picture(picture, metadata, MapDialect::kHypermap);
+  ASSERT_EQ(grid->findings.size(), 1U);
+  EXPECT_THAT(grid->findings[0].error.what, HasSubstr("2 raw values"));
+}
+
+TEST(MapServer, AlphaMakesUnknownInOneDialectAndIsAveragedInTheOther) {
+  // (0, alpha 128): unknown here; ROS averages: 64 -> p = 0.749 > 0.65: occupied.
+  // (0, alpha 255): occupied here; ROS: 127.5 -> p = 0.5: unknown.
+  const MapMetadata metadata{.image = "a"};
+  const Picture picture = gray({0, 128, 0, 255, 255, 255}, 2);
+  EXPECT_THAT(cells(picture, metadata, MapDialect::kHypermap), ElementsAre(-1, 100, 0));
+  EXPECT_THAT(cells(picture, metadata, MapDialect::kMapServer), ElementsAre(100, -1, 0));
+}
+
+TEST(MapServer, ColoursSixteenBitAndOtherMaxvalsAreScaled) {
+  const MapMetadata metadata{.image = "a"};
+  EXPECT_THAT(cells(gray({0, 0, 30, 255, 255, 255}, 3), metadata, MapDialect::kHypermap),
+              ElementsAre(100, 0));
+  const Picture wide{
+      .width_px = 2, .height_px = 1, .bits = 16, .samples16 = {1000, 0}, .max_value = 1000};
+  EXPECT_THAT(cells(wide, metadata, MapDialect::kHypermap), ElementsAre(0, 100));
+}
+
+TEST(MapServer, TheTopRowOfThePictureIsTheLastRowOfTheGrid) {
+  const Picture picture{.width_px = 1, .height_px = 2, .samples8 = {0, 255}};
+  EXPECT_THAT(cells(picture, {.image = "a"}, MapDialect::kHypermap), ElementsAre(0, 100));
+}
+
+OccupancyLayer all_values() {
+  std::vector<std::int8_t> values;
+  for (int value = -1; value <= 100; ++value) values.push_back(static_cast<std::int8_t>(value));
+  return {
+      *OccupancyGrid::create(
+          {.resolution_m = 0.1 / 3, .origin = {-0.1, 1e-7}, .yaw_rad = 0.3, .cols = 51, .rows = 2},
+          std::move(values)),
+      make_map({{"note", make_text("kept")}})};
+}
+
+TEST(MapServer, TheScaleFormKeepsEveryValueAtFullPrecision) {
+  const OccupancyLayer layer = all_values();
+  const auto files = write_scale_map(layer, "occupancy.png");
+  ASSERT_TRUE(files);
+  const auto metadata = parse_map_metadata(files->yaml, kMapSource);
+  ASSERT_TRUE(metadata) << files->yaml;
+  EXPECT_EQ(metadata->value.occupied_thresh, 1.0);
+  EXPECT_EQ(metadata->value.free_thresh, 0.0);
+  const auto picture = decode_picture(files->picture, {.file = "occupancy.png"});
+  const auto grid = grid_from_picture(*picture, metadata->value, MapDialect::kHypermap);
+  EXPECT_EQ(grid->value, layer.grid);
+  EXPECT_EQ(metadata->value.extra, layer.extra);
+  EXPECT_EQ(write_scale_map(layer, "occupancy.png")->picture, files->picture);
+  EXPECT_FALSE(write_scale_map({}, "x.png"));
+}
+
+TEST(MapServer, ThePixelsOfTheScaleFormAreTheFirstImplementations) {
+  // formats.md: 100 -> (0, 255), 0 -> (255, 255), unknown -> (127, 0).
+  const OccupancyLayer layer{
+      *OccupancyGrid::create({.cols = 3, .rows = 1}, std::vector<std::int8_t>{100, 0, -1})};
+  const auto picture = decode_picture(write_scale_map(layer, "x.png")->picture, {.file = "x.png"});
+  EXPECT_THAT(picture->samples8, ElementsAre(0, 255, 255, 255, 127, 0));
+}
+
+TEST(MapServer, TheTrinaryFormReadsTheSameInBothDialectsAndWithNav2sThreshold) {
+  const OccupancyLayer layer{
+      *OccupancyGrid::create({.cols = 4, .rows = 1}, std::vector<std::int8_t>{100, 0, -1, 40})};
+  const auto files = write_trinary_map(layer, "x.pgm");
+  EXPECT_EQ(files->picture, std::string("P5\n4 1\n255\n\0\xFE\xCD\xCD", 15));
+  EXPECT_EQ(files->yaml,
+            "image: x.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+            "free_thresh: 0.196\nmode: trinary\n");
+  const auto metadata = parse_map_metadata(files->yaml, kMapSource);
+  const auto picture = decode_picture(files->picture, {.file = "x.pgm"});
+  for (const MapDialect dialect : {MapDialect::kHypermap, MapDialect::kMapServer}) {
+    EXPECT_THAT(cells(*picture, metadata->value, dialect), ElementsAre(100, 0, -1, -1));
+  }
+}
+
+TEST(MapServer, AGridIsTurnedBackWithoutLosingWalls) {
+  // A 2 x 1 grid turned by 90 degrees: cells (0, 0) and (1, 0) stand on x in [-1, 0], y 0..1, 1..2.
+  const auto grid = OccupancyGrid::create(
+      {.resolution_m = 1.0, .yaw_rad = std::numbers::pi / 2, .cols = 2, .rows = 1},
+      std::vector<std::int8_t>{100, 0});
+  const auto straight = without_rotation(*grid);
+  ASSERT_TRUE(straight);
+  EXPECT_EQ(straight->geometry().cols, 1);
+  EXPECT_EQ(straight->geometry().rows, 2);
+  EXPECT_EQ(straight->geometry().yaw_rad, 0.0);
+  EXPECT_THAT(straight->cells(), ElementsAre(100, 0));
+  const auto skew = OccupancyGrid::create(
+      {.resolution_m = 1.0, .yaw_rad = 0.5, .cols = 9, .rows = 9}, std::int8_t{0});
+  EXPECT_GT(without_rotation(*skew)->counts().unknown, 0U);  // corners that were never in the grid
+  EXPECT_EQ(*without_rotation(*straight), *straight);
+}
+
+TEST(MapServer, AMapOnDiskNamesTheFileThatIsWrong) {
+  const test::TempDir dir;
+  std::ofstream(dir / "map.yaml") << kGood;
+  EXPECT_THAT(to_string(read_map(dir / "map.yaml").error()), HasSubstr("a.pgm"));
+  std::ofstream(dir / "a.pgm") << *encode_pgm(Image<std::uint8_t>(2, 3, 254));
+  const auto map = read_map(dir / "map.yaml");
+  ASSERT_TRUE(map) << to_string(map.error());
+  EXPECT_EQ(map->value.grid.counts().free, 6U);
+}
+
+/// One real map and what it must hold.
+struct RealMap {
+  const char* path;
+  int cols;
+  int rows;
+  double least_free;  ///< Share of the cells.
+};
+
+class RealMaps : public ::testing::TestWithParam<RealMap> {};
+
+TEST_P(RealMaps, LoadInBothDialectsWithPlausibleCounts) {
+  const RealMap& expected = GetParam();
+  HYPERMAP_REQUIRE_SHARED_DATA(std::string("maps2d/") + expected.path);
+  for (const MapDialect dialect : {MapDialect::kHypermap, MapDialect::kMapServer}) {
+    const auto map = read_map(test::shared_data("maps2d") / expected.path, dialect);
+    ASSERT_TRUE(map) << to_string(map.error());
+    const GridGeometry& geometry = map->value.grid.geometry();
+    EXPECT_EQ(geometry.cols, expected.cols);
+    EXPECT_EQ(geometry.rows, expected.rows);
+    const OccupancyCounts counts = map->value.grid.counts();
+    const auto total = static_cast<double>(geometry.num_cells());
+    EXPECT_GE(static_cast<double>(counts.free), expected.least_free * total);
+    const bool is_scale = std::string(expected.path).find("speed") != std::string::npos;
+    EXPECT_EQ(counts.between > 0, is_scale);
+    EXPECT_GT(counts.occupied + counts.between, 0U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Corpus,
+    RealMaps,
+    ::testing::Values(
+        RealMap{"nav2/nav2_bringup__maps/depot.yaml", 604, 307, 0.3},
+        RealMap{"nav2/nav2_bringup__maps/depot_keepout.yaml", 604, 307, 0.3},
+        RealMap{"nav2/nav2_bringup__maps/depot_speed.yaml", 604, 307, 0.0},
+        RealMap{"nav2/nav2_bringup__maps/tb3_sandbox.yaml", 384, 384, 0.05},
+        RealMap{"nav2/nav2_bringup__maps/warehouse.yaml", 1006, 1674, 0.3},
+        RealMap{"nav2/nav2_costmap_2d__test__map/TenByTen.yaml", 10, 10, 0.3},
+        RealMap{"nav2/nav2_map_server__test/testmap.yaml", 10, 10, 0.1},
+        RealMap{"nav2/nav2_system_tests__maps/keepout_mask.yaml", 384, 384, 0.05},
+        RealMap{"nav2/nav2_system_tests__maps/map_circular.yaml", 384, 384, 0.05},
+        RealMap{"nav2/nav2_system_tests__maps/speed_mask.yaml", 384, 384, 0.0},
+        RealMap{"nav2/tools__smoother_benchmarking__maps/smoothers_world.yaml", 300, 300, 0.3},
+        RealMap{"turtlebot_apps/turtlebot_navigation__maps/willow-2010-02-18-0.10.yaml",
+                566,
+                608,
+                0.1}),
+    [](const auto& map) { return test::test_name_of(map.param.path); });
+
+bool is_map_metadata(const std::string& name) {
+  for (const char* part : {"layer", "config", "deep", "alias"}) {
+    if (name.find(part) != std::string::npos) return false;
+  }
+  return true;
+}
+
+class HostileMapYaml : public ::testing::TestWithParam<std::string> {};
+
+/// Files that are no map's metadata (configurations, bombs) must be refused_map here as well.
+TEST_P(HostileMapYaml, GivesWhatTheIndexSays) {
+  HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
+  const auto path = test::shared_data("hostile/yaml") / GetParam();
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const auto metadata = parse_map_metadata(bytes, {.file = path.string()});
+  if (GetParam().starts_with("ok_") && is_map_metadata(GetParam())) {
+    EXPECT_TRUE(metadata) << to_string(metadata.error());
+    return;
+  }
+  ASSERT_FALSE(metadata);
+  EXPECT_THAT(to_string(metadata.error()), HasSubstr(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus,
+                         HostileMapYaml,
+                         ::testing::ValuesIn(test::hostile_names("yaml")),
+                         [](const auto& file) { return test::test_name_of(file.param); });
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/codec/png_image.hpp"
+
+#include "support/picture_builders.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <zlib.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using test::chunk;
+using test::deflated;
+using test::ihdr;
+using test::png;
+using ::testing::HasSubstr;
+
+const SourceName kPngSource{.file = "a.png"};
+
+Picture decoded(const std::string& bytes) {
+  auto picture = decode_png(bytes, kPngSource);
+  EXPECT_TRUE(picture) << (picture ? "" : to_string(picture.error()));
+  return picture ? *picture : Picture{};
+}
+
+Error refused_png(const std::string& bytes) {
+  const auto picture = decode_png(bytes, kPngSource);
+  EXPECT_FALSE(picture);
+  return picture ? Error{} : picture.error();
+}
+
+template <class Pixel>
+Image<Pixel> ramp(int width, int height) {
+  Image<Pixel> image(width, height);
+  unsigned state = 7;
+  for (Pixel& pixel : image.pixels()) {
+    state = state * 1103515245U + 12345U;
+    pixel = static_cast<Pixel>(state >> 12U);
+  }
+  return image;
+}
+
+TEST(PngImage, AOneByOneGrayPictureIsReadByHand) {
+  // filter 0, sample 0x2A
+  const Picture picture = decoded(png(ihdr(1, 1, 8, 0), {{0, 0x2A}}));
+  EXPECT_EQ(picture.width_px, 1);
+  EXPECT_EQ(picture.channels, 1);
+  EXPECT_EQ(picture.samples8, std::vector<std::uint8_t>{0x2A});
+}
+
+TEST(PngImage, SixteenBitIsBigEndian) {
+  const Picture picture = decoded(png(ihdr(1, 1, 16, 0), {{0, 0x12, 0x34}}));
+  EXPECT_EQ(picture.bits, 16);
+  EXPECT_EQ(picture.samples16, std::vector<std::uint16_t>{0x1234});
+}
+
+TEST(PngImage, BitsAreSpreadOverTheFullRange) {
+  // 1 bit, width 3: 101..... -> 255 0 255;  2 bit, width 3: 00 01 11 -> 0 85 255
+  EXPECT_EQ(decoded(png(ihdr(3, 1, 1, 0), {{0, 0xA0}})).samples8,
+            (std::vector<std::uint8_t>{255, 0, 255}));
+  EXPECT_EQ(decoded(png(ihdr(3, 1, 2, 0), {{0, 0x1C}})).samples8,
+            (std::vector<std::uint8_t>{0, 85, 255}));
+}
+
+TEST(PngImage, APaletteBecomesColoursAndItsTransparencyAlpha) {
+  const std::string bytes =
+      png(ihdr(2, 1, 8, 3), {{0, 1, 0}}, chunk("PLTE", {1, 2, 3, 4, 5, 6}) + chunk("tRNS", {9}));
+  const Picture picture = decoded(bytes);
+  EXPECT_EQ(picture.channels, 4);
+  EXPECT_EQ(picture.samples8, (std::vector<std::uint8_t>{4, 5, 6, 255, 1, 2, 3, 9}));
+}
+
+TEST(PngImage, AKeyColourBecomesAlpha) {
+  const Picture picture = decoded(png(ihdr(2, 1, 8, 0), {{0, 7, 8}}, chunk("tRNS", {0, 8})));
+  EXPECT_EQ(picture.channels, 2);
+  EXPECT_EQ(picture.samples8, (std::vector<std::uint8_t>{7, 255, 8, 0}));
+}
+
+TEST(PngImage, EachFilterIsUndone) {
+  // 3 x 1 rows, grey. Row 0: sub 10, +1, +1 -> 10 11 12. Row 1: up +1 -> 11 12 13.
+  // Row 2: average 5 + 11/2 = 10, 0 + (10 + 12) / 2 = 11, 0 + (11 + 13) / 2 = 12.
+  // Row 3: Paeth 1 + above 10 = 11; left 11, above 11, above-left 10 -> p = 12, ties go to left:
+  // 11;
+  //        left 11, above 12, above-left 11 -> p = 12 -> above: 12.
+  const Picture picture =
+      decoded(png(ihdr(3, 4, 8, 0), {{1, 10, 1, 1}, {2, 1, 1, 1}, {3, 5, 0, 0}, {4, 1, 0, 0}}));
+  EXPECT_EQ(picture.samples8,
+            (std::vector<std::uint8_t>{10, 11, 12, 11, 12, 13, 10, 11, 12, 11, 11, 12}));
+}
+
+TEST(PngImage, AnInterlacedPictureIsPutTogether) {
+  // 2 x 2, Adam7: pass 1 has (0,0), pass 6 (1,0), pass 7 row 1.
+  EXPECT_EQ(decoded(png(ihdr(2, 2, 8, 0, 1), {{0, 1}, {0, 2}, {0, 3, 4}})).samples8,
+            (std::vector<std::uint8_t>{1, 2, 3, 4}));
+}
+
+TEST(PngImage, WhatIsWrittenReadsTheSameHereAndInOpenCv) {
+  const auto gray = ramp<std::uint8_t>(37, 23);
+  const auto depth = ramp<std::uint16_t>(37, 23);
+  EXPECT_EQ(*to_gray8(decoded(*encode_png(gray))), gray);
+  EXPECT_EQ(*to_gray16(decoded(*encode_png(depth))), depth);
+  const std::string bytes = *encode_png(depth);
+  const cv::Mat mat =
+      cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(mat.type(), CV_16UC1);
+  for (int v = 0; v < depth.height_px(); ++v) {
+    for (int u = 0; u < depth.width_px(); ++u) {
+      ASSERT_EQ(mat.at<std::uint16_t>(v, u), depth.at(u, v));
+    }
+  }
+}
+
+TEST(PngImage, WhatOpenCvWritesReadsTheSame) {
+  cv::Mat mat(19, 45, CV_16UC3);
+  cv::randu(mat, 0, 65536);
+  std::vector<std::uint8_t> bytes;
+  ASSERT_TRUE(cv::imencode(".png", mat, bytes));
+  const Picture picture = decoded(std::string(bytes.begin(), bytes.end()));
+  ASSERT_EQ(picture.channels, 3);
+  for (int v = 0; v < mat.rows; ++v) {
+    for (int u = 0; u < mat.cols; ++u) {
+      const std::size_t at = (static_cast<std::size_t>(v) * 45 + static_cast<std::size_t>(u)) * 3;
+      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[2], picture.samples16[at]);
+      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[0], picture.samples16[at + 2]);
+    }
+  }
+}
+
+TEST(PngImage, GrayAlphaAndColourAreWritten) {
+  Image<GrayAlpha8> gray(2, 1);
+  gray.at(0, 0) = {.gray = 127, .alpha = 0};
+  EXPECT_EQ(decoded(*encode_png(gray)).samples8, (std::vector<std::uint8_t>{127, 0, 0, 255}));
+  ColorImage color(1, 1, {.r = 1, .g = 2, .b = 3});
+  EXPECT_EQ(to_color(decoded(*encode_png(color))), color);
+  EXPECT_EQ(*encode_png(color), *encode_png(color));
+  EXPECT_FALSE(encode_png(ColorImage()));
+}
+
+TEST(PngImage, NoCutAndNoFlippedBitIsReadAsAnotherPicture) {
+  const auto image = ramp<std::uint8_t>(9, 7);
+  const std::string bytes = *encode_png(image);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_png(bytes.substr(0, size), kPngSource)) << "cut at " << size;
+  }
+  for (std::size_t i = 0; i < 8 * bytes.size(); ++i) {
+    std::string flipped = bytes;
+    flipped[i / 8] = static_cast<char>(flipped[i / 8] ^ (1 << (i % 8)));
+    EXPECT_FALSE(decode_png(flipped, kPngSource)) << "bit " << i;
+  }
+}
+
+TEST(PngImage, FaultsAreNamed) {
+  const std::vector<std::vector<std::uint8_t>> rows = {{0, 1}};
+  EXPECT_THAT(to_string(refused_png(png(ihdr(0, 1, 8, 0), rows))), HasSubstr("a.png: size"));
+  EXPECT_THAT(to_string(refused_png(png(ihdr(1, 1, 3, 0), rows))), HasSubstr("bit depth 3"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), rows)).field, "PLTE");
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{9, 1}})).what, HasSubstr("filter type 9"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 2, 8, 0), rows)).what, HasSubstr("too few"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{0, 1}, {0, 1}})).what, HasSubstr("more pixels"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), {{0, 2}}, chunk("PLTE", {1, 2, 3}))).what,
+              HasSubstr("palette index 2"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), rows) + "x").field, "IEND");
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), rows, chunk("ABCD", {}))).code,
+              ErrorCode::kUnsupported);
+  EXPECT_THAT(refused_png(png(ihdr(100'000, 100'000, 8, 0), rows)).code, ErrorCode::kLimit);
+  EXPECT_THAT(refused_png(png(ihdr(10'000, 10'000, 8, 0), rows)).what, HasSubstr("cannot hold"));
+}
+
+TEST(PngImage, AncillaryTextIsNeverInflated) {
+  // A compressed text bomb: its CRC is right, its content stays closed.
+  const std::string bomb = deflated(std::string(std::size_t{1} << 24U, 'x'));
+  const std::vector<std::uint8_t> text(bomb.begin(), bomb.end());
+  EXPECT_TRUE(decode_png(png(ihdr(1, 1, 8, 0), {{0, 1}}, chunk("zTXt", text)), kPngSource));
+}
+
+TEST(PngImage, PixelsMayBeSplitOverManyChunks) {
+  const std::string data = deflated(std::string("\0\x05\x06", 3));
+  std::string bytes(test::kSignature);
+  bytes += ihdr(2, 1, 8, 0);
+  for (const char c : data) bytes += chunk("IDAT", {static_cast<std::uint8_t>(c)});
+  bytes += chunk("IDAT", {}) + chunk("IEND", {});
+  EXPECT_EQ(decoded(bytes).samples8, (std::vector<std::uint8_t>{5, 6}));
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/codec/wkt.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+using ::testing::HasSubstr;
+
+WktShape shape(const std::string& text) {
+  const auto read = read_wkt(text);
+  EXPECT_TRUE(read) << text << " " << (read ? "" : to_string(read.error()));
+  return read ? *read : WktShape{};
+}
+
+std::string refused_wkt(const std::string& text) {
+  const auto read = read_wkt(text);
+  EXPECT_FALSE(read) << text;
+  return read ? "" : to_string(read.error());
+}
+
+TEST(Wkt, APolygonIsReadInAnyOrientationClosedOrNot) {
+  const Polygon square = *make_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (const char* text : {"POLYGON((0 0,1 0,1 1,0 1,0 0))",
+                           "POLYGON((0 0,0 1,1 1,1 0,0 0))",
+                           "polygon ( ( 0 0 , 1 0\t, 1 1,0 1 ) ) ",
+                           "POLYGON((0 0,1 0,1 0,1 1,0 1,0 0))",
+                           "POLYGON((0 -0.0,+1 0,1.0 1e0,0 .1e1,0 0))"}) {
+    const WktShape read = shape(text);
+    ASSERT_EQ(read.parts.size(), 1U);
+    EXPECT_DOUBLE_EQ(area_m2(read.parts[0]), 1.0) << text;
+    EXPECT_DOUBLE_EQ(jaccard(read.parts[0], square), 1.0) << text;
+  }
+  EXPECT_EQ(shape("POLYGON((0 0,1 0,1 1))").unclosed_rings, 1U);
+  EXPECT_EQ(shape("POLYGON((0 0,1 0,1 1,0 0))").unclosed_rings, 0U);
+}
+
+TEST(Wkt, AHoleIsNoPartOfTheArea) {
+  const WktShape read = shape("POLYGON((0 0,0 4,4 4,4 0,0 0),(1 1,2 1,2 2,1 2,1 1))");
+  EXPECT_DOUBLE_EQ(area_m2(read.parts[0]), 15.0);
+  EXPECT_FALSE(contains(read.parts[0], {1.5, 1.5}));
+}
+
+TEST(Wkt, SeveralDisjointPartsAreOneShape) {
+  EXPECT_EQ(shape("MULTIPOLYGON(((0 0,1 0,1 1,0 0)),((5 0,6 0,6 1,5 0)))").parts.size(), 2U);
+  EXPECT_EQ(shape("MULTIPOLYGON(((0 0,1 0,1 1,0 1)),((1 0,2 0,2 1,1 1)))").parts.size(), 2U);
+  EXPECT_THAT(refused_wkt("MULTIPOLYGON(((0 0,0 2,2 2,2 0,0 0)),((1 1,1 3,3 3,3 1,1 1)))"),
+              HasSubstr("overlap"));
+}
+
+TEST(Wkt, ARingWoundTwiceStandsForItsFill) {
+  // The same square, twice around.
+  const WktShape read = shape("POLYGON((0 0,1 0,1 1,0 1,0 0,1 0,1 1,0 1,0 0))");
+  EXPECT_EQ(read.wound_rings, 1U);
+  ASSERT_EQ(read.parts.size(), 1U);
+  EXPECT_DOUBLE_EQ(area_m2(read.parts[0]), 1.0);
+}
+
+TEST(Wkt, OneMissingCommaInARingIsMendedAndCounted) {
+  // As in map_office_small_sem_gt.hmap: the last two points stand without a comma.
+  const WktShape read = shape("POLYGON((0 0, 2 0, 2 1 0 1))");
+  EXPECT_EQ(read.missing_commas, 1U);
+  EXPECT_DOUBLE_EQ(area_m2(read.parts.at(0)), 2.0);
+  refused_wkt("POLYGON((0 0 1 0,1 1 0 1))");  // twice: points of four numbers
+  refused_wkt("POLYGON((0 0 5,1 0 5,1 1 5))");
+}
+
+TEST(Wkt, ErrorsNameTheColumn) {
+  EXPECT_EQ(refused_wkt("POLYGON((0 0,nan 0,1 1))"),
+            "column 14: is 'nan 0,1 1))', expected a finite number");
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1 0,1 1))x"), HasSubstr("column 23: text follows"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0 5,1 0 5,1 1 5))"), HasSubstr("column 14: is '5"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1,1 1,0 0))"), HasSubstr("column 15"));
+  EXPECT_THAT(refused_wkt("POLYGON((0 0,1 1,1 0,0 1,0 0))"), HasSubstr("column 9"));
+}
+
+TEST(Wkt, WhatIsNoShapeIsRefused) {
+  for (const char* text :
+       {"",
+        " ",
+        "POLYGON",
+        "POLYGON(",
+        "POLYGON(())",
+        "POLYGON((0 0))",
+        "POLYGON((0 0,1 1))",
+        "POLYGON((0 0,1 1,2 2))",
+        "POLYGON((0 0,1 0,1 1)",
+        "POLYGON((0 0,1 0,1 1)))",
+        "POLYGON((0;0,1;0,1;1))",
+        "POLYGON((0x0 0,1 0,1 1))",
+        "POLYGON((a b,c d,e f))",
+        "POLYGON((inf 0,1 0,1 1))",
+        "POLYGON((1e400 0,1 0,1 1))",
+        "POLYGON((1e308 0,1 0,1 1e308))",
+        "POLYGON((1e9 1e9,1e9 2e9,2e9 2e9,1e9 1e9))",
+        "POLYGON((0 0,0 1,1 1,5 1,1 1,1 0,0 0))",
+        "POLYGON((0 0,0 9,9 9,9 0,0 0),(1 1,5 1,5 5,1 5,1 1),(2 2,6 2,6 6,2 6,2 2))",
+        "POLYGON((0 0,1 0,1 1,0 1),(5 5,6 5,6 6,5 6))",
+        "POLYGON((0,0 1,0 1,1))",
+        "MULTIPOLYGON((0 0,1 0,1 1))",
+        "POLYGON EMPTY",
+        "POLYGON Z((0 0 0,1 0 0,1 1 0))"}) {
+    EXPECT_FALSE(read_wkt(text)) << text;
+  }
+}
+
+TEST(Wkt, OtherGeometriesAreRefusedByName) {
+  EXPECT_THAT(refused_wkt("POINT(1 2)"), HasSubstr("POINT is not read"));
+  EXPECT_THAT(refused_wkt("GEOMETRYCOLLECTION(POINT(1 2))"), HasSubstr("GEOMETRYCOLLECTION"));
+  EXPECT_THAT(refused_wkt("SRID=4326;POLYGON((0 0,0 1,1 1))"), HasSubstr("SRID is not read"));
+}
+
+TEST(Wkt, VerticesAndPartsAreLimited) {
+  EXPECT_EQ(read_wkt("POLYGON((0 0,1 0,1 1,0 1))", {.max_vertices = 3}).error().code,
+            ErrorCode::kLimit);
+  EXPECT_EQ(read_wkt("POLYGON((0 0,9 0,9 9),(1 .1,2 .1,2 .2),(3 .1,4 .1,4 .2))", {.max_holes = 1})
+                .error()
+                .code,
+            ErrorCode::kLimit);
+  std::string many = "MULTIPOLYGON(((0 0,1 0,1 1))";
+  for (int i = 1; i <= 100; ++i) {
+    const std::string x = std::to_string(2 * i);
+    many.append(",((").append(x).append(" 0,").append(x).append(" 1,0 7))");
+  }
+  EXPECT_EQ(read_wkt(many + ")").error().code, ErrorCode::kLimit);
+}
+
+TEST(Wkt, WhatIsWrittenReadsTheSame) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> wobble(-0.1, 0.1);
+  for (int i = 0; i < 50; ++i) {
+    const auto at = [&](double x, double y) {
+      return Eigen::Vector2d(x + wobble(random), y + wobble(random));
+    };
+    const std::vector<Polygon> parts = {
+        *make_polygon({at(0, 0), at(4, 0), at(4, 4), at(0, 4)}, {{at(1, 1), at(2, 1), at(1, 2)}}),
+        *make_polygon({at(10, 0), at(11, 0), at(10, 1e-3 + 1)})};
+    EXPECT_EQ(shape(write_wkt(parts)).parts, parts);
+    const std::vector<Polygon> one = {parts[0]};
+    EXPECT_EQ(shape(write_wkt(one)).parts, one);
+  }
+  EXPECT_EQ(write_wkt(std::vector{*make_polygon({{0, 0}, {0.1, 0}, {0.1, 1}})}),
+            "POLYGON((0 0,0.1 0,0.1 1,0 0))");
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One contract for every layout: four frames, depth (i + 1) m, pose i m along x, a chair in
+// frame 2.
+#include "hypermap/io/dataset/dataset_reader.hpp"
+
+#include "support/synthetic_dataset.hpp"
+#include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hypermap {
+namespace {
+
+using test::SyntheticDataset;
+using test::TempDir;
+using test::write_text;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+using Writer = SyntheticDataset (*)(const std::filesystem::path&);
+
+std::unique_ptr<DatasetReader> opened(const std::filesystem::path& folder,
+                                      ClassRegistry& registry,
+                                      const DatasetOptions& options = {}) {
+  auto reader = open_dataset(folder, options, registry);
+  EXPECT_TRUE(reader) << to_string(reader.error());
+  return reader ? std::move(*reader) : nullptr;
+}
+
+std::string refusal(const std::filesystem::path& folder, const DatasetOptions& options = {}) {
+  ClassRegistry registry;
+  const auto reader = open_dataset(folder, options, registry);
+  return reader ? "was accepted" : to_string(reader.error());
+}
+
+std::string read_error(const DatasetReader& reader, std::size_t index) {
+  const auto frame = reader.read(index);
+  return frame ? "was read" : to_string(frame.error());
+}
+
+class EveryLayout : public ::testing::TestWithParam<Writer> {
+ protected:
+  EveryLayout() : dataset_(GetParam()(dir_ / "data")) {}
+  TempDir dir_;
+  SyntheticDataset dataset_;
+  ClassRegistry registry_;
+};
+
+TEST_P(EveryLayout, FramesComeInOrderWithDepthPoseColourAndDetections) {
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  ASSERT_EQ(reader->size(), 4U);
+  EXPECT_EQ(reader->camera(), (PinholeCamera{8, 6, 8, 8, 3.5, 2.5}));
+  Stamp last{-1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto frame = reader->read(i);
+    ASSERT_TRUE(frame) << to_string(frame.error());
+    EXPECT_TRUE(validate(*frame));
+    EXPECT_EQ(frame->index, i);
+    EXPECT_GT(frame->stamp, last);
+    last = frame->stamp;
+    EXPECT_EQ(frame->depth_m.at(3, 2), static_cast<float>(i + 1));
+    EXPECT_EQ(frame->color.at(0, 0), (Rgb8{200, 200, 200}));
+    const Eigen::Vector3d origin = frame->map_from_camera.origin().xyz;
+    EXPECT_EQ(origin, Eigen::Vector3d(static_cast<double>(i), 0, 0));
+    EXPECT_THAT(frame->detections, SizeIs(i == 2 ? 1U : 0U));
+  }
+  EXPECT_THAT(reader->summary().unpaired, SizeIs(0));
+  EXPECT_TRUE(registry_.find("chair").has_value());
+}
+
+TEST_P(EveryLayout, AMissingPictureConcernsOneFrame) {
+  std::filesystem::remove(dataset_.folder / dataset_.depth_of_1);
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  ASSERT_EQ(reader->size(), 4U);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr("data/"));
+  EXPECT_NE(read_error(*reader, 1), "was read");
+  EXPECT_EQ(read_error(*reader, 2), "was read");
+}
+
+TEST_P(EveryLayout, AnUnreadablePictureConcernsOneFrameAndIsNamed) {
+  write_text(dataset_.folder / dataset_.depth_of_1, test::pgm16(1).substr(0, 40));
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr(dataset_.depth_of_1));
+  EXPECT_EQ(read_error(*reader, 0), "was read");
+}
+
+TEST_P(EveryLayout, AnUnreadableColourPictureIsNamedUnlessColourIsNotWanted) {
+  write_text(dataset_.folder / dataset_.color_of_1, "no picture");
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr(dataset_.color_of_1));
+  ClassRegistry registry;
+  const auto without = opened(dataset_.folder, registry, {.read_color = false});
+  EXPECT_EQ(read_error(*without, 1), "was read");
+}
+
+TEST_P(EveryLayout, AWrongSizeInTheMiddleConcernsOneFrame) {
+  write_text(dataset_.folder / dataset_.depth_of_1, test::pgm16(1000, 4, 3));
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr("is 4 x 3, expected the camera's 8 x 6"));
+  EXPECT_EQ(read_error(*reader, 2), "was read");
+}
+
+TEST_P(EveryLayout, AnEightBitDepthPictureIsRefused) {
+  write_text(dataset_.folder / dataset_.depth_of_1, test::pgm8(7));
+  const auto reader = opened(dataset_.folder, registry_);
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr("expected depth: one channel of 16 bit"));
+}
+
+TEST_P(EveryLayout, StrideAndFirstChooseFramesThatKeepTheirIndex) {
+  const auto reader = opened(dataset_.folder, registry_, {.first = 1, .stride = 2});
+  ASSERT_NE(reader, nullptr);
+  ASSERT_EQ(reader->size(), 2U);
+  EXPECT_EQ(reader->read(0)->index, 1U);
+  EXPECT_EQ(reader->read(1)->index, 3U);
+}
+
+TEST_P(EveryLayout, TheWorldCanBeTurned) {
+  const auto reader = opened(dataset_.folder, registry_);
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.translation() = Eigen::Vector3d(0, 0, 5);
+  reader->set_map_from_input(MapFromInput(turn));
+  EXPECT_EQ(reader->read(1)->map_from_camera.origin().xyz, Eigen::Vector3d(1, 0, 5));
+}
+
+TEST_P(EveryLayout, DetectionsFromOutsideReplaceThoseOfTheFolder) {
+  write_text(dir_ / "a.jsonl", test::chair_in(dataset_.color_of_1));
+  write_text(dir_ / "b.jsonl", test::chair_in(dataset_.color_of_1) + test::chair_in("nowhere.png"));
+  const auto reader =
+      opened(dataset_.folder, registry_, {.detections = {dir_ / "a.jsonl", dir_ / "b.jsonl"}});
+  ASSERT_NE(reader, nullptr);
+  const auto frame = reader->read(1);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  ASSERT_THAT(frame->detections, SizeIs(2));
+  EXPECT_EQ(frame->detections[1].detector, DetectorId{1});
+  EXPECT_THAT(reader->read(2)->detections, SizeIs(0));
+  EXPECT_THAT(reader->summary().unpaired, Contains("detections of nowhere.png: no frame"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tum, EveryLayout, ::testing::Values(&test::write_tum));
+INSTANTIATE_TEST_SUITE_P(SevenScenes, EveryLayout, ::testing::Values(&test::write_7scenes));
+INSTANTIATE_TEST_SUITE_P(Open3d, EveryLayout, ::testing::Values(&test::write_open3d));
+INSTANTIATE_TEST_SUITE_P(ScanNet, EveryLayout, ::testing::Values(&test::write_scannet));
+INSTANTIATE_TEST_SUITE_P(Described, EveryLayout, ::testing::Values(&test::write_described));
+
+TEST(DatasetReader, AMissingPoseIsNamedAndTheOthersStay) {
+  const TempDir dir;
+  const SyntheticDataset scenes = test::write_7scenes(dir / "s");
+  std::filesystem::remove(scenes.folder / scenes.pose_of_1);
+  write_text(scenes.folder / "frame-000002.pose.txt", "-inf 0 0 0\n");
+  ClassRegistry registry;
+  const auto reader = opened(scenes.folder, registry);
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr("no pose file"));
+  EXPECT_THAT(read_error(*reader, 2), HasSubstr("frame-000002.pose.txt:1"));
+  EXPECT_EQ(read_error(*reader, 3), "was read");
+  EXPECT_THAT(reader->summary().unpaired, SizeIs(1));
+}
+
+TEST(DatasetReader, StampsPairWithinTheToleranceOnly) {
+  const TempDir dir;
+  const SyntheticDataset tum = test::write_tum(dir / "t");
+  // The pose of frame 1 lies 5 ms away, its colour 10 ms.
+  ClassRegistry registry;
+  const auto narrow = opened(tum.folder, registry, {.stamp_tolerance_s = 0.006});
+  EXPECT_TRUE(narrow->read(1));
+  EXPECT_TRUE(narrow->read(1)->color.empty());
+  EXPECT_THAT(narrow->summary().unpaired,
+              Contains("depth/101.000.pgm: no colour picture within 0.006 s"));
+  ClassRegistry other;
+  const auto narrower = opened(tum.folder, other, {.stamp_tolerance_s = 0.001});
+  EXPECT_THAT(read_error(*narrower, 1), HasSubstr("no pose within 0.001 s of 101.0"));
+}
+
+TEST(DatasetReader, ABadTrajectoryLineCostsItsFrameAndIsAFinding) {
+  const TempDir dir;
+  const SyntheticDataset tum = test::write_tum(dir / "t");
+  write_text(tum.folder / "groundtruth.txt",
+             "100 0 0 0 0 0 0 1\n101 nan 0 0 0 0 0 1\n102 2 0 0 0 0 0 1\n103 3 0 0 0 0 0 1\n");
+  ClassRegistry registry;
+  const auto reader = opened(tum.folder, registry);
+  EXPECT_THAT(reader->summary().findings, SizeIs(1));
+  EXPECT_THAT(read_error(*reader, 1), HasSubstr("no pose"));
+  EXPECT_EQ(read_error(*reader, 2), "was read");
+}
+
+TEST(DatasetReader, OpenGlAxesBecomeOptical) {
+  const TempDir dir;
+  const SyntheticDataset data = test::write_described(dir / "d");
+  write_text(data.folder / "dataset.yaml",
+             "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
+             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: opengl\n");
+  ClassRegistry registry;
+  const auto reader = opened(data.folder, registry);
+  // One metre ahead of the camera is one metre along -z of OpenGL's camera, the world here.
+  const auto ahead = reader->read(0)->map_from_camera * PointInCamera{{0, 0.5, 1}};
+  EXPECT_EQ(ahead.xyz, Eigen::Vector3d(0, -0.5, -1));
+}
+
+TEST(DatasetReader, RobotAxesBecomeOptical) {
+  const TempDir dir;
+  const SyntheticDataset data = test::write_described(dir / "d");
+  write_text(data.folder / "dataset.yaml",
+             "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
+             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: robot\n");
+  ClassRegistry registry;
+  const auto reader = opened(data.folder, registry);
+  // Ahead is x, right is -y, down is -z.
+  const auto seen = reader->read(0)->map_from_camera * PointInCamera{{0.25, 0.5, 1}};
+  EXPECT_EQ(seen.xyz, Eigen::Vector3d(1, -0.25, -0.5));
+}
+
+TEST(DatasetReader, DepthOfAnotherCameraIsRegisteredToColour) {
+  const TempDir dir;
+  const SyntheticDataset data = test::write_described(dir / "d");
+  // The depth camera sits one metre to the left of the colour camera (x of colour = x + 1): at 2 m
+  // and f = 8 every point moves by 8 * 1 / 2 = 4 pixels to the right.
+  std::string half = test::pgm16(200);
+  write_text(data.folder / "dataset.yaml",
+             "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
+             "depth_intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
+             "color_from_depth: [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n"
+             "depth: d/*_d.pgm\ndepth_scale: 100\ncolor: c/*_c.pgm\n"
+             "trajectory: p.txt\npair_by: order\n");
+  ClassRegistry registry;
+  const auto reader = opened(data.folder, registry);
+  const auto frame = reader->read(1);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  EXPECT_EQ(frame->depth_m.at(3, 2), 0.0F);
+  EXPECT_EQ(frame->depth_m.at(4, 2), 2.0F);
+  EXPECT_EQ(frame->depth_m.at(7, 5), 2.0F);
+}
+
+TEST(DatasetReader, LabelPicturesOfScanNetBecomeDetections) {
+  const TempDir dir;
+  const SyntheticDataset data = test::write_scannet(dir / "s");
+  // 20 x 20 pictures, so that a region can have its 64 pixels: a bed (4) on the left, 10 x 20.
+  const std::string matrix = "8 0 9.5\n0 8 9.5\n0 0 1\n";
+  write_text(data.folder / "intrinsic/intrinsic_color.txt", matrix);
+  write_text(data.folder / "intrinsic/intrinsic_depth.txt", matrix);
+  std::string labels = test::pgm8(0, 20, 20);
+  for (std::size_t i = 0; i < 400; ++i) labels[labels.size() - 400 + i] = i % 20 < 10 ? 4 : 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = std::to_string(i) + ".pgm";
+    write_text(data.folder / "color" / name, test::pgm8(1, 20, 20));
+    write_text(data.folder / "depth" / name, test::pgm16(1000, 20, 20));
+    write_text(data.folder / "label" / name, labels);
+  }
+  std::filesystem::remove(data.folder / "detections.jsonl");
+  ClassRegistry registry;
+  const auto reader = opened(data.folder, registry);
+  const auto frame = reader->read(0);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  ASSERT_THAT(frame->detections, SizeIs(1));
+  EXPECT_EQ(frame->detections[0].box_px, (PixelBox{0, 0, 10, 20}));
+  EXPECT_EQ(best_class(frame->detections[0].class_scores)->id, *registry.find("bed"));
+  EXPECT_EQ(frame->detections[0].mask->at(9, 19), 1);
+  EXPECT_EQ(frame->detections[0].mask->at(10, 19), 0);
+}
+
+TEST(DatasetReader, AFolderOfNoLayoutSaysWhatWasLookedFor) {
+  const TempDir dir;
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("expected dataset.yaml"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("--dataset"));
+  EXPECT_THAT(refusal(dir / "absent"), HasSubstr("does not exist"));
+  write_text(dir / "file", "");
+  EXPECT_THAT(refusal(dir / "file"), HasSubstr("is no folder"));
+}
+
+TEST(DatasetReader, IntrinsicsOfAnotherSizeThanThePicturesAreRefused) {
+  const TempDir dir;
+  const SyntheticDataset tum = test::write_tum(dir / "t");
+  write_text(tum.folder / "intrinsics.json",
+             R"({"width": 640, "height": 480, "fx": 500, "fy": 500, "cx": 320, "cy": 240})");
+  EXPECT_THAT(refusal(tum.folder), HasSubstr("must be the pictures' 8 x 6, is 640 x 480"));
+}
+
+TEST(DatasetReader, ADescriptionWithAFaultNamesFileLineAndField) {
+  const TempDir dir;
+  const auto described = [&](const std::string& text) {
+    write_text(dir / "dataset.yaml", text);
+    return refusal(dir.path());
+  };
+  const std::string good =
+      "intrinsics: {fx: 8, fy: 8, cx: 3.5, cy: 2.5}\ndepth: d/*.pgm\ntrajectory: p.txt\n";
+  EXPECT_THAT(described("depth: d/*.pgm\ntrajectory: p\n"), HasSubstr("intrinsics"));
+  EXPECT_THAT(described(good + "depth_scale: 0\n"), HasSubstr("dataset.yaml:4: depth_scale"));
+  EXPECT_THAT(described(good + "pair_by: luck\n"),
+              HasSubstr("must be one of stamp, number, order"));
+  EXPECT_THAT(described(good + "color: ../x/*.png\n"), HasSubstr("inside the dataset's folder"));
+  EXPECT_THAT(described(good + "up_axis: up\n"), HasSubstr("up_axis"));
+  EXPECT_THAT(described(good), HasSubstr("has no depth picture"));
+}
+
+TEST(DatasetReader, ListsThatLeaveTheFolderOrRepeatAStampAreRefused) {
+  const TempDir dir;
+  const SyntheticDataset tum = test::write_tum(dir / "t");
+  write_text(tum.folder / "depth.txt", "100 ../../etc/passwd\n");
+  EXPECT_THAT(refusal(tum.folder), HasSubstr("depth.txt:1: path"));
+  write_text(tum.folder / "depth.txt", "100 a.png\n100 b.png\n");
+  EXPECT_THAT(refusal(tum.folder), HasSubstr("timestamp: must occur once"));
+}
+
+// --- data by others ---
+
+TEST(DatasetReader, TheKitchenIsFoundByLooking) {
+  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
+  ClassRegistry registry;
+  const auto folder = test::shared_data("rgbd/7scenes_redkitchen");
+  const auto reader =
+      opened(folder, registry, {.detections = {folder / "detections_yolox_nano.jsonl"}});
+  ASSERT_NE(reader, nullptr);
+  EXPECT_EQ(reader->size(), 200U);
+  EXPECT_EQ(reader->summary().layout, "7scenes");
+  EXPECT_EQ(reader->camera(), (PinholeCamera{640, 480, 585, 585, 320, 240}));
+  EXPECT_THAT(reader->summary().unpaired, SizeIs(0));
+  EXPECT_THAT(reader->summary().findings, SizeIs(0));
+  const auto frame = reader->read(1);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  EXPECT_EQ(frame->name, "frame-000005.color.jpg");
+  EXPECT_THAT(frame->detections, SizeIs(6));
+}
+
+TEST(DatasetReader, TheCabinetIsReadByItsDescription) {
+  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/tum_fr3_cabinet");
+  ClassRegistry registry;
+  const auto folder = test::shared_data("rgbd/tum_fr3_cabinet");
+  const auto reader =
+      opened(folder,
+             registry,
+             {.description = test::source_path("data/datasets/tum_fr3_cabinet.yaml"),
+              .detections = {folder / "detections_yolox_nano.jsonl"}});
+  ASSERT_NE(reader, nullptr);
+  EXPECT_EQ(reader->size(), 58U);
+  EXPECT_THAT(reader->summary().unpaired, SizeIs(0));
+  EXPECT_EQ(reader->summary().up_axis, "z");
+  const auto frame = reader->read(1);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  EXPECT_EQ(frame->stamp.ns, 1341841279510700000);
+  EXPECT_NEAR(frame->map_from_camera.origin().xyz.z(), 1.0996, 1e-9);
+  EXPECT_THAT(frame->detections, SizeIs(2));
+}
+
+TEST(DatasetReader, TheLivingRoomIsReadByItsDescriptionAndByLooking) {
+  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/icl_nuim_livingroom1");
+  const auto folder = test::shared_data("rgbd/icl_nuim_livingroom1");
+  ClassRegistry registry;
+  const auto described =
+      opened(folder,
+             registry,
+             {.description = test::source_path("data/datasets/icl_nuim_livingroom1.yaml")});
+  const auto found = opened(folder, registry);
+  ASSERT_NE(described, nullptr);
+  ASSERT_NE(found, nullptr);
+  ASSERT_EQ(described->size(), 43U);
+  ASSERT_EQ(found->size(), 43U);
+  EXPECT_EQ(described->camera(), found->camera());
+  EXPECT_EQ(found->summary().layout, "open3d");
+  EXPECT_THAT(found->summary().findings, SizeIs(1));  // intrinsics that the folder lacks
+  // Picture 00005 has record 5, not record 1.
+  EXPECT_NEAR(described->read(1)->map_from_camera.origin().xyz.x(), 0.00679, 0.05);
+  EXPECT_EQ(described->read(1)->map_from_camera.isometry().matrix(),
+            found->read(1)->map_from_camera.isometry().matrix());
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+
+#include "octree_semantic/support/detected_frame.hpp"
+#include "support/sanitized.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
+#if !HYPERMAP_THREAD_SANITIZER
+namespace {
+
+/// Allocations of this thread that are still granted.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): operator new has no owner
+thread_local long allocations_left = std::numeric_limits<long>::max();
+
+}  // namespace
+
+// Replaced for the whole program, so that a test can let memory end where it likes.
+void* operator new(std::size_t size) {
+  if (allocations_left <= 0) {
+    allocations_left = std::numeric_limits<long>::max();  // only this one fails
+    throw std::bad_alloc();
+  }
+  --allocations_left;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return std::malloc(size == 0 ? 1
+                               : size);  // asked for by those who do without, as std::stable_sort
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+#endif
+
+namespace hypermap {
+namespace {
+
+const std::vector<RgbdFrame>& frames() {
+  static const std::vector<RgbdFrame> kFrames = test::detected_room_frames(12, 160);
+  return kFrames;
+}
+
+SemanticMapper mapper_with(const DeadlineOptions& deadline = {}, int num_threads = 1) {
+  SemanticMapperOptions options;
+  options.deadline = deadline;
+  options.num_threads = num_threads;
+  return SemanticMapper::create(options).value();
+}
+
+TEST(SemanticMapper, AnyNumberOfThreadsGivesTheSameMap) {
+  SemanticMapper one = mapper_with();
+  SemanticMapper four = mapper_with({}, 4);
+  for (const RgbdFrame& frame : frames()) {
+    const FrameReport report = one.integrate(frame).value();
+    EXPECT_EQ(report.num_segments, four.integrate(frame)->num_segments);
+    EXPECT_EQ(report.num_deadline_dropped, 0U);
+    EXPECT_TRUE(report.judged);
+  }
+  EXPECT_TRUE(one.octree() == four.octree());
+  EXPECT_TRUE(one.objects() == four.objects());
+  EXPECT_GE(one.objects().size(), 8U);
+}
+
+TEST(SemanticMapper, WithoutADeadlineNoClockMatters) {
+  SemanticMapper usual = mapper_with();
+  SemanticMapper slow = mapper_with();
+  slow.set_clock([now = 0.0]() mutable { return now += 1000.0; });
+  for (const RgbdFrame& frame : frames()) {
+    ASSERT_TRUE(usual.integrate(frame));
+    ASSERT_TRUE(slow.integrate(frame));
+  }
+  EXPECT_TRUE(usual.octree() == slow.octree());
+  EXPECT_TRUE(usual.objects() == slow.objects());
+}
+
+/// A clock that is one second later each time it is asked: the first time when the frame starts,
+/// and once before each detection.
+Clock ticking() {
+  return [now = 0.0]() mutable { return now += 1.0; };
+}
+
+TEST(SemanticMapper, ADeadlineDropsTheLeastSureDetections) {
+  const RgbdFrame& frame = *std::max_element(
+      frames().begin(), frames().end(), [](const RgbdFrame& a, const RgbdFrame& b) {
+        return a.detections.size() < b.detections.size();
+      });
+  ASSERT_GE(frame.detections.size(), 4U);
+  SemanticMapper all = mapper_with();
+  SemanticMapper hurried = mapper_with({.rule = DeadlineRule::kFixed, .frame_s = 2.5});
+  hurried.set_clock(ticking());
+  const FrameReport report = hurried.integrate(frame).value();
+  // Asked 1 and 2 s after the start, which is in time; after 3 s it is not.
+  EXPECT_EQ(report.num_deadline_dropped, frame.detections.size() - 2);
+  EXPECT_EQ(report.num_detections, frame.detections.size());
+  EXPECT_FALSE(report.judged) << "not to be seen means nothing now";
+
+  RgbdFrame surest = frame;
+  surest.detections.resize(2);  // their scores fall
+  ASSERT_TRUE(all.integrate(surest));
+  ASSERT_EQ(hurried.objects().size(), all.objects().size());
+  EXPECT_EQ(report.integration.num_hits, all.integrate(surest)->integration.num_hits)
+      << "the depth is used whole";
+}
+
+TEST(SemanticMapper, ADeadlineLeavesObjectsThatNobodyLookedFor) {
+  SemanticMapper mapper = mapper_with({.rule = DeadlineRule::kFixed, .frame_s = 1e3});
+  for (const RgbdFrame& frame : frames()) ASSERT_TRUE(mapper.integrate(frame));
+  const ObjectMap before = mapper.objects();
+  mapper.set_clock([now = 0.0]() mutable { return now += 1e6; });  // always too late
+  for (const RgbdFrame& frame : frames()) {
+    EXPECT_EQ(mapper.integrate(frame)->num_deadline_dropped, frame.detections.size());
+  }
+  EXPECT_TRUE(mapper.objects() == before);
+}
+
+#if !HYPERMAP_THREAD_SANITIZER
+TEST(SemanticMapper, WithoutMemoryAFrameIsWholeOrNotAtAll) {
+  const RgbdFrame& frame = frames()[1];
+  SemanticMapper expected = mapper_with();
+  ASSERT_TRUE(expected.integrate(frames()[0]));
+  ASSERT_TRUE(expected.integrate(frame));
+  std::size_t num_refused = 0;
+  long granted = 0;
+  for (bool done = false; !done; granted += 1 + granted / 16) {
+    SemanticMapper mapper = mapper_with();
+    ASSERT_TRUE(mapper.integrate(frames()[0]));
+    const SemanticOctree octree = mapper.octree();
+    const ObjectMap objects = mapper.objects();
+    allocations_left = granted;
+    const auto report = mapper.integrate(frame);
+    done = allocations_left < std::numeric_limits<long>::max() / 2;  // it needed no more
+    allocations_left = std::numeric_limits<long>::max();
+    if (!report) {
+      ++num_refused;
+      EXPECT_EQ(report.error().code, ErrorCode::kOutOfMemory);
+      ASSERT_TRUE(mapper.octree() == octree) << "after " << granted << " allocations";
+      ASSERT_TRUE(mapper.objects() == objects) << "after " << granted << " allocations";
+      ASSERT_TRUE(mapper.integrate(frame)) << "it can be tried again";
+    }
+    ASSERT_TRUE(mapper.octree() == expected.octree()) << "after " << granted << " allocations";
+    if (!report || report->judged) {
+      ASSERT_TRUE(mapper.objects() == expected.objects()) << "after " << granted << " allocations";
+    }
+  }
+  EXPECT_GE(num_refused, 20U);
+}
+#endif
+
+TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
+  SemanticMapper mapper = mapper_with();
+  std::uint64_t num_seen = 0;
+  const auto see = [&](int num_rounds) {
+    for (int round = 0; round < num_rounds; ++round) {
+      for (RgbdFrame frame : frames()) {
+        frame.index = num_seen++;
+        ASSERT_TRUE(mapper.integrate(frame));
+      }
+    }
+  };
+  see(10);
+  const std::size_t octree_bytes = mapper.octree().memory_bytes();
+  const std::size_t num_objects = mapper.objects().size();
+  see(32);  // 504 frames in all
+  EXPECT_LE(mapper.octree().memory_bytes(), octree_bytes + octree_bytes / 50);
+  EXPECT_LE(mapper.objects().size(), num_objects + 2);
+  for (const Object& object : mapper.objects().objects()) {
+    EXPECT_LE(object.ledger.state().newest.size(), ObjectLedger::kMaxNewest);
+    EXPECT_LE(object.ledger.state().summaries.size(), ObjectLedger::kMaxSummaries);
+    EXPECT_LE(object.points.state().votes.size(), object.points.options().max_cells);
+    EXPECT_LE(object.shapes.state().shapes.size(), ShapeEvidence::kMaxShapes);
+  }
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace hypermap {
+namespace {
+
+SemanticOctree empty_tree(double resolution_m = 0.1) {
+  return SemanticOctree::create({.resolution_m = resolution_m}).value();
+}
+
+VoxelLabel label_of(std::uint16_t class_id, std::uint32_t object) {
+  VoxelLabel label;
+  label.classes[0] = {class_id, 2000};
+  label.object = ObjectId{object};
+  label.object_votes = object == 0 ? 0 : 1;
+  return label;
+}
+
+/// A cloud of voxels around the origin, every third labelled.
+std::vector<StoredLeaf> random_leaves(std::size_t count) {
+  std::mt19937 random(11);
+  const auto axis = [&random] { return static_cast<std::uint16_t>(32748 + random() % 40); };
+  std::set<VoxelKey> keys;
+  while (keys.size() < count) keys.insert({axis(), axis(), axis()});
+  std::vector<StoredLeaf> leaves;
+  for (const VoxelKey& key : keys) {
+    StoredLeaf leaf{
+        .key = key,
+        .log_odds = static_cast<MilliLogOdds>(-2000 + static_cast<int>(random() % 5500))};
+    if (random() % 3 == 0) {
+      const auto object = static_cast<std::uint32_t>(1 + random() % 3);
+      leaf.label = label_of(static_cast<std::uint16_t>(random() % 4), object);
+    }
+    leaves.push_back(leaf);
+  }
+  return leaves;  // in Morton order
+}
+
+std::vector<StoredLeaf> stored(const SemanticOctree& tree) {
+  std::vector<StoredLeaf> leaves;
+  tree.for_each_stored_leaf([&](const StoredLeaf& leaf) { leaves.push_back(leaf); });
+  return leaves;
+}
+
+TEST(SemanticOctree, RefusesImpossibleOptions) {
+  for (const double resolution_m : {0.0, -0.05, 1e-4, 11.0, std::nan("")}) {
+    const auto made = SemanticOctree::create({.resolution_m = resolution_m});
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().field, "resolution_m");
+  }
+  EXPECT_FALSE(SemanticOctree::create({.max_class_log_odds = LogOdds(40.0)}));
+}
+
+TEST(SemanticOctree, KnowsNothingAtFirst) {
+  const SemanticOctree tree = empty_tree();
+  EXPECT_TRUE(tree.empty());
+  EXPECT_FALSE(tree.at(PointInMap{{0.0, 0.0, 0.0}}));
+  EXPECT_FALSE(tree.at(PointInMap{{1e9, 0.0, std::nan("")}}));
+  EXPECT_TRUE(stored(tree).empty());
+}
+
+TEST(SemanticOctree, TellsWhatIsAtAPoint) {
+  SemanticOctree tree = empty_tree(0.1);
+  const VoxelKey key{32769, 32768, 32767};
+  ASSERT_TRUE(tree.set_leaf({.key = key, .log_odds = 847, .label = label_of(5, 9)}));
+  const auto leaf = tree.at(PointInMap{{0.19, 0.01, -0.01}});
+  ASSERT_TRUE(leaf);
+  EXPECT_TRUE(leaf->centre_in_map.isApprox(Eigen::Vector3d(0.15, 0.05, -0.05), 1e-12));
+  EXPECT_DOUBLE_EQ(leaf->edge_m, 0.1);
+  EXPECT_DOUBLE_EQ(leaf->occupancy.value(), 0.847);
+  EXPECT_TRUE(leaf->occupied);
+  EXPECT_EQ(leaf->best_class, ClassId{5});
+  EXPECT_EQ(leaf->object, ObjectId{9});
+  EXPECT_FALSE(tree.at(PointInMap{{0.21, 0.01, -0.01}}));
+}
+
+TEST(SemanticOctree, IsOccupiedFromTheThresholdOn) {
+  SemanticOctree tree = empty_tree();
+  const VoxelKey key{1, 2, 3};
+  for (const auto& [log_odds, occupied] : {std::pair{-1, false}, {0, true}, {1, true}}) {
+    ASSERT_TRUE(tree.set_leaf({.key = key, .log_odds = static_cast<MilliLogOdds>(log_odds)}));
+    EXPECT_EQ(tree.at(key)->occupied, occupied) << log_odds;
+  }
+}
+
+TEST(SemanticOctree, EmptySpaceHasNoClassButRemembersIt) {
+  SemanticOctree tree = empty_tree();
+  const StoredLeaf leaf{.key = {9, 9, 9}, .log_odds = -300, .label = label_of(1, 2)};
+  ASSERT_TRUE(tree.set_leaf(leaf));
+  EXPECT_EQ(tree.at(leaf.key)->best_class, std::nullopt);
+  EXPECT_EQ(tree.at(leaf.key)->object, kNoObject);
+  EXPECT_EQ(tree.stored_at(leaf.key), leaf);
+}
+
+TEST(SemanticOctree, LeavesComeBackInMortonOrderWhateverTheOrderTheyWereSetIn) {
+  const std::vector<StoredLeaf> leaves = random_leaves(3000);
+  std::vector<StoredLeaf> shuffled = leaves;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(1));
+  const auto tree = SemanticOctree::from_leaves({.resolution_m = 0.1}, leaves).value();
+  const auto other = SemanticOctree::from_leaves({.resolution_m = 0.1}, shuffled).value();
+  EXPECT_EQ(stored(tree), leaves);
+  EXPECT_EQ(stored(other), leaves);
+  EXPECT_EQ(tree, other);
+  const auto occupied = std::count_if(
+      leaves.begin(), leaves.end(), [](const StoredLeaf& leaf) { return leaf.log_odds >= 0; });
+  EXPECT_EQ(tree.num_leaves(),
+            (LeafCount{static_cast<std::size_t>(occupied),
+                       leaves.size() - static_cast<std::size_t>(occupied)}));
+}
+
+TEST(SemanticOctree, RefusesLeavesThatCannotBe) {
+  const StoredLeaf good{.key = {1, 1, 1}, .log_odds = 100};
+  StoredLeaf beyond_clamp = good;
+  beyond_clamp.log_odds = 3512;
+  StoredLeaf bad_label = good;
+  bad_label.label = VoxelLabel{};
+  bad_label.label->rest = 20000;
+  EXPECT_EQ(SemanticOctree::from_leaves({}, std::vector{good, good}).error().field, "key");
+  EXPECT_EQ(SemanticOctree::from_leaves({}, std::vector{beyond_clamp}).error().field, "log_odds");
+  EXPECT_EQ(SemanticOctree::from_leaves({}, std::vector{bad_label}).error().field, "rest");
+}
+
+TEST(SemanticOctree, ACopyStaysAsItWasWhileTheOriginalChanges) {
+  SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(500)).value();
+  const SemanticOctree snapshot = tree;
+  const std::vector<StoredLeaf> before = stored(snapshot);
+  EXPECT_EQ(tree, snapshot);
+  ASSERT_TRUE(tree.set_leaf({.key = before.front().key, .log_odds = 3511}));
+  EXPECT_GT(tree.relabel_object(ObjectId{1}, ObjectId{7}), 0U);
+  EXPECT_EQ(stored(snapshot), before);
+  EXPECT_FALSE(tree == snapshot);
+}
+
+TEST(SemanticOctree, QueriesAgreeWithALookAtEveryLeaf) {
+  const SemanticOctree tree =
+      SemanticOctree::from_leaves({.resolution_m = 0.1}, random_leaves(4000)).value();
+  std::vector<LeafSample> all;
+  tree.for_each_leaf([&](const LeafSample& leaf) { all.push_back(leaf); });
+  const auto expect_same = [&](const auto& query, const auto& wanted) {
+    std::vector<Eigen::Vector3d> found;
+    query([&](const LeafSample& leaf) { found.push_back(leaf.centre_in_map); });
+    std::vector<Eigen::Vector3d> expected;
+    for (const LeafSample& leaf : all) {
+      if (wanted(leaf)) expected.push_back(leaf.centre_in_map);
+    }
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(found, expected);
+  };
+  for (const double half : {0.3, 0.75, 5.0}) {
+    const Box box{Eigen::Vector3d::Constant(-half), Eigen::Vector3d(half, half / 2, half)};
+    expect_same([&](const auto& visit) { tree.for_each_leaf_in(box, visit); },
+                [&](const LeafSample& leaf) { return box.contains(leaf.centre_in_map); });
+    expect_same([&](const auto& visit) { tree.for_each_leaf_of(ObjectId{2}, box, visit); },
+                [&](const LeafSample& leaf) {
+                  return leaf.object == ObjectId{2} && box.contains(leaf.centre_in_map);
+                });
+  }
+  expect_same([&](const auto& visit) { tree.for_each_leaf_of(ClassId{3}, visit); },
+              [](const LeafSample& leaf) { return leaf.best_class == ClassId{3}; });
+  expect_same([&](const auto& visit) { tree.for_each_leaf_of(ObjectId{2}, visit); },
+              [](const LeafSample& leaf) { return leaf.object == ObjectId{2}; });
+}
+
+TEST(SemanticOctree, ABoxOfNothingFindsNothing) {
+  const SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(100)).value();
+  const double nan = std::nan("");
+  for (const Box& box : {Box{Eigen::Vector3d::Constant(1.0), Eigen::Vector3d::Constant(-1.0)},
+                         Box{Eigen::Vector3d::Constant(nan), Eigen::Vector3d::Constant(nan)},
+                         Box{Eigen::Vector3d::Constant(1e12), Eigen::Vector3d::Constant(1e13)}}) {
+    tree.for_each_leaf_in(box, [](const LeafSample&) { FAIL(); });
+  }
+}
+
+TEST(SemanticOctree, RelabellingChangesAnObjectsVoxelsAndNothingElse) {
+  const std::vector<StoredLeaf> leaves = random_leaves(2000);
+  SemanticOctree tree = SemanticOctree::from_leaves({}, leaves).value();
+  std::vector<StoredLeaf> expected = leaves;
+  std::size_t num_expected = 0;
+  for (StoredLeaf& leaf : expected) {
+    if (!leaf.label || leaf.label->object != ObjectId{1}) continue;
+    leaf.label->object = ObjectId{3};
+    ++num_expected;
+  }
+  EXPECT_EQ(tree.relabel_object(ObjectId{1}, ObjectId{3}), num_expected);
+  EXPECT_EQ(stored(tree), expected);
+  EXPECT_EQ(tree.relabel_object(ObjectId{1}, ObjectId{3}), 0U);
+  EXPECT_EQ(tree.relabel_object(kNoObject, ObjectId{3}), 0U);
+}
+
+TEST(SemanticOctree, ErasedObjectsLeaveValidLabelsBehind) {
+  SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(500)).value();
+  EXPECT_GT(tree.relabel_object(ObjectId{2}, kNoObject), 0U);
+  for (const StoredLeaf& leaf : stored(tree)) {
+    if (!leaf.label) continue;
+    EXPECT_NE(leaf.label->object, ObjectId{2});
+    EXPECT_TRUE(validate(*leaf.label, 10000));
+  }
+}
+
+TEST(SemanticOctree, RelabellingStaysWithinItsBox) {
+  SemanticOctree tree = empty_tree(0.1);
+  const StoredLeaf near{.key = {32768, 32768, 32768}, .log_odds = 500, .label = label_of(1, 4)};
+  const StoredLeaf far{.key = {32800, 32768, 32768}, .log_odds = 500, .label = label_of(1, 4)};
+  ASSERT_TRUE(tree.set_leaf(near));
+  ASSERT_TRUE(tree.set_leaf(far));
+  const Box box{Eigen::Vector3d::Constant(-0.5), Eigen::Vector3d::Constant(0.5)};
+  EXPECT_EQ(tree.relabel_object(ObjectId{4}, ObjectId{5}, box), 1U);
+  EXPECT_EQ(tree.at(near.key)->object, ObjectId{5});
+  EXPECT_EQ(tree.at(far.key)->object, ObjectId{4});
+}
+
+TEST(SemanticOctree, MemoryIsCounted) {
+  SemanticOctree tree = empty_tree();
+  const std::size_t before = tree.memory_bytes();
+  ASSERT_TRUE(tree.set_leaf({.key = {1, 2, 3}, .log_odds = 5, .label = label_of(1, 1)}));
+  EXPECT_GE(tree.memory_bytes(), before + sizeof(Brick) + sizeof(VoxelLabel));
+}
+
+}  // namespace
+}  // namespace hypermap

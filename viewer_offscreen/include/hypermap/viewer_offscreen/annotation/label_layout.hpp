@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where labels stand in a picture so that none covers another.
+///
+/// Scope: greedy, in the order given: early labels get the best places. Pure arithmetic.
+#pragma once
+
+#include "hypermap/viewer_offscreen/rendering/picture_rect.hpp"
+
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// Open: rectangles that share an edge do not overlap.
+[[nodiscard]] bool overlap(const PictureRect& a, const PictureRect& b);
+
+/// A text of known size and the place it speaks of.
+struct LabelRequest {
+  double anchor_x_px = 0.0;
+  double anchor_y_px = 0.0;
+  double width_px = 0.0;
+  double height_px = 0.0;
+};
+
+struct PlacedLabel {
+  PictureRect rect;
+  bool shown = true;    ///< False where no free place was left; `rect` is meaningless then.
+  bool leader = false;  ///< The label stands apart from its anchor: draw a line between them.
+};
+
+struct LabelLayoutOptions {
+  double gap_px = 3.0;             ///< Free space between labels.
+  double max_distance_px = 140.0;  ///< From an anchor to its label.
+  double leader_from_px = 14.0;    ///< Beyond this distance a label needs a line to its anchor.
+};
+
+/// Places the labels inside `canvas`, away from `obstacles` and from each other: above the anchor
+/// if that is free, else on the nearest free place on rings around it.
+///
+/// One result per request, in their order. Labels whose anchor lies outside the canvas, and labels
+/// without a free place, are not shown. Cost: O(labels * places tried * (labels + obstacles)).
+[[nodiscard]] std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests,
+                                                    const PictureRect& canvas,
+                                                    std::span<const PictureRect> obstacles,
+                                                    const LabelLayoutOptions& options = {});
+
+}  // namespace hypermap

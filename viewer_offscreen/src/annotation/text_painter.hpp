@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Writes and draws on finished pictures: text, plates, lines.
+#pragma once
+
+#include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/viewer_offscreen/annotation/label_layout.hpp"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace hypermap {
+
+enum class FontWeight { kRegular, kBold };
+
+struct TextStyle {
+  int height_px = 14;  ///< Of the font.
+  Rgb8 color{33, 38, 45};
+  FontWeight weight = FontWeight::kRegular;
+};
+
+/// UTF-8 text in a TrueType font. Move-only.
+class TextPainter {
+ public:
+  /// `font_file` empty: DejaVu Sans where systems keep it.
+  /// Errors: kUnavailable naming the places looked at; kNotFound when `font_file` is no font.
+  [[nodiscard]] static Result<TextPainter> create(const std::filesystem::path& font_file);
+
+  TextPainter(TextPainter&&) noexcept;
+  TextPainter& operator=(TextPainter&&) noexcept;
+  ~TextPainter();
+
+  [[nodiscard]] double width_px(const std::string& text, const TextStyle& style) const;
+  /// The text, or as much of it as is not wider, with an ellipsis.
+  [[nodiscard]] std::string fitted(const std::string& text,
+                                   const TextStyle& style,
+                                   double max_width_px) const;
+  /// `x_px` is the left end, `baseline_px` the line that letters stand on.
+  void write(ColorImage& picture,
+             const std::string& text,
+             double x_px,
+             double baseline_px,
+             const TextStyle& style) const;
+
+ private:
+  struct Impl;
+  explicit TextPainter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A filled rectangle with round corners, blended by `opacity`.
+void draw_plate(
+    ColorImage& picture, const PictureRect& rect, double radius_px, Rgb8 color, double opacity);
+
+/// An antialiased line.
+void draw_line(ColorImage& picture,
+               const Eigen::Vector2d& from_px,
+               const Eigen::Vector2d& to_px,
+               double width_px,
+               Rgb8 color);
+
+/// An antialiased filled circle.
+void draw_disc(ColorImage& picture, const Eigen::Vector2d& centre_px, double radius_px, Rgb8 color);
+
+}  // namespace hypermap

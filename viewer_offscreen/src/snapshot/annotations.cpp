@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "annotations.hpp"
+
+#include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr Rgb8 kInk{33, 38, 45};
+constexpr Rgb8 kFaintInk{106, 115, 125};
+constexpr Rgb8 kPlate{255, 255, 255};
+constexpr Rgb8 kRim{198, 204, 212};  ///< Around swatches: a white one must be seen on white.
+constexpr double kPlateOpacity = 0.84;
+constexpr double kMarginPx = 22.0;
+constexpr double kRowPx = 21.0;
+constexpr double kSwatchPx = 12.0;
+constexpr double kColumnGapPx = 16.0;
+constexpr double kMaxNamePx = 190.0;
+constexpr double kLabelPx = 20.0;
+constexpr double kLabelGapPx = 3.0;
+constexpr double kScaleBarPx = 180.0;  ///< At most.
+
+/// Styles and lengths at the size of the page.
+struct Look {
+  double scale = 1.0;
+
+  [[nodiscard]] double px(double length) const { return scale * length; }
+  [[nodiscard]] int font_px(double height) const {
+    return std::max(9, static_cast<int>(std::lround(scale * height)));
+  }
+  [[nodiscard]] TextStyle title() const { return {font_px(21.0), kInk, FontWeight::kBold}; }
+  [[nodiscard]] TextStyle small() const { return {font_px(13.0), kFaintInk, FontWeight::kRegular}; }
+  [[nodiscard]] TextStyle row() const { return {font_px(13.5), kInk, FontWeight::kRegular}; }
+  [[nodiscard]] TextStyle heading() const {
+    return {font_px(11.5), kFaintInk, FontWeight::kRegular};
+  }
+  [[nodiscard]] TextStyle label() const { return {font_px(13.0), kInk, FontWeight::kRegular}; }
+};
+
+/// Widths of the legend's columns: names, then each number.
+struct LegendColumns {
+  double name_px = 0.0;
+  std::vector<double> number_px;
+
+  [[nodiscard]] double total_px(const Look& look) const {
+    const double numbers = std::accumulate(number_px.begin(), number_px.end(), 0.0);
+    return look.px(kSwatchPx + 8.0) + name_px + numbers +
+           look.px(kColumnGapPx) * static_cast<double>(number_px.size());
+  }
+};
+
+LegendColumns measure(const TextPainter& text, const Legend& legend, const Look& look) {
+  LegendColumns columns;
+  columns.number_px.resize(legend.columns.size());
+  for (std::size_t i = 0; i < legend.columns.size(); ++i) {
+    columns.number_px[i] = text.width_px(legend.columns[i], look.heading());
+  }
+  for (const LegendRow& row : legend.rows) {
+    columns.name_px = std::max(columns.name_px, text.width_px(row.name, look.row()));
+    for (std::size_t i = 0; i < std::min(row.numbers.size(), columns.number_px.size()); ++i) {
+      columns.number_px[i] =
+          std::max(columns.number_px[i], text.width_px(row.numbers[i], look.row()));
+    }
+  }
+  columns.name_px = std::min(columns.name_px, look.px(kMaxNamePx));
+  return columns;
+}
+
+/// Paints one page; holds what every part of it needs.
+class Page {
+ public:
+  Page(ColorImage& picture, const TextPainter& text, const PagePlan& plan)
+      : picture_(&picture), text_(&text), plan_(&plan), look_{plan.scale} {}
+
+  void paint_title(const Annotations& annotations) {
+    const double x = plan_->title.x_px;
+    const double room = plan_->title.width_px;
+    paint_title_plate(annotations);
+    write(text_->fitted(annotations.title, look_.title(), room),
+          x,
+          plan_->title.y_px + look_.px(22.0),
+          look_.title());
+    write(text_->fitted(annotations.subtitle, look_.small(), room),
+          x,
+          plan_->title.y_px + look_.px(43.0),
+          look_.small());
+  }
+
+  void paint_legend(const Legend& legend) {
+    if (legend.rows.empty()) return;
+    const LegendColumns columns = measure(*text_, legend, look_);
+    const PictureRect& rect = plan_->legend;
+    draw_plate(*picture_, rect, look_.px(6.0), kPlate, kPlateOpacity);
+    double y = rect.y_px + look_.px(22.0);
+    if (!legend.columns.empty()) {
+      paint_numbers(legend.columns, columns, y - look_.px(2.0), look_.heading());
+      y += look_.px(kRowPx);
+    }
+    for (std::size_t i = 0; i < plan_->num_legend_rows; ++i, y += look_.px(kRowPx)) {
+      paint_row(legend.rows[i], columns, y);
+    }
+    const std::size_t hidden = legend.rows.size() - plan_->num_legend_rows;
+    if (hidden == 0) return;
+    write("and " + std::to_string(hidden) + " more", name_x(), y, look_.small());
+  }
+
+  void paint_scale_bar(double pixels_per_m) {
+    const double length_m = round_length_m(look_.px(kScaleBarPx) / pixels_per_m);
+    const double length_px = length_m * pixels_per_m;
+    const double x = plan_->foot.x_px;
+    const double y = plan_->foot.y_px + plan_->foot.height_px - look_.px(8.0);
+    const double tick = look_.px(5.0);
+    const double width = look_.px(2.0);
+    draw_line(*picture_, {x, y}, {x + length_px, y}, width, kInk);
+    draw_line(*picture_, {x, y - tick}, {x, y + tick}, width, kInk);
+    draw_line(*picture_, {x + length_px, y - tick}, {x + length_px, y + tick}, width, kInk);
+    write(length_text(length_m), x + look_.px(6.0), y - look_.px(8.0), look_.label());
+  }
+
+  /// The map's axes as they lie in the picture, beside the scale bar's right end.
+  void paint_axes(const SnapshotCamera& camera, double centre_x_px) {
+    struct Axis {
+      Eigen::Vector3d direction;
+      const char* name;
+      Rgb8 color;
+    };
+    const std::array<Axis, 3> axes{{{Eigen::Vector3d::UnitX(), "x", {203, 52, 48}},
+                                    {Eigen::Vector3d::UnitY(), "y", {40, 138, 62}},
+                                    {Eigen::Vector3d::UnitZ(), "z", {38, 96, 196}}}};
+    const Eigen::Vector2d origin(centre_x_px,
+                                 plan_->foot.y_px + plan_->foot.height_px - look_.px(18.0));
+    for (const Axis& axis : axes) {
+      const Eigen::Vector2d along(axis.direction.dot(camera.right_in_map()),
+                                  -axis.direction.dot(camera.up_in_map()));
+      if (along.norm() < 0.15) continue;  // towards the eye
+      draw_line(*picture_, origin, origin + look_.px(30.0) * along, look_.px(2.4), axis.color);
+      const Eigen::Vector2d at =
+          origin + look_.px(30.0) * along + look_.px(9.0) * along.normalized();
+      TextStyle style = look_.label();
+      style.color = axis.color;
+      style.weight = FontWeight::kBold;
+      write(axis.name, at.x() - look_.px(4.0), at.y() + look_.px(4.5), style);
+    }
+    draw_disc(*picture_, origin, look_.px(2.6), kInk);
+  }
+
+  void paint_labels(std::span<const MapLabel> labels, const SnapshotCamera& camera) {
+    const std::vector<MapLabel> seen = in_front(labels, camera);
+    std::vector<LabelRequest> requests;
+    requests.reserve(seen.size());
+    for (const MapLabel& label : seen) requests.push_back(request_for(label, camera));
+    std::vector<PictureRect> obstacles{plan_->title, plan_->legend, plan_->foot};
+    for (const LabelRequest& request : requests) {  // no label on the point that another speaks of
+      obstacles.push_back({request.anchor_x_px - 3.0, request.anchor_y_px, 6.0, 4.0});
+    }
+    const auto placed = place_labels(requests,
+                                     plan_->canvas,
+                                     obstacles,
+                                     {.gap_px = look_.px(kLabelGapPx),
+                                      .max_distance_px = look_.px(150.0),
+                                      .leader_from_px = look_.px(9.0)});
+    for (std::size_t i = 0; i < placed.size(); ++i) paint_leader(requests[i], placed[i], seen[i]);
+    for (std::size_t i = 0; i < placed.size(); ++i) paint_label(placed[i], seen[i]);
+  }
+
+ private:
+  /// Where the scene fills the page the title stands on a plate of its own.
+  void paint_title_plate(const Annotations& annotations) {
+    if (!plan_->scene_fills_page) return;
+    const double width = std::max(text_->width_px(annotations.title, look_.title()),
+                                  text_->width_px(annotations.subtitle, look_.small()));
+    const double margin = look_.px(10.0);
+    draw_plate(*picture_,
+               {plan_->title.x_px - margin,
+                plan_->title.y_px - look_.px(4.0),
+                std::min(width, plan_->title.width_px) + 2.0 * margin,
+                plan_->title.height_px + look_.px(8.0)},
+               look_.px(6.0),
+               kPlate,
+               kPlateOpacity);
+  }
+
+  void write(const std::string& text, double x_px, double baseline_px, const TextStyle& style) {
+    text_->write(*picture_, text, x_px, baseline_px, style);
+  }
+
+  [[nodiscard]] double name_x() const {
+    return plan_->legend.x_px + look_.px(12.0 + kSwatchPx + 8.0);
+  }
+
+  void paint_numbers(const std::vector<std::string>& numbers,
+                     const LegendColumns& columns,
+                     double baseline_px,
+                     const TextStyle& style) {
+    double right = name_x() + columns.name_px;
+    for (std::size_t i = 0; i < std::min(numbers.size(), columns.number_px.size()); ++i) {
+      right += look_.px(kColumnGapPx) + columns.number_px[i];
+      write(numbers[i], right - text_->width_px(numbers[i], style), baseline_px, style);
+    }
+  }
+
+  void paint_row(const LegendRow& row, const LegendColumns& columns, double baseline_px) {
+    const PictureRect swatch{plan_->legend.x_px + look_.px(12.0),
+                             baseline_px - look_.px(kSwatchPx - 1.5),
+                             look_.px(kSwatchPx),
+                             look_.px(kSwatchPx)};
+    const PictureRect rim{
+        swatch.x_px - 1.0, swatch.y_px - 1.0, swatch.width_px + 2.0, swatch.height_px + 2.0};
+    draw_plate(*picture_, rim, look_.px(3.0), kRim, 1.0);
+    draw_plate(*picture_, swatch, look_.px(2.5), row.color, 1.0);
+    write(text_->fitted(row.name, look_.row(), columns.name_px + 1.0),
+          name_x(),
+          baseline_px,
+          look_.row());
+    TextStyle faint = look_.row();
+    faint.color = kFaintInk;
+    paint_numbers(row.numbers, columns, baseline_px, faint);
+  }
+
+  [[nodiscard]] static std::vector<MapLabel> in_front(std::span<const MapLabel> labels,
+                                                      const SnapshotCamera& camera) {
+    std::vector<MapLabel> seen;
+    for (const MapLabel& label : labels) {
+      if (!label.text.empty() && camera.project(label.upper_in_map)) seen.push_back(label);
+    }
+    return seen;
+  }
+
+  [[nodiscard]] LabelRequest request_for(const MapLabel& label,
+                                         const SnapshotCamera& camera) const {
+    const double height = look_.px(kLabelPx);
+    PixelPoint anchor = camera.project(label.upper_in_map).value_or(PixelPoint{});
+    const auto middle = camera.project(label.middle_in_map);
+    if (middle && middle->v_px - anchor.v_px > 0.6 * height) {
+      anchor = {middle->u_px, middle->v_px + 0.5 * height + look_.px(kLabelGapPx)};
+    }
+    return {anchor.u_px,
+            anchor.v_px,
+            text_->width_px(label.text, look_.label()) + look_.px(15.0),
+            height};
+  }
+
+  void paint_leader(const LabelRequest& request, const PlacedLabel& placed, const MapLabel& label) {
+    if (!placed.shown || !placed.leader) return;
+    const PictureRect& rect = placed.rect;
+    const Eigen::Vector2d anchor(request.anchor_x_px, request.anchor_y_px);
+    const Eigen::Vector2d nearest(
+        std::clamp(anchor.x(), rect.x_px + 3.0, rect.x_px + rect.width_px - 3.0),
+        std::clamp(anchor.y(), rect.y_px + 3.0, rect.y_px + rect.height_px - 3.0));
+    draw_line(*picture_, anchor, nearest, look_.px(1.3), label.color);
+    draw_disc(*picture_, anchor, look_.px(2.4), label.color);
+  }
+
+  void paint_label(const PlacedLabel& placed, const MapLabel& label) {
+    if (!placed.shown) return;
+    const PictureRect& rect = placed.rect;
+    draw_plate(*picture_, rect, look_.px(4.0), label.color, 1.0);
+    const PictureRect inner{rect.x_px + look_.px(4.5),
+                            rect.y_px + look_.px(1.0),
+                            rect.width_px - look_.px(5.5),
+                            rect.height_px - look_.px(2.0)};
+    draw_plate(*picture_, inner, look_.px(3.0), kPlate, 0.94);
+    write(label.text,
+          rect.x_px + look_.px(9.5),
+          rect.y_px + rect.height_px - look_.px(5.5),
+          look_.label());
+  }
+
+  ColorImage* picture_;
+  const TextPainter* text_;
+  const PagePlan* plan_;
+  Look look_;
+};
+
+}  // namespace
+
+PagePlan plan_page(const TextPainter& text,
+                   const Annotations& annotations,
+                   const SnapshotOptions& options) {
+  const double width_px = options.width_px;
+  const double height_px = options.height_px;
+  PagePlan plan;
+  plan.scene_fills_page = std::holds_alternative<PoseView>(options.view);
+  plan.scale = std::clamp(std::min(width_px / 1280.0, height_px / 720.0), 0.6, 6.0);
+  const Look look{plan.scale};
+  const double margin = look.px(kMarginPx);
+  plan.canvas = {0.0, 0.0, width_px, height_px};
+  plan.title = {margin, look.px(14.0), 0.0, look.px(50.0)};
+  plan.foot = {margin, height_px - look.px(72.0), look.px(kScaleBarPx + 100.0), look.px(56.0)};
+  const double top = plan.title.y_px + plan.title.height_px;
+  double right = width_px - margin;
+  if (!annotations.legend.rows.empty()) {
+    const LegendColumns columns = measure(text, annotations.legend, look);
+    const double width = columns.total_px(look) + look.px(24.0);
+    const double head_rows = annotations.legend.columns.empty() ? 0.0 : 1.0;
+    const double room = (height_px - 2.0 * margin - look.px(20.0)) / look.px(kRowPx) - head_rows;
+    const auto all = annotations.legend.rows.size();
+    const auto fitting = static_cast<std::size_t>(std::max(1.0, std::floor(room)));
+    plan.num_legend_rows = all <= fitting ? all : fitting - 1;
+    const double rows = static_cast<double>(std::min(all, fitting)) + head_rows;
+    plan.legend = {right - width, margin, width, rows * look.px(kRowPx) + look.px(16.0)};
+    right -= width + look.px(10.0);
+  }
+  plan.title.width_px = std::max(1.0, right - margin);
+  plan.content = {margin,
+                  top + look.px(10.0),
+                  std::max(16.0, right - margin),
+                  std::max(16.0, plan.foot.y_px - top - look.px(14.0))};
+  return plan;
+}
+
+ColorImage annotated(ColorImage picture,
+                     const TextPainter& text,
+                     const Annotations& annotations,
+                     const PagePlan& plan,
+                     const SnapshotCamera& camera) {
+  Page page(picture, text, plan);
+  page.paint_labels(annotations.labels, camera);
+  page.paint_title(annotations);
+  page.paint_legend(annotations.legend);
+  const Look look{plan.scale};
+  double axes_x = plan.foot.x_px + look.px(30.0);
+  if (camera.pixels_per_m()) {
+    page.paint_scale_bar(*camera.pixels_per_m());
+    axes_x += look.px(kScaleBarPx + 25.0);
+  }
+  page.paint_axes(camera, axes_x);
+  return picture;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
+
+#include "annotation/text_painter.hpp"
+#include "hypermap/viewer_offscreen/rendering/egl_context.hpp"
+#include "rendering/gl_canvas.hpp"
+#include "scene_content.hpp"
+#include "scene_painter.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr Rgb8 kSkyColor{250, 251, 253};
+constexpr Rgb8 kGroundColor{229, 234, 240};
+constexpr double kBoxLinePx = 2.0;
+constexpr std::uint8_t kPolygonAlpha = 190;
+
+/// Lines behind voxels shimmer through, so that a box is seen whole.
+void draw_box_lines(const ScenePainter& painter, std::vector<PaintedLine> lines) {
+  painter.draw_lines(lines, {.width_px = kBoxLinePx});
+  for (PaintedLine& line : lines) line.paint.alpha = 60;
+  painter.draw_lines(lines, {.width_px = 0.75 * kBoxLinePx, .hidden_by_voxels = false});
+}
+
+/// So that what lies on a table is drawn over it.
+std::vector<const SemanticObject*> large_first(std::span<const SemanticObject> objects) {
+  const auto size = [](const SemanticObject* object) {
+    const Rect around = bounds_of(*object);
+    return (around.max - around.min).prod();
+  };
+  std::vector<const SemanticObject*> order;
+  for (const SemanticObject& object : objects) order.push_back(&object);
+  std::stable_sort(
+      order.begin(), order.end(), [&](const auto* a, const auto* b) { return size(a) > size(b); });
+  return order;
+}
+
+void draw_semantic(const ScenePainter& painter,
+                   std::span<const SemanticObject> objects,
+                   const ClassRegistry& registry,
+                   double height_m) {
+  for (const SemanticObject* object : large_first(objects)) {
+    const Rgb8 color = color_of(registry.find(object->name));
+    for (const Polygon& part : object->parts) {
+      painter.fill(part, height_m, {color, kPolygonAlpha});
+      painter.draw_lines(paint_outline(part, height_m, {color}),
+                         {.width_px = 2.0, .hidden_by_voxels = false});
+    }
+  }
+}
+
+/// Everything but text, from the floor up.
+Result<void> draw_scene(const SnapshotScene& scene,
+                        const SnapshotLayers& layers,
+                        const ShownVoxels& voxels,
+                        const ClassRegistry& registry,
+                        const SnapshotCamera& camera,
+                        const ScenePainter& painter) {
+  painter.draw_backdrop(kSkyColor, kGroundColor);
+  if (layers.occupancy && scene.occupancy)
+    painter.draw_grid(known_part(*scene.occupancy), voxels.floor_m);
+  if (camera.pixels_per_m()) {
+    painter.draw_lines(paint_metric_grid(points_to_frame(scene, layers, voxels, TopView{}),
+                                         voxels.floor_m,
+                                         *camera.pixels_per_m()),
+                       {.width_px = 1.0, .hidden_by_voxels = false});
+  }
+  if (layers.semantic) draw_semantic(painter, scene.semantic, registry, voxels.floor_m);
+  if (layers.voxels) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto faces, paint_voxels(voxels, camera));
+    painter.draw_faces(faces);
+  }
+  if (layers.trajectory) {
+    painter.draw_lines(paint_trajectory(scene.trajectory_in_map), {.width_px = 2.0});
+  }
+  if (layers.objects) draw_box_lines(painter, paint_boxes(scene.objects));
+  return {};
+}
+
+Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& options) {
+  HYPERMAP_ASSIGN_OR_RETURN(const EglContext context, EglContext::create());
+  HYPERMAP_ASSIGN_OR_RETURN(const GlApi gl, load_gl(context));
+  HYPERMAP_ASSIGN_OR_RETURN(const TextPainter text, TextPainter::create(options.font_file));
+
+  const ClassRegistry registry = classes_shown(scene);
+  const SnapshotLayers layers = layers_shown(scene, options);
+  const ShownVoxels voxels = layers.voxels ? voxels_shown(scene, options) : ShownVoxels{};
+  const Annotations annotations = options.annotations
+                                      ? annotations_of(scene, options, layers, voxels, registry)
+                                      : Annotations{};
+  const PagePlan plan = plan_page(text, annotations, options);
+  const auto framed = points_to_frame(scene, layers, voxels, options.view);
+  const SnapshotCamera camera =
+      SnapshotCamera::frame(options, framed, options.annotations ? plan.content : plan.canvas);
+
+  const int drawn_width_px = options.width_px * options.supersampling;
+  const int drawn_height_px = options.height_px * options.supersampling;
+  HYPERMAP_ASSIGN_OR_RETURN(const GlCanvas canvas,
+                            GlCanvas::create(gl, drawn_width_px, drawn_height_px));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const ScenePainter painter,
+      ScenePainter::create(gl, camera, drawn_width_px, drawn_height_px, options.supersampling));
+  HYPERMAP_TRY(draw_scene(scene, layers, voxels, registry, camera, painter));
+  HYPERMAP_ASSIGN_OR_RETURN(ColorImage picture, canvas.read(gl));
+  if (options.supersampling > 1) picture = averaged(picture, options.supersampling);
+  if (!options.annotations) return picture;
+  return annotated(std::move(picture), text, annotations, plan, camera);
+}
+
+}  // namespace
+
+Result<ColorImage> render_snapshot(const SnapshotScene& scene, const SnapshotOptions& options) {
+  HYPERMAP_TRY(validate(options));
+  try {
+    return render(scene, options);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "no memory for the picture");
+  } catch (const std::exception& error) {  // OpenCV, while it writes text
+    return fail(ErrorCode::kUnavailable,
+                std::string("the picture cannot be drawn: ") + error.what());
+  }
+}
+
+}  // namespace hypermap

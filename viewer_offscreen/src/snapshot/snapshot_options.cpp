@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/viewer_offscreen/snapshot/snapshot_options.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr int kMinSidePx = 64;
+constexpr int kMaxSidePx = 8192;
+constexpr int kMaxSupersampling = 4;
+constexpr std::int64_t kMaxDrawnPixels = std::int64_t{1} << 25U;
+
+constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 5> kLayerNames{{
+    {"voxels", &SnapshotLayers::voxels},
+    {"objects", &SnapshotLayers::objects},
+    {"occupancy", &SnapshotLayers::occupancy},
+    {"semantic", &SnapshotLayers::semantic},
+    {"trajectory", &SnapshotLayers::trajectory},
+}};
+
+Result<void> check_range(double value, double low, double high, const char* field) {
+  if (value >= low && value <= high) return {};  // NaN fails
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "must be in " + number_text(low) + ".." + number_text(high) + ", is " + number_text(value),
+      field);
+}
+
+Result<void> check_view(const IsoView& view) {
+  HYPERMAP_TRY(check_range(view.azimuth_deg, -360.0, 360.0, "azimuth_deg"));
+  return check_range(view.elevation_deg, 5.0, 85.0, "elevation_deg");
+}
+
+Result<void> check_view(const TopView& /*view*/) {
+  return {};
+}
+
+Result<void> check_view(const PoseView& view) {
+  if (!view.map_from_camera.isometry().matrix().allFinite()) {
+    return fail(ErrorCode::kInvalidArgument, "must be finite", "map_from_camera");
+  }
+  if (view.camera) return validate(*view.camera);
+  return check_range(view.horizontal_fov_deg, 10.0, 150.0, "horizontal_fov_deg");
+}
+
+template <class Number>
+bool parse_whole(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// Cuts the first part off `rest`, up to any of the separators, and skips these.
+std::string_view take_part(std::string_view& rest, std::string_view separators) {
+  const std::size_t end = std::min(rest.find_first_of(separators), rest.size());
+  const std::string_view part = rest.substr(0, end);
+  const std::size_t next = std::min(rest.find_first_not_of(separators, end), rest.size());
+  rest.remove_prefix(next);
+  return part;
+}
+
+Unexpected no_view(std::string_view text) {
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "must be top, iso or seven numbers x y z qx qy qz qw, is \"" + printable(text, 80) + "\"",
+      "view");
+}
+
+Result<SnapshotView> parse_pose(std::string_view text) {
+  std::array<double, 7> numbers{};
+  std::string_view rest = text;
+  for (double& number : numbers) {
+    if (!parse_whole(take_part(rest, ", "), number) || !std::isfinite(number)) {
+      return no_view(text);
+    }
+  }
+  if (!rest.empty()) return no_view(text);
+  const Eigen::Quaterniond turn(numbers[6], numbers[3], numbers[4], numbers[5]);
+  if (std::abs(turn.norm() - 1.0) > 0.01) {
+    return fail(ErrorCode::kInvalidArgument,
+                "the quaternion must have length 1, has " + number_text(turn.norm()),
+                "view");
+  }
+  Eigen::Isometry3d map_from_camera = Eigen::Isometry3d::Identity();
+  map_from_camera.linear() = turn.normalized().toRotationMatrix();
+  map_from_camera.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return PoseView{.map_from_camera = MapFromCamera(map_from_camera)};
+}
+
+}  // namespace
+
+Result<void> validate(const SnapshotOptions& options) {
+  HYPERMAP_TRY(check_range(options.width_px, kMinSidePx, kMaxSidePx, "width_px"));
+  HYPERMAP_TRY(check_range(options.height_px, kMinSidePx, kMaxSidePx, "height_px"));
+  HYPERMAP_TRY(check_range(options.supersampling, 1, kMaxSupersampling, "supersampling"));
+  const std::int64_t drawn = std::int64_t{options.width_px} * options.height_px *
+                             options.supersampling * options.supersampling;
+  if (drawn > kMaxDrawnPixels) {
+    return fail(ErrorCode::kInvalidArgument,
+                "width x height x supersampling^2 must be at most " +
+                    std::to_string(kMaxDrawnPixels) + ", is " + std::to_string(drawn),
+                "supersampling");
+  }
+  if (options.cut_above_m && std::isnan(*options.cut_above_m)) {
+    return fail(ErrorCode::kInvalidArgument, "must not be NaN", "cut_above_m");
+  }
+  return std::visit([](const auto& view) { return check_view(view); }, options.view);
+}
+
+Result<SnapshotView> parse_snapshot_view(std::string_view text) {
+  if (text == "top") return TopView{};
+  if (text == "iso") return IsoView{};
+  return parse_pose(text);
+}
+
+Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
+  SnapshotLayers layers;
+  std::string_view rest = text;
+  do {
+    const std::string_view name = take_part(rest, ",");
+    bool known = name == "all";
+    for (const auto& [layer_name, member] : kLayerNames) {
+      if (name != "all" && name != layer_name) continue;
+      layers.*member = true;
+      known = true;
+    }
+    if (!known) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "must be of voxels, objects, occupancy, semantic, trajectory, all; is \"" +
+                      printable(name, 80) + "\"",
+                  "layers");
+    }
+  } while (!rest.empty());
+  return layers;
+}
+
+Result<SnapshotSize> parse_picture_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  SnapshotSize size;
+  if (cross == std::string_view::npos || !parse_whole(text.substr(0, cross), size.width_px) ||
+      !parse_whole(text.substr(cross + 1), size.height_px)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be WIDTHxHEIGHT, is \"" + printable(text, 80) + "\"",
+                "size");
+  }
+  HYPERMAP_TRY(check_range(size.width_px, kMinSidePx, kMaxSidePx, "size"));
+  HYPERMAP_TRY(check_range(size.height_px, kMinSidePx, kMaxSidePx, "size"));
+  return size;
+}
+
+}  // namespace hypermap
