@@ -56,42 +56,72 @@ function(hypermap_add_module name)
   install(TARGETS ${target} EXPORT hypermap-targets FILE_SET HEADERS)
 endfunction()
 
+# hypermap_use_threads(<variable> <source>...): whether tests in these files start threads or ask the libraries to.
+function(hypermap_use_threads variable)
+  set(${variable} FALSE PARENT_SCOPE)
+  foreach(source ${ARGN})
+    file(STRINGS ${source} found REGEX "thread|std::async|segment_all" LIMIT_COUNT 1)
+    if(found)
+      set(${variable} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# Programs whose tests use threads; the thread sanitizer has nothing to find in the others.
+add_custom_target(thread_tests)
+
+# What nearly every test includes, parsed once for each optimisation level: a third of the time that tests take to
+# compile. A precompiled header serves programs with the same options only.
+function(hypermap_add_test_headers)
+  foreach(name hypermap_tests_pch hypermap_computing_tests_pch)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp "")
+    add_library(${name} STATIC ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    target_link_libraries(${name} PRIVATE Eigen3::Eigen tl::expected GTest::gmock hypermap_warnings hypermap_determinism)
+    target_compile_features(${name} PRIVATE cxx_std_20)
+    target_precompile_headers(${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <gmock/gmock.h> <gtest/gtest.h>
+      <tl/expected.hpp> <algorithm> <array> <filesystem> <functional> <map> <memory> <optional> <random> <set> <span>
+      <string> <string_view> <vector>)
+  endforeach()
+  target_compile_options(hypermap_tests_pch PRIVATE -O0)
+endfunction()
+
 # hypermap_add_tests(<name> [COMPUTES] SOURCES ... LINK ...)
 #
-# COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising in every build.
-# One GoogleTest program. It knows where the project's data lie (support/test_data.hpp) and where data by
-# others may lie (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the
-# latter skip with a message when it is absent.
+# One GoogleTest program. It knows where the project's data lie (support/test_data.hpp) and where data by others may lie
+# (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the latter skip with a message when it
+# is absent. Programs with threads bear the label `threads` and are built by the target `thread_tests`.
+# COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising. Most tests need to compile
+# fast, not to run fast; the libraries are optimised in every build but `dev`.
 function(hypermap_add_tests name)
   cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_test_data hypermap_warnings hypermap_determinism GTest::gmock GTest::gtest_main)
-  # In sanitizer builds the libraries are optimised; most tests need to compile fast, not to run fast.
-  if(NOT ARG_COMPUTES)
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_test_data hypermap_warnings hypermap_determinism
+                                        GTest::gmock GTest::gtest_main)
+  if(ARG_COMPUTES)
+    target_precompile_headers(${name} REUSE_FROM hypermap_computing_tests_pch)
+  else()
+    target_compile_options(${name} PRIVATE -O0)
+    target_precompile_headers(${name} REUSE_FROM hypermap_tests_pch)
+  endif()
+  hypermap_use_threads(with_threads ${ARG_SOURCES})
+  set(label "")
+  if(with_threads)
+    add_dependencies(thread_tests ${name})
+    set(label LABELS threads)
   endif()
   if(HYPERMAP_WHOLE_TEST_PROGRAMS)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1800 ${label})
   else()
-    gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+    gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ${label})
   endif()
 endfunction()
 
-# Target `tidy`: clang-tidy over everything that this build would compile, as `.clang-tidy` says. With unity
-# builds (preset `tidy`) a library is one unit: the linter walks through its many headers once, which makes it
-# ten times faster; the sources are then included files, and that is no fault.
+# Target `tidy`: clang-tidy over everything that this build would compile, as `.clang-tidy` says. With unity builds
+# (preset `tidy`) a folder is one unit: the linter walks through its many headers once, which makes it ten times faster.
 function(hypermap_add_tidy_target)
-  find_program(HYPERMAP_RUN_CLANG_TIDY run-clang-tidy)
-  if(NOT HYPERMAP_RUN_CLANG_TIDY)
-    return()
-  endif()
-  cmake_host_system_information(RESULT num_cores QUERY NUMBER_OF_LOGICAL_CORES)
-  add_custom_target(tidy
-    COMMAND ${HYPERMAP_RUN_CLANG_TIDY} -quiet -j ${num_cores} -p ${PROJECT_BINARY_DIR}
-            -checks=-bugprone-suspicious-include "^((?!verify_interface_header_sets).)*$"
-    COMMENT "clang-tidy" VERBATIM USES_TERMINAL)
+  add_custom_target(tidy COMMAND ${PROJECT_SOURCE_DIR}/scripts/lint --all
+                    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "clang-tidy" VERBATIM USES_TERMINAL)
 endfunction()
 
 function(hypermap_install_package)

@@ -19,6 +19,18 @@ help_if_asked() {
 
 say() { printf '== %s\n' "$*"; }
 
+# step NAME: begins a step and says how long the last one took; steps_done ends the last one.
+step_name='' step_began=0
+steps_done() {
+  if [ -n "$step_name" ]; then say "$step_name: $((SECONDS - step_began)) s"; fi
+  step_name=''
+}
+step() {
+  steps_done
+  step_name=$1 step_began=$SECONDS
+  say "$step_name"
+}
+
 # install_packages LIST: installs those Debian packages of the list that are missing.
 install_packages() {
   local wanted missing=() sudo_prefix=()

@@ -22,15 +22,18 @@ Result<void> check_signs(const RingArrangement& plane) {
     return fail(ErrorCode::kInvalidArgument,
                 "the ring crosses itself into parts of both orientations (a bow-tie)");
   }
+  return {};
+}
+
+/// Whether a piece lies wholly outside the area: passed as often one way as the other.
+bool has_lines(const RingArrangement& plane) {
   const auto& edges = plane.half_edges();
   for (std::size_t h = 0; h < edges.size(); h += 2) {
-    const bool is_line =
-        edges[h].net == 0 && plane.winding_left_of(h) == 0 && plane.winding_left_of(twin(h)) == 0;
-    if (!is_line) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                "has a spike near " + point_text(plane.nodes()[edges[h].from]));
+    if (edges[h].net == 0 && plane.winding_left_of(h) == 0 && plane.winding_left_of(twin(h)) == 0) {
+      return true;
+    }
   }
-  return {};
+  return false;
 }
 
 /// Half-edges with the area on their left and the outside on their right.
@@ -119,16 +122,17 @@ void sort_by_place(std::vector<Polygon>& parts) {
 
 }  // namespace
 
-Result<std::vector<Polygon>> resolve_winding(Ring ring) {
+Result<WindingFill> resolve_winding(Ring ring) {
   if (ring.size() > kMaxPolygonPoints) {
     return fail(ErrorCode::kLimit,
                 "has " + std::to_string(ring.size()) + " points, the limit is " +
                     std::to_string(kMaxPolygonPoints));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(Ring clean, cleaned_ring(std::move(ring)));
+  HYPERMAP_ASSIGN_OR_RETURN(auto spike_free, without_spikes(std::move(ring)));
+  Ring& clean = spike_free.ring;
   if (!first_meeting(std::span(&clean, 1))) {
     HYPERMAP_ASSIGN_OR_RETURN(Polygon simple, make_polygon(std::move(clean)));
-    return std::vector<Polygon>{std::move(simple)};
+    return WindingFill{{std::move(simple)}, spike_free.had_spikes};
   }
   if (clean.size() > kMaxCrossingPoints) {
     return fail(ErrorCode::kLimit,
@@ -148,7 +152,7 @@ Result<std::vector<Polygon>> resolve_winding(Ring ring) {
   std::vector<Polygon> parts = assemble(rings);
   if (parts.empty()) return fail(ErrorCode::kInvalidArgument, "the ring has no area");
   sort_by_place(parts);
-  return parts;
+  return WindingFill{std::move(parts), spike_free.had_spikes || has_lines(plane)};
 }
 
 }  // namespace hypermap

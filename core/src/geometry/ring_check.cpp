@@ -46,7 +46,10 @@ double signed_area_m2(const Ring& ring) {
   return 0.5 * area2;
 }
 
-Result<Ring> cleaned_ring(Ring ring) {
+namespace {
+
+/// Finite, without repeated consecutive points.
+Result<Ring> usable_ring(Ring ring) {
   const auto bad = std::find_if_not(ring.begin(), ring.end(), is_usable);
   if (bad != ring.end()) {
     return fail(ErrorCode::kInvalidArgument,
@@ -55,10 +58,43 @@ Result<Ring> cleaned_ring(Ring ring) {
   }
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  if (const std::size_t count = num_distinct(ring); count < 3) {
-    return fail(ErrorCode::kInvalidArgument,
-                "has " + std::to_string(count) + " distinct points, expected 3 or more");
+  return ring;
+}
+
+Result<void> check_num_distinct(const Ring& ring) {
+  const std::size_t count = num_distinct(ring);
+  if (count >= 3) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "has " + std::to_string(count) + " distinct points, expected 3 or more");
+}
+
+/// Appends a point; the last ones that it would make the tip of a spike go.
+void push_without_spikes(Ring& way, const Eigen::Vector2d& next) {
+  while (way.size() > 1 && turns_back(way[way.size() - 2], way.back(), next)) way.pop_back();
+  if (way.empty() || way.back() != next) way.push_back(next);
+}
+
+/// A way without spikes, closed: those about its end go.
+Ring closed_without_spikes(const Ring& way) {
+  auto first = way.begin();
+  auto last = way.end();
+  while (last - first >= 3) {
+    if (*first == *(last - 1) || turns_back(*(last - 2), *(last - 1), *first)) {
+      --last;
+    } else if (turns_back(*(last - 1), *first, *(first + 1))) {
+      ++first;
+    } else {
+      break;
+    }
   }
+  return {first, last};
+}
+
+}  // namespace
+
+Result<Ring> cleaned_ring(Ring ring) {
+  HYPERMAP_ASSIGN_OR_RETURN(ring, usable_ring(std::move(ring)));
+  HYPERMAP_TRY(check_num_distinct(ring));
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& tip = ring[(i + 1) % ring.size()];
     if (turns_back(ring[i], tip, ring[(i + 2) % ring.size()])) {
@@ -66,6 +102,17 @@ Result<Ring> cleaned_ring(Ring ring) {
     }
   }
   return ring;
+}
+
+Result<SpikeFreeRing> without_spikes(Ring ring) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Ring usable, usable_ring(std::move(ring)));
+  Ring way;
+  way.reserve(usable.size());
+  for (const Eigen::Vector2d& point : usable) push_without_spikes(way, point);
+  SpikeFreeRing result{closed_without_spikes(way), false};
+  result.had_spikes = result.ring.size() < usable.size();
+  HYPERMAP_TRY(check_num_distinct(result.ring));
+  return result;
 }
 
 }  // namespace hypermap

@@ -184,7 +184,7 @@ TEST(ConvexHull, InnerAndCollinearPointsAreLeftOut) {
 }
 
 TEST(ResolveWinding, ASimpleRingIsItself) {
-  const auto parts = resolve_winding(square(0, 0, 1)).value();
+  const auto parts = resolve_winding(square(0, 0, 1)).value().parts;
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0], polygon_of(square(0, 0, 1)));
 }
@@ -193,7 +193,7 @@ TEST(ResolveWinding, ARingWoundTwiceIsItsAreaOnce) {
   Ring twice = square(0, 0, 2);
   const Ring again = square(0, 0, 2);
   twice.insert(twice.end(), again.begin(), again.end());
-  const auto parts = resolve_winding(twice).value();
+  const auto parts = resolve_winding(twice).value().parts;
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_NEAR(area_m2(parts[0]), 4.0, 1e-9);
 }
@@ -206,44 +206,92 @@ TEST(ResolveWinding, OverlappingLoopsFillTheirUnion) {
     const double angle = std::numbers::pi / 2 + 4.0 * std::numbers::pi * i / 5.0;
     star.emplace_back(std::cos(angle), std::sin(angle));
   }
-  const auto parts = resolve_winding(star).value();
+  const auto parts = resolve_winding(star).value().parts;
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].outer.size(), 10U);
   EXPECT_NEAR(area_m2(parts[0]), 1.12257, 1e-5);
 }
 
 TEST(ResolveWinding, LoopsThatTouchInAPointAreTwoParts) {
-  const auto parts =
+  const auto fill =
       resolve_winding({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
-  ASSERT_TRUE(parts.has_value()) << parts.error().what;
-  ASSERT_EQ(parts->size(), 2U);
-  EXPECT_NEAR(area_m2((*parts)[0]), 1.0, 1e-9);
-  EXPECT_NEAR(area_m2((*parts)[1]), 1.0, 1e-9);
-  EXPECT_LT(centroid((*parts)[0]).y(), centroid((*parts)[1]).y());
+  ASSERT_TRUE(fill.has_value()) << fill.error().what;
+  const auto& parts = fill->parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_NEAR(area_m2(parts[0]), 1.0, 1e-9);
+  EXPECT_NEAR(area_m2(parts[1]), 1.0, 1e-9);
+  EXPECT_LT(centroid(parts[0]).y(), centroid(parts[1]).y());
 }
 
 TEST(ResolveWinding, ABandAroundNothingKeepsItsHole) {
   // A way around a square courtyard that overlaps its own start: 16 - 4 of area and a hole.
   const Ring band{
       {0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0.5}, {1, 0.5}, {1, 3}, {3, 3}, {3, 1}, {0, 1}};
-  const auto parts = resolve_winding(band);
-  ASSERT_TRUE(parts.has_value()) << parts.error().what;
-  ASSERT_EQ(parts->size(), 1U);
-  EXPECT_EQ((*parts)[0].holes.size(), 1U);
-  EXPECT_FALSE(contains((*parts)[0], {2, 2}));
+  const auto fill = resolve_winding(band);
+  ASSERT_TRUE(fill.has_value()) << fill.error().what;
+  const auto& parts = fill->parts;
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].holes.size(), 1U);
+  EXPECT_FALSE(contains(parts[0], {2, 2}));
 }
 
-TEST(ResolveWinding, BowTiesAndSpikesAreRefused) {
+TEST(ResolveWinding, BowTiesAndLinesAreRefused) {
   EXPECT_THAT(resolve_winding({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).error().what, HasSubstr("bow-tie"));
-  EXPECT_THAT(
-      resolve_winding({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {1, 2}, {0, 2}}).error().what,
-      HasSubstr("spike"));
-  // A line of two pieces there and back.
-  EXPECT_THAT(
-      resolve_winding({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {2, 4}, {1, 3}, {1, 2}, {0, 2}})
-          .error()
-          .what,
-      HasSubstr("spike"));
+  // There and back along one line: nothing is left but two points.
+  EXPECT_THAT(resolve_winding({{0, 0}, {1, 0}, {3, 0}, {2, 0}}).error().what,
+              HasSubstr("distinct points"));
+}
+
+TEST(ResolveWinding, SpikesEncloseNothingAndAreDropped) {
+  const auto fill = resolve_winding({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {1, 2}, {0, 2}});
+  ASSERT_TRUE(fill.has_value()) << fill.error().what;
+  EXPECT_TRUE(fill->had_spikes);
+  ASSERT_EQ(fill->parts.size(), 1U);
+  EXPECT_EQ(area_m2(fill->parts[0]), 4.0);
+  // A line of two pieces there and back, and one about the first point.
+  const Ring bent{{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 3}, {2, 4}, {1, 3}, {1, 2}, {0, 2}};
+  EXPECT_EQ(area_m2(resolve_winding(bent).value().parts.at(0)), 4.0);
+  const Ring about_the_start{{-1, 0}, {0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}};
+  EXPECT_EQ(area_m2(resolve_winding(about_the_start).value().parts.at(0)), 4.0);
+}
+
+TEST(ResolveWinding, ARingWoundTwiceMayHaveSpikesToo) {
+  // A square of side 2 wound twice, with a spike from its corner (2, 2) to (5, 2): area 4.
+  const Ring ring{
+      {0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 2}, {5, 2}, {2, 2}, {0, 2}, {0, 0}};
+  const auto fill = resolve_winding(ring);
+  ASSERT_TRUE(fill.has_value()) << fill.error().what;
+  EXPECT_TRUE(fill->had_spikes);
+  ASSERT_EQ(fill->parts.size(), 1U);
+  EXPECT_NEAR(area_m2(fill->parts[0]), 4.0, 1e-9);
+}
+
+TEST(ResolveWinding, ALineBetweenTwoLoopsIsDropped) {
+  // Two unit squares, joined by a line that is passed once each way, not in a row.
+  const Ring ring{{0, 0}, {1, 0}, {1, 1}, {3, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {1, 1}, {0, 1}};
+  const auto fill = resolve_winding(ring);
+  ASSERT_TRUE(fill.has_value()) << fill.error().what;
+  EXPECT_TRUE(fill->had_spikes);
+  ASSERT_EQ(fill->parts.size(), 2U);
+  EXPECT_NEAR(area_m2(fill->parts[0]) + area_m2(fill->parts[1]), 2.0, 1e-9);
+}
+
+TEST(WithoutSpikes, KeepsTheWindingNumbersOfRandomRings) {
+  // Spikes put into a simple ring at random places leave the ring as it was.
+  std::mt19937 random(5);
+  const Ring simple{{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 3}};
+  for (int run = 0; run < 200; ++run) {
+    Ring ring;
+    for (const Eigen::Vector2d& corner : simple) {
+      ring.push_back(corner);
+      for (auto k = random() % 3; k > 0; --k) {
+        const auto far = static_cast<double>(random() % 7);
+        ring.push_back(corner + Eigen::Vector2d(far, 1.0));
+        ring.push_back(corner);
+      }
+    }
+    EXPECT_EQ(without_spikes(ring).value().ring, simple);
+  }
 }
 
 TEST(ResolveWinding, RandomScribblesAreRefusedInBoundedTime) {

@@ -98,7 +98,6 @@ TEST(Wkt, WhatIsNoShapeIsRefused) {
         "POLYGON((1e400 0,1 0,1 1))",
         "POLYGON((1e308 0,1 0,1 1e308))",
         "POLYGON((1e9 1e9,1e9 2e9,2e9 2e9,1e9 1e9))",
-        "POLYGON((0 0,0 1,1 1,5 1,1 1,1 0,0 0))",
         "POLYGON((0 0,0 9,9 9,9 0,0 0),(1 1,5 1,5 5,1 5,1 1),(2 2,6 2,6 6,2 6,2 2))",
         "POLYGON((0 0,1 0,1 1,0 1),(5 5,6 5,6 6,5 6))",
         "POLYGON((0,0 1,0 1,1))",
@@ -107,6 +106,23 @@ TEST(Wkt, WhatIsNoShapeIsRefused) {
         "POLYGON Z((0 0 0,1 0 0,1 1 0))"}) {
     EXPECT_FALSE(read_wkt(text)) << text;
   }
+}
+
+TEST(Wkt, SpikesAreDroppedAndTheirRingsCounted) {
+  const auto shape = read_wkt("POLYGON((0 0,0 1,1 1,5 1,1 1,1 0,0 0))").value();
+  EXPECT_EQ(shape.spiked_rings, 1U);
+  EXPECT_EQ(shape.wound_rings, 0U);
+  ASSERT_EQ(shape.parts.size(), 1U);
+  EXPECT_EQ(area_m2(shape.parts[0]), 1.0);
+  // A hole with a spike, too; and a ring that is wound twice.
+  const auto holed =
+      read_wkt("POLYGON((0 0,9 0,9 9,0 9,0 0),(1 1,2 1,2 2,2 4,2 2,1 2,1 1))").value();
+  EXPECT_EQ(holed.spiked_rings, 1U);
+  EXPECT_EQ(area_m2(holed.parts.at(0)), 80.0);
+  const auto wound = read_wkt("POLYGON((0 0,2 0,2 2,0 2,0 0,2 0,2 2,5 2,2 2,0 2,0 0))").value();
+  EXPECT_EQ(wound.spiked_rings, 1U);
+  EXPECT_EQ(wound.wound_rings, 1U);
+  EXPECT_NEAR(area_m2(wound.parts.at(0)), 4.0, 1e-9);
 }
 
 TEST(Wkt, OtherGeometriesAreRefusedByName) {

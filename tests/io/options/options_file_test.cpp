@@ -136,21 +136,21 @@ TEST(OptionsFile, NoFieldOfTheOptionsIsForgotten) {
   const std::string core = "core/include/hypermap/core/";
   const std::string octree = "octree_semantic/include/hypermap/octree_semantic/";
   const std::pair<std::string, std::string> structs[] = {
-      {octree + "semantic_octree.hpp", "OctreeOptions"},
-      {octree + "sensor_model.hpp", "SensorModelOptions"},
-      {octree + "object_visibility.hpp", "VisibilityOptions"},
-      {core + "geometric_segmentation.hpp", "GeometricSegmentationOptions"},
-      {core + "geometric_segmentation.hpp", "ForegroundOptions"},
-      {core + "geometric_segmentation.hpp", "RegionGrowingOptions"},
-      {core + "association.hpp", "AssociationOptions"},
-      {core + "association.hpp", "AssignmentOptions"},
-      {core + "class_belief.hpp", "ClassBeliefOptions"},
-      {core + "visibility_histogram.hpp", "VisibilityHistogramOptions"},
-      {core + "footprint.hpp", "PointEvidenceOptions"},
-      {core + "binned_depth_map.hpp", "BinnedDepthMapOptions"},
-      {core + "absence.hpp", "AbsenceOptions"},
-      {core + "publication.hpp", "PublicationOptions"},
-      {"io/include/hypermap/io/map_layers.hpp", "LayerOptions"}};
+      {octree + "octree/semantic_octree.hpp", "OctreeOptions"},
+      {octree + "octree/sensor_model.hpp", "SensorModelOptions"},
+      {octree + "occlusion/object_visibility.hpp", "VisibilityOptions"},
+      {core + "segmentation/geometric_segmentation.hpp", "GeometricSegmentationOptions"},
+      {core + "segmentation/geometric_segmentation.hpp", "ForegroundOptions"},
+      {core + "segmentation/geometric_segmentation.hpp", "RegionGrowingOptions"},
+      {core + "objects/association.hpp", "AssociationOptions"},
+      {core + "objects/association.hpp", "AssignmentOptions"},
+      {core + "objects/class_belief.hpp", "ClassBeliefOptions"},
+      {core + "objects/visibility_histogram.hpp", "VisibilityHistogramOptions"},
+      {core + "geometry/footprint.hpp", "PointEvidenceOptions"},
+      {core + "segmentation/binned_depth_map.hpp", "BinnedDepthMapOptions"},
+      {core + "objects/absence.hpp", "AbsenceOptions"},
+      {core + "objects/publication.hpp", "PublicationOptions"},
+      {"projection/include/hypermap/projection/grids/layer_options.hpp", "LayerOptions"}};
   const std::set<std::string> elsewhere{"sensor_model", "transient_classes"};
   const auto options = describe_options({});
   for (const auto& [header, name] : structs) {

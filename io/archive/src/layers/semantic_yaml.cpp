@@ -29,6 +29,7 @@ struct Entry {
 struct Repairs {
   std::size_t unclosed_rings = 0;
   std::size_t wound_rings = 0;
+  std::size_t spiked_rings = 0;
   std::size_t missing_commas = 0;
 };
 
@@ -103,6 +104,7 @@ Result<Entry> parse_object_entry(const YamlNode& node, const WktLimits& limits, 
   }
   repairs.unclosed_rings += shape.unclosed_rings;
   repairs.wound_rings += shape.wound_rings;
+  repairs.spiked_rings += shape.spiked_rings;
   repairs.missing_commas += shape.missing_commas;
   object.parts = std::move(shape.parts);
   if (object.shape_text == write_wkt(object.parts)) object.shape_text.clear();
@@ -150,6 +152,7 @@ std::vector<Finding> findings_of(const Repairs& repairs, const SourceName& sourc
   add(repairs.missing_commas, " commas between two points were missing, read as there");
   add(repairs.wound_rings,
       " rings are wound more than once, read as the area of their non-zero winding");
+  add(repairs.spiked_rings, " rings have spikes, which enclose nothing, read without them");
   return findings;
 }
 

@@ -188,23 +188,46 @@ bool is_unclosed(const RingText& ring) {
   return ring.points.size() > 1 && ring.points.front() != ring.points.back();
 }
 
-/// A polygon is what it says; a single ring that is none by itself may stand for its winding fill.
+Result<Polygon> polygon_of(const PolygonText& rings) {
+  std::vector<Ring> holes;
+  for (std::size_t i = 1; i < rings.size(); ++i) holes.push_back(rings[i].points);
+  return make_polygon(rings.front().points, std::move(holes));
+}
+
+/// The same rings without spikes; counts those that had some.
+Result<PolygonText> spike_free(PolygonText rings, std::size_t& num_spiked) {
+  for (RingText& ring : rings) {
+    auto clean = without_spikes(std::move(ring.points));
+    if (!clean) return bad_shape(clean.error(), ring.column);
+    if (clean->had_spikes) ++num_spiked;
+    ring.points = std::move(clean->ring);
+  }
+  return rings;
+}
+
+Result<void> append_winding_fill(WktShape& shape, const RingText& ring) {
+  auto fill = resolve_winding(ring.points);
+  if (!fill) return bad_shape(fill.error(), ring.column);
+  ++shape.wound_rings;
+  if (fill->had_spikes) ++shape.spiked_rings;
+  std::move(fill->parts.begin(), fill->parts.end(), std::back_inserter(shape.parts));
+  return {};
+}
+
+/// A polygon is what it says, spikes apart; a single ring that is none by itself may stand for its
+/// winding fill.
 Result<void> append_parts(WktShape& shape, const PolygonText& rings) {
   const auto unclosed = std::count_if(rings.begin(), rings.end(), is_unclosed);
   shape.unclosed_rings += static_cast<std::size_t>(unclosed);
   for (const RingText& ring : rings) shape.missing_commas += ring.missing_commas;
-  std::vector<Ring> holes;
-  for (std::size_t i = 1; i < rings.size(); ++i) holes.push_back(rings[i].points);
-  auto polygon = make_polygon(rings.front().points, std::move(holes));
-  if (polygon) {
-    shape.parts.push_back(*std::move(polygon));
-    return {};
+  auto polygon = polygon_of(rings);
+  if (!polygon) {
+    HYPERMAP_ASSIGN_OR_RETURN(const PolygonText mended, spike_free(rings, shape.spiked_rings));
+    polygon = polygon_of(mended);
+    if (!polygon && rings.size() == 1) return append_winding_fill(shape, mended.front());
   }
-  if (rings.size() > 1) return bad_shape(polygon.error(), rings.front().column);
-  auto parts = resolve_winding(rings.front().points);
-  if (!parts) return bad_shape(parts.error(), rings.front().column);
-  ++shape.wound_rings;
-  std::move(parts->begin(), parts->end(), std::back_inserter(shape.parts));
+  if (!polygon) return bad_shape(polygon.error(), rings.front().column);
+  shape.parts.push_back(*std::move(polygon));
   return {};
 }
 

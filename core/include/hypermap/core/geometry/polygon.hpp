@@ -43,18 +43,37 @@ struct Rect {
 /// holes.
 [[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
 
+/// A ring, and whether parts of it went straight back on themselves.
+struct SpikeFreeRing {
+  Ring ring;
+  bool had_spikes = false;
+};
+
+/// The ring without its spikes (ways out and straight back again), which enclose nothing: its
+/// winding numbers stay. Repeated points go too.
+///
+/// Errors: kInvalidArgument: a coordinate that is not finite or beyond 1e6 m; fewer than three
+/// distinct points left. Cost: O(n log n).
+[[nodiscard]] Result<SpikeFreeRing> without_spikes(Ring ring);
+
+/// What a ring stands for whose winding numbers have one sign.
+struct WindingFill {
+  std::vector<Polygon> parts;  ///< In the order of their lowest, then leftmost point.
+  bool had_spikes = false;     ///< Pieces of the ring that enclose nothing were dropped.
+};
+
 /// What a ring that is wound more than once, or that touches or crosses itself, stands for: the
 /// area where its winding number is not zero, in one or several parts.
 ///
 /// Faulty hull code writes such rings; all their winding numbers have one sign. A simple ring gives
-/// itself. Parts are in the order of their lowest, then leftmost point. Crossings are rounded to
-/// 1e-9 m.
-/// Errors: kInvalidArgument with the reason: winding numbers of both signs (a bow-tie), a spike,
-/// fewer than three distinct points, zero area, a coordinate that is not finite or beyond 1e6 m;
+/// itself. Spikes are dropped, also those that only the overlap of windings leaves. Crossings are
+/// rounded to 1e-9 m.
+/// Errors: kInvalidArgument with the reason: winding numbers of both signs (a bow-tie), fewer than
+/// three distinct points, zero area, a coordinate that is not finite or beyond 1e6 m;
 /// kLimit beyond 10^5 points, and when a ring that crosses itself has more than 4,096 points or
 /// more than 100,000 crossings.
 /// Cost: O(n log n) for simple rings, else O(n^2) within these limits.
-[[nodiscard]] Result<std::vector<Polygon>> resolve_winding(Ring ring);
+[[nodiscard]] Result<WindingFill> resolve_winding(Ring ring);
 
 [[nodiscard]] double area_m2(const Polygon& polygon);
 /// Centroid of the area. Requires: a valid polygon.

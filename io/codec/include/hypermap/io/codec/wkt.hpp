@@ -29,11 +29,12 @@ struct WktShape {
   std::vector<Polygon> parts;      ///< One polygon, or several disjoint ones.
   std::size_t unclosed_rings = 0;  ///< Did not repeat their first point; hand-made maps do that.
   std::size_t wound_rings = 0;     ///< Wound more than once; stand for their non-zero winding fill.
+  std::size_t spiked_rings = 0;    ///< Went straight back on themselves; spikes enclose nothing.
   std::size_t missing_commas = 0;  ///< Between two points, one a ring: "1 0 1 1".
 };
 
 /// Errors: kMalformedFile with the column (1-based, in bytes) for anything that is no such text,
-/// and for a shape that is none: fewer than three distinct points, zero area, a spike, a ring that
+/// and for a shape that is none: fewer than three distinct points, zero area, a ring that
 /// crosses itself with windings of both signs, holes outside or overlapping, parts that overlap, a
 /// coordinate that is not finite or beyond 1e6 m; kUnsupported for other geometries; kLimit, named.
 [[nodiscard]] Result<WktShape> read_wkt(std::string_view text, const WktLimits& limits = {});
