@@ -44,7 +44,7 @@ Result<std::vector<EvaluatedObject>> objects_of(const std::string& path, const s
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(path));
   const auto found = loaded.value.hypermap.at(layer);
   if (!found) return Unexpected(with_source(found.error(), {path}));
-  const auto* semantic = std::get_if<SemanticLayer>(&(*found)->content);
+  const auto* semantic = (*found)->content.as<SemanticLayer>();
   if (semantic == nullptr) {
     return Unexpected(Error{ErrorCode::kUnsupported, "is no semantic layer", path, layer});
   }

@@ -40,6 +40,7 @@ std::string size_text(const LayerSummary& layer) {
     return std::to_string(layer.leaves->occupied) + " occupied, " +
            std::to_string(layer.leaves->free) + " free voxels";
   }
+  if (layer.num_values) return std::to_string(*layer.num_values) + " values";
   return "kept as it is";
 }
 

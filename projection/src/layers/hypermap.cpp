@@ -39,10 +39,12 @@ std::string_view class_of(const Layer& layer) {
   return layer.content->class_name();
 }
 
+bool is_strict_class(std::string_view class_name) {
+  return class_name == kOccupancyLayerClass || class_name == kSemanticLayerClass;
+}
+
 bool is_strict_form(const Layer& layer) {
-  const std::string_view name = class_of(layer);
-  return name == kOccupancyLayerClass || name == kSemanticLayerClass ||
-         layer.content.as<OpaqueLayer>() != nullptr;
+  return is_strict_class(class_of(layer)) || layer.content.as<OpaqueLayer>() != nullptr;
 }
 
 Result<std::vector<LayerAnswer>> OpaqueLayer::query(const LayerQuery& /*query*/) const {
@@ -79,7 +81,10 @@ Result<void> Hypermap::add_layer(Layer layer) {
     return fail(ErrorCode::kLimit, "more than " + std::to_string(kMaxLayers) + " layers", "layers");
   }
   const bool strict = is_strict_form(layer);
-  if (!strict && !layer.info.file) layer.info.file = layer.info.name;
+  if (!strict) {
+    layer.info.load_file = true;
+    if (!layer.info.file) layer.info.file = layer.info.name;
+  }
   layers_.insert(end_of_form(layers_, strict), std::move(layer));
   return {};
 }

@@ -43,7 +43,7 @@ Result<void> check_finite(const Polygon& area) {
 Result<void> check_finite(const LayerQuery& query) {
   if (query.at) {
     HYPERMAP_TRY(check_finite(query.at->xy));
-    if (!std::isfinite(query.at->z_m.value_or(0.0))) {
+    if (!std::isfinite(query.at->z.value_or(0.0))) {
       return fail(ErrorCode::kInvalidArgument, "a coordinate is not finite", "point");
     }
   }
@@ -77,7 +77,7 @@ Result<Answers> query_layer(const Layer& layer,
 Result<Answers> query_at(const Hypermap& map,
                          const QueryScope& scope,
                          const Eigen::Vector2d& point) {
-  return ask(map, scope, {.at = LayerPoint{.xy = point}});
+  return ask(map, scope, {.at = PlanPoint{.xy = point}});
 }
 
 Result<Answers> query_area(const Hypermap& map, const QueryScope& scope, const Polygon& area) {

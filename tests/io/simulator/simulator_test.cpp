@@ -233,7 +233,7 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   EXPECT_EQ(loaded->value.classes, expected->classes);
   const auto layer = loaded->value.hypermap.at("semantic");
   ASSERT_TRUE(layer);
-  const auto things = evaluated_objects(std::get<SemanticLayer>((*layer)->content));
+  const auto things = evaluated_objects(*(*layer)->content.as<SemanticLayer>());
   ASSERT_EQ(things.size(), 5U);
   EXPECT_TRUE(things[0].excluded);   // table
   EXPECT_FALSE(things[2].excluded);  // chair

@@ -75,8 +75,10 @@ struct Layer {
 /// The class name of the content.
 [[nodiscard]] std::string_view class_of(const Layer& layer);
 
-/// Whether the first implementation's form of archives has the layer among its own: the two classes
-/// that it knows, and whatever stood there unknown. All others are extensions of an archive.
+/// Whether the first implementation knows the class: OccupancyGridLayer or SemanticLayer.
+[[nodiscard]] bool is_strict_class(std::string_view class_name);
+/// Whether the first implementation's form of archives has the layer among its own: of a class that
+/// it knows, or of one that stood there unknown. All others are extensions of an archive.
 [[nodiscard]] bool is_strict_form(const Layer& layer);
 
 /// Errors: kInvalidArgument unless `name` is plain: 1 to 200 bytes of UTF-8 without control
@@ -91,7 +93,7 @@ class Hypermap {
  public:
   static constexpr std::size_t kMaxLayers = 256;
 
-  /// Behind those of its form. An extension gets its name as file when it has none.
+  /// Behind those of its form. An extension is always loaded from a file: its name when it has none.
   /// Errors: kInvalidArgument for a name that is not plain or that another layer bears, or an empty
   /// frame_id; kLimit beyond kMaxLayers.
   [[nodiscard]] Result<void> add_layer(Layer layer);

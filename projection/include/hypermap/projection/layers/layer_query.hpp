@@ -6,6 +6,7 @@
 /// representations), table 2.
 #pragma once
 
+#include "hypermap/core/geometry/plan_point.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 
 #include <Eigen/Core>
@@ -16,12 +17,6 @@
 
 namespace hypermap {
 
-/// A place in the layer's frame; without a height every height at this place.
-struct LayerPoint {
-  Eigen::Vector2d xy = Eigen::Vector2d::Zero();
-  std::optional<double> z_m = std::nullopt;  ///< Flat layers ignore it.
-};
-
 /// Conditions that must all hold; those that are absent always do.
 ///
 /// getString is `at`, getStrings `area`, getCoords `text`, getCoordsArea `text` with `area`; the
@@ -29,7 +24,7 @@ struct LayerPoint {
 struct LayerQuery {
   std::optional<std::string> text = std::nullopt;    ///< The string representation is this one.
   std::optional<std::int64_t> value = std::nullopt;  ///< The integer representation is this one.
-  std::optional<LayerPoint> at = std::nullopt;       ///< It is at this point.
+  std::optional<PlanPoint> at = std::nullopt;  ///< It is at this point; flat layers ignore heights.
   /// It is in this area: objects that touch it are, cells must share area with it.
   std::optional<Polygon> area = std::nullopt;
 };
