@@ -14,8 +14,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::string_view kObjectsName = "objects";
-
 /// Name and frame by which an extension of `format` is saved.
 LayerInfo info_of(const MapArchive& archive, std::string_view format, std::string_view name) {
   LayerInfo info{.name = std::string(name)};
@@ -51,7 +49,7 @@ Layer octree_layer(const OctomapExtension& octomap) {
 }
 
 Layer objects_layer(const MapArchive& archive) {
-  return {.info = info_of(archive, kObjectsFormat, kObjectsName),
+  return {.info = info_of(archive, kObjectsFormat, kObjectsLayer),
           .content = ObjectsLayer(archive.objects, archive.classes, shown_ids(archive))};
 }
 
@@ -75,7 +73,7 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   const auto found = std::find_if(
       layers.begin(), layers.end(), [&](const Layer& layer) { return layer.info.name == name; });
   if (found != layers.end()) return std::move(*found);
-  if (name == kObjectsName) return objects_layer(archive);
+  if (name == kObjectsLayer) return objects_layer(archive);
   std::string known;
   for (const Layer& layer : layers) known += (known.empty() ? "" : ", ") + layer.info.name;
   return fail(

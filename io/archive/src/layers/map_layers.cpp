@@ -81,6 +81,15 @@ LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId>
   };
 }
 
+LeafSource shown_leaves(const MapArchive& archive) {
+  if (archive.octree) {
+    std::vector<ObjectId> shown;
+    for (const Object* object : shown_objects(archive)) shown.push_back(object->id);
+    return published_leaves(archive, shown);
+  }
+  return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
+}
+
 Result<void> derive_layers(MapArchive& archive,
                            const ObjectPipelineOptions& objects,
                            const LayerOptions& options) {

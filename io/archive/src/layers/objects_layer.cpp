@@ -2,10 +2,13 @@
 #include "hypermap/io/archive/objects_layer.hpp"
 
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_query.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/projection/layers/layer_members.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace hypermap {
@@ -27,28 +30,10 @@ LayerAnswer answer_of(const Object& object, const ClassRegistry& classes) {
           .size_m = object.box.extent()};
 }
 
-/// Whether the object is asked for by the name of its class, in any spelling of it.
-bool is_named(const Object& object, const ClassRegistry& classes, const std::string& text) {
-  const auto best = best_class(object);
-  return best ? classes.find(text) == best->id : text == "unknown";
-}
-
-bool box_holds(const Box& box, const PlanPoint& point) {
-  return box.contains({point.xy.x(), point.xy.y(), point.z.value_or(box.min_in_map.z())});
-}
-
-bool box_meets(const Box& box, const Polygon& area) {
-  const Eigen::Vector2d low = box.min_in_map.head<2>();
-  const Eigen::Vector2d high = box.max_in_map.head<2>();
-  const auto outline = make_polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
-  return outline ? intersects(*outline, area) : contains(area, low);
-}
-
-bool is_asked_for(const Object& object, const ClassRegistry& classes, const LayerQuery& query) {
-  return (!query.text || is_named(object, classes, *query.text)) &&
-         (!query.value || *query.value == object.id.value) &&
-         (!query.at || box_holds(object.box, *query.at)) &&
-         (!query.area || box_meets(object.box, *query.area));
+/// No object bears a number that is no id.
+ObjectId id_of(std::int64_t value) {
+  const bool is_id = value > 0 && value <= std::numeric_limits<std::uint32_t>::max();
+  return is_id ? ObjectId{static_cast<std::uint32_t>(value)} : kNoObject;
 }
 
 }  // namespace
@@ -70,10 +55,12 @@ LayerStatistics ObjectsLayer::statistics() const {
 }
 
 Result<std::vector<LayerAnswer>> ObjectsLayer::query(const LayerQuery& query) const {
+  ObjectQuery conditions{
+      .class_name = query.text, .at = query.at, .area = query.area, .among = shown_};
+  if (query.value) conditions.id = id_of(*query.value);
   std::vector<LayerAnswer> answers;
-  for (const ObjectId id : shown_) {
-    const Object& object = objects_.at(id);
-    if (is_asked_for(object, classes_, query)) answers.push_back(answer_of(object, classes_));
+  for (const ObjectId id : find_objects(objects_, classes_, conditions)) {
+    answers.push_back(answer_of(objects_.at(id), classes_));
   }
   return answers;
 }

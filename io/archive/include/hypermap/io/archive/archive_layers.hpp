@@ -13,6 +13,9 @@
 
 namespace hypermap {
 
+/// The name by which the objects of the 3D map can always be asked.
+inline constexpr std::string_view kObjectsLayer = "objects";
+
 /// The layers of the hypermap, then the octree, octrees of other programs, the objects that the map
 /// shows (if there are any objects), the class grids, which bear the names of their classes.
 ///
@@ -20,7 +23,7 @@ namespace hypermap {
 /// Requires: the archive outlives the layers and is not changed.
 [[nodiscard]] std::vector<Layer> archive_layers(const MapArchive& archive);
 
-/// The first of these of that name; `objects` is there in every archive.
+/// The first of these of that name; kObjectsLayer is there in every archive.
 /// Errors: kNotFound, naming those that there are.
 [[nodiscard]] Result<Layer> archive_layer(const MapArchive& archive, std::string_view name);
 

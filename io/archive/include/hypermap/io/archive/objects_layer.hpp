@@ -13,11 +13,9 @@
 
 namespace hypermap {
 
-/// Its string is the name of an object's best class, `unknown` when it was never named, asked for
-/// in any spelling that the registry knows; its integer the object's id; its position the centroid.
-///
-/// An object is at a point that its box holds (faces included), in an area that its box meets in
-/// plan (touching included). Objects that the map does not show are counted, and answer nothing.
+/// Its string is the name of an object's best class, asked for in any spelling of it, or `unknown`,
+/// which no text asks for; its integer the object's id; its position the centroid. `find_objects`
+/// answers. Objects that the map does not show are counted, and answer nothing.
 class ObjectsLayer final : public MapLayer {
  public:
   /// Requires: `shown` ascends, and each is an object. Cost: of the copies, O(1).
