@@ -63,8 +63,9 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command.add_option("--view", arguments->view, "iso, top, or a camera pose \"x y z qx qy qz qw\"")
       ->capture_default_str();
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command.add_option(
-      "--layers", arguments->layers, "voxels,objects,occupancy,semantic,overlay or all (default: by view)");
+  command.add_option("--layers",
+                     arguments->layers,
+                     "voxels,objects,occupancy,semantic,overlay or all (default: by view)");
   command.add_option("--title", arguments->title, "text over the picture (default: file name)");
   command
       .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")

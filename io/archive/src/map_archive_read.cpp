@@ -28,9 +28,7 @@ Layer within_archive(Layer layer) {
 /// Puts a map together from the files that its configuration names.
 class ArchiveReader {
  public:
-  ArchiveReader(ArchiveMembers& members,
-                const ArchiveLimits& limits,
-                const LayerRegistry& layers)
+  ArchiveReader(ArchiveMembers& members, const ArchiveLimits& limits, const LayerRegistry& layers)
       : members_(members), limits_(limits), layers_(layers) {}
 
   Result<Loaded<MapArchive>> read(const std::string& config_name) {
@@ -49,7 +47,8 @@ class ArchiveReader {
                   "not a map archive: it has no member " + std::string(kConfigName));
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                               members_.take(name, "the configuration", limits_.max_text_bytes));
-    HYPERMAP_ASSIGN_OR_RETURN(auto config, parse_hypermap_config(bytes, members_.source_of(name), layers_));
+    HYPERMAP_ASSIGN_OR_RETURN(auto config,
+                              parse_hypermap_config(bytes, members_.source_of(name), layers_));
     keep(std::move(config.findings));
     return std::move(config.value);
   }

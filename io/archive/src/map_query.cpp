@@ -39,8 +39,7 @@ std::vector<ObjectId> shown_ids(const MapArchive& archive) {
 Result<void> check_flat(const MapQuery& query) {
   const bool combined = query.area || query.text || query.value;
   if (!query.at && !combined) {
-    return fail(
-        ErrorCode::kInvalidArgument, "needs a point, an area, a text or a value", "layer");
+    return fail(ErrorCode::kInvalidArgument, "needs a point, an area, a text or a value", "layer");
   }
   if (query.at && query.at->z) {
     return fail(ErrorCode::kInvalidArgument, "takes 2 numbers on a 2D layer", "at");

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/test_data.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 
 #include "hypermap/io/archive/map_archive.hpp"
@@ -9,6 +8,7 @@
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 #include "support/sanitized.hpp"
 #include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

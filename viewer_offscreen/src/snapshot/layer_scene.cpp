@@ -10,7 +10,8 @@ namespace {
 /// Puts each primitive to those of its kind.
 class SceneFiller {
  public:
-  explicit SceneFiller(SnapshotScene& scene) : scene_(scene), takes_areas_(scene.semantic.empty()) {}
+  explicit SceneFiller(SnapshotScene& scene)
+      : scene_(scene), takes_areas_(scene.semantic.empty()) {}
 
   void operator()(DrawnArea&& area) {
     if (!takes_areas_) return;

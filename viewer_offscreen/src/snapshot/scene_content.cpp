@@ -148,7 +148,8 @@ void add_overlay_points(const SnapshotOverlay& overlay,
                         std::vector<Eigen::Vector3d>& points) {
   for (const DrawnCells& cells : overlay.cells) add_grid_corners(cells.geometry, height_m, points);
   for (const DrawnLine& line : overlay.lines) {
-    for (const Eigen::Vector2d& point : line.points) points.emplace_back(point.x(), point.y(), height_m);
+    for (const Eigen::Vector2d& point : line.points)
+      points.emplace_back(point.x(), point.y(), height_m);
   }
   for (const DrawnText& text : overlay.texts)
     points.emplace_back(text.position.x(), text.position.y(), height_m);

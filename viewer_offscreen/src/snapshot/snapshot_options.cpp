@@ -134,10 +134,11 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
       known = true;
     }
     if (!known) {
-      return fail(ErrorCode::kInvalidArgument,
-                  "must be of voxels, objects, occupancy, semantic, trajectory, overlay, all; is \"" +
-                      printable(name, 80) + "\"",
-                  "layers");
+      return fail(
+          ErrorCode::kInvalidArgument,
+          "must be of voxels, objects, occupancy, semantic, trajectory, overlay, all; is \"" +
+              printable(name, 80) + "\"",
+          "layers");
     }
   } while (!rest.empty());
   return layers;

@@ -33,19 +33,20 @@ std::vector<ObjectId> shown_ids(const MapArchive& archive) {
 Layer octree_layer(const MapArchive& archive) {
   const SemanticOctree& octree = *archive.octree;
   return {.info = info_of(archive, kOctomapFormat, "octree"),
-          .content = OctreeLayer(
-              {.leaves = leaf_source(octree),
-               .drawn = published_leaves(archive, shown_ids(archive)),
-               .classes = archive.classes,
-               .file = [&octree] { return write_octomap(to_octomap_tree(octree)); }})};
+          .content =
+              OctreeLayer({.leaves = leaf_source(octree),
+                           .drawn = published_leaves(archive, shown_ids(archive)),
+                           .classes = archive.classes,
+                           .file = [&octree] { return write_octomap(to_octomap_tree(octree)); }})};
 }
 
 Layer octree_layer(const OctomapExtension& octomap) {
-  return {.info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
-          .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
-                                  .drawn = leaf_source(octomap.tree),
-                                  .classes = {},
-                                  .file = [&octomap] { return Result<std::string>(octomap.bytes); }})};
+  return {
+      .info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
+      .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
+                              .drawn = leaf_source(octomap.tree),
+                              .classes = {},
+                              .file = [&octomap] { return Result<std::string>(octomap.bytes); }})};
 }
 
 Layer objects_layer(const MapArchive& archive) {

@@ -36,8 +36,11 @@ std::string picture_member(const std::string& metadata_member, const std::string
 /// Runs the loader of a class; what it finds wrong is told of the member read last.
 Result<Loaded<LayerContent>> load_content(const LayerType& type, MemberFileReader& reader) {
   auto content = type.load(reader);
-  if (!content)
-    return tl::make_unexpected(with_source(std::move(content).error(), reader.last_source()));
+  if (!content) {
+    Error error = std::move(content).error();
+    if (error.file.empty()) error = with_source(std::move(error), reader.last_source());
+    return tl::make_unexpected(std::move(error));
+  }
   return Loaded<LayerContent>{.value = std::move(*content), .findings = reader.take_findings()};
 }
 

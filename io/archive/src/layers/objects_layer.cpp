@@ -69,8 +69,7 @@ std::vector<LayerPrimitive> ObjectsLayer::draw() const {
   std::vector<LayerPrimitive> primitives;
   for (const ObjectId id : shown_) {
     const Object& object = objects_.at(id);
-    primitives.emplace_back(
-        DrawnBox{.box = object.box, .class_name = name_of(object, classes_)});
+    primitives.emplace_back(DrawnBox{.box = object.box, .class_name = name_of(object, classes_)});
   }
   return primitives;
 }

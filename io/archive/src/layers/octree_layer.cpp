@@ -30,9 +30,11 @@ LayerAnswer answer_of(const LeafSample& leaf, std::uint64_t id, const ClassRegis
           .size_m = Eigen::Vector3d::Constant(leaf.edge_m)};
 }
 
-/// Counted in leaves of this size, so that neighbours never share a point nor leave one out.
+/// Counted in leaves of this size as keys are, so that neighbours never share a point nor leave one
+/// out.
 bool is_same_step(double point_m, double centre_m, double edge_m) {
-  return std::floor(point_m / edge_m) == std::floor(centre_m / edge_m);
+  const double per_m = 1.0 / edge_m;
+  return std::floor(point_m * per_m) == std::floor(centre_m * per_m);
 }
 
 bool holds(const LeafSample& leaf, const PlanPoint& point) {
@@ -55,7 +57,8 @@ class AreaTest {
     const auto [known, is_new] = columns_.try_emplace({low.x(), low.y(), leaf.edge_m}, false);
     if (is_new) {
       const GridGeometry square{.resolution_m = leaf.edge_m, .origin = low, .cols = 1, .rows = 1};
-      for_each_covered_cell(square, area_, [&found = known->second](Cell, double) { found = true; });
+      for_each_covered_cell(
+          square, area_, [&found = known->second](Cell, double) { found = true; });
     }
     return known->second;
   }

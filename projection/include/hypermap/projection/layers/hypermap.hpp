@@ -93,9 +93,9 @@ class Hypermap {
  public:
   static constexpr std::size_t kMaxLayers = 256;
 
-  /// Behind those of its form. An extension is always loaded from a file: its name when it has none.
-  /// Errors: kInvalidArgument for a name that is not plain or that another layer bears, or an empty
-  /// frame_id; kLimit beyond kMaxLayers.
+  /// Behind those of its form. An extension is always loaded from a file: its name when it has
+  /// none. Errors: kInvalidArgument for a name that is not plain or that another layer bears, or an
+  /// empty frame_id; kLimit beyond kMaxLayers.
   [[nodiscard]] Result<void> add_layer(Layer layer);
   /// Gives a layer new content; one that changes its form moves behind those of the new one.
   /// Errors: kNotFound.

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/projection/layers/map_layer.hpp"
 
 #include <cstdint>

@@ -67,8 +67,8 @@ struct SnapshotOptions {
 /// qw, separated by commas or blanks. Errors: kInvalidArgument.
 [[nodiscard]] Result<SnapshotView> parse_snapshot_view(std::string_view text);
 
-/// Names separated by commas: voxels objects occupancy semantic trajectory overlay; "all" is all of them.
-/// Errors: kInvalidArgument naming the unknown name and the known ones.
+/// Names separated by commas: voxels objects occupancy semantic trajectory overlay; "all" is all of
+/// them. Errors: kInvalidArgument naming the unknown name and the known ones.
 [[nodiscard]] Result<SnapshotLayers> parse_snapshot_layers(std::string_view text);
 
 struct SnapshotSize {

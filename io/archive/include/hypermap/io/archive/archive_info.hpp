@@ -35,8 +35,8 @@ struct ArchiveInfo {
 
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
-/// `leaves` {`occupied`, `free`} or `values`, `bounds` {`min`, `max`}}], `classes` [{`id`, `name`}],
-/// `transforms`, `provenance`.
+/// `leaves` {`occupied`, `free`} or `values`, `bounds` {`min`, `max`}}], `classes` [{`id`,
+/// `name`}], `transforms`, `provenance`.
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

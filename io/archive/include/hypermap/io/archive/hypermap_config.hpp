@@ -7,11 +7,11 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/value_tree.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/projection/layers/frame_tree.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
 #include "hypermap/projection/layers/layer_registry.hpp"
-#include "hypermap/core/base/value_tree.hpp"
 
 #include <cstdint>
 #include <string>
@@ -49,7 +49,7 @@ struct ExtensionEntry {
   std::string frame_id = "map";
   /// Member name; of a class grid and a registered layer the stem.
   std::string file = {};
-  ValueTree extra = {};   ///< All other keys, as a map; null when there are none.
+  ValueTree extra = {};  ///< All other keys, as a map; null when there are none.
   friend bool operator==(const ExtensionEntry&, const ExtensionEntry&) = default;
 };
 

@@ -53,9 +53,9 @@ struct MapAnswers {
 /// Asks a layer of `archive_layers`. Without a condition one that is not flat tells all it has.
 ///
 /// Boundary: an empty list is a normal answer.
-/// Errors: those of hypermap_query.hpp; kInvalidArgument, naming the member of MapQuery, when a flat
-/// layer is asked nothing, at a height, for a point together with another condition, or for text
-/// and value together.
+/// Errors: those of hypermap_query.hpp; kInvalidArgument, naming the member of MapQuery, when a
+/// flat layer is asked nothing, at a height, for a point together with another condition, or for
+/// text and value together.
 [[nodiscard]] Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query);
 
 /// Of the objects of a class that the map shows the one nearest to `point` (`nearest_object`).

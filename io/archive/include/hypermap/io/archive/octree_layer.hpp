@@ -18,16 +18,15 @@ namespace hypermap {
 /// probability that the voxel is occupied, in per cent, which is also the confidence. Ids count the
 /// voxels in Morton order.
 ///
-/// A voxel is at a point when the point lies in it, lower faces included; in an area when its square
-/// shares area with it.
-/// Requires: what the sources look at outlives the layer.
-/// Cost: a query is a walk over the leaves; for one point SemanticOctree::at is faster.
+/// A voxel is at a point when the point lies in it, lower faces included; in an area when its
+/// square shares area with it. Requires: what the sources look at outlives the layer. Cost: a query
+/// is a walk over the leaves; for one point SemanticOctree::at is faster.
 class OctreeLayer final : public MapLayer {
  public:
   struct Sources {
-    LeafSource leaves;       ///< Asked and counted.
-    LeafSource drawn;        ///< Drawn: the same space, with the classes that the map stands for.
-    ClassRegistry classes;   ///< Names of the leaves' classes.
+    LeafSource leaves;      ///< Asked and counted.
+    LeafSource drawn;       ///< Drawn: the same space, with the classes that the map stands for.
+    ClassRegistry classes;  ///< Names of the leaves' classes.
     std::function<Result<std::string>()> file;  ///< The octree's file.
   };
 
