@@ -34,7 +34,7 @@ class Usage(unittest.TestCase):
                           ["map", "--input", "x", "--output", "y", "--mode", "fast"],
                           ["simulate", "--output", "x", "--frames", "0"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
-                          ["query", "x", "--layer", "a"]]:
+                          ["query", "x", "--at", "1,2"]]:
             with self.subTest(arguments):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)
@@ -123,6 +123,33 @@ class Pipeline(unittest.TestCase):
         self.assertIn(by_name[0]["id"], [hit["id"] for hit in at])
         nearest = run("query", self.archive, "--nearest", "chair", "--at", f"{x},{y}", "--json")
         self.assertEqual(json.loads(nearest.stdout)["results"][0]["name"], "chair")
+
+    def test_every_layer_that_info_lists_can_be_asked(self):
+        layers = json.loads(run("info", self.archive, "--json").stdout)["layers"]
+        self.assertLessEqual({"octree", "objects", "occupancy", "semantic", "chair"}, {one["name"] for one in layers})
+        for layer in layers:
+            with self.subTest(layer["name"]):
+                low, high = (layer["bounds"][end] for end in ("min", "max"))
+                area = f"{low[0]} {low[1]},{high[0]} {low[1]},{high[0]} {high[1]},{low[0]} {high[1]}"
+                result = run("query", self.archive, "--layer", layer["name"], "--area", area, "--json")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                found = json.loads(result.stdout)["results"]
+                self.assertGreater(len(found), 0)
+                at = ",".join(str(number) for number in found[0]["position"])
+                here = run("query", self.archive, "--layer", layer["name"], "--at", at, "--json")
+                self.assertIn(found[0]["id"], [hit["id"] for hit in json.loads(here.stdout)["results"]])
+
+    def test_an_octree_is_asked_in_3d(self):
+        layer = ["query", self.archive, "--layer", "octree", "--json"]
+        chairs = json.loads(run(*layer, "--string", "chair").stdout)["results"]
+        self.assertGreater(len(chairs), 0)
+        x, y, z = chairs[0]["position"]
+        self.assertEqual(len(chairs[0]["size_m"]), 3)
+        one = json.loads(run(*layer, "--at", f"{x},{y},{z}").stdout)["results"]
+        self.assertEqual([hit["id"] for hit in one], [chairs[0]["id"]])
+        self.assertEqual(json.loads(run(*layer, "--at", f"{x},{y},1000").stdout)["results"], [])
+        column = json.loads(run(*layer, "--at", f"{x},{y}").stdout)["results"]
+        self.assertIn(chairs[0]["id"], [hit["id"] for hit in column])
 
     def test_an_unknown_layer_is_told_with_those_that_exist(self):
         result = run("query", self.archive, "--layer", "smells", "--at", "0,0")

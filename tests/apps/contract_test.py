@@ -249,8 +249,9 @@ class Words(Case):
 
     def test_points_and_areas_that_are_none_are_wrong_command_lines(self):
         layer = ["query", self.archive, "--layer", "occupancy"]
-        for arguments, told in (([*layer, "--at", "1,b"], "'b'"), ([*layer, "--at", "1"], "2 numbers"),
+        for arguments, told in (([*layer, "--at", "1,b"], "'b'"), ([*layer, "--at", "1"], "2 or 3 numbers"),
                                 ([*layer, "--at", "1,2,3"], "2 numbers"),
+                                ([*layer], "--layer needs"),
                                 ([*layer, "--area", "0 0,1 1"], "--area"),
                                 (["query", self.archive, "--nearest", "chair", "--at", "1"], "2 or 3 numbers"),
                                 ([*layer, "--at", "1,1", "--string", "Free"], "--at goes alone"),

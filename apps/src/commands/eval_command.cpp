@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
-#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
-#include "hypermap/core/evaluation/wilcoxon.hpp"
-#include "hypermap/io/archive/map_archive.hpp"
-#include "hypermap/projection/layers/evaluated_objects.hpp"
+#include "hypermap/io/jobs/evaluation_job.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -29,67 +26,11 @@ struct EvalArguments {
   bool json = false;
 };
 
-/// Two maps compared by the truths that both were asked for.
-struct Comparison {
-  WilcoxonResult jaccard;   ///< That the first map's footprints are better.
-  WilcoxonResult distance;  ///< That the first map's centroids are nearer.
-};
-
-struct Outcome {
-  EvaluationReport report;
-  std::optional<Comparison> against;
-};
-
-Result<std::vector<EvaluatedObject>> objects_of(const std::string& path, const std::string& layer) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(path));
-  const auto found = loaded.value.hypermap.at(layer);
-  if (!found) return Unexpected(with_source(found.error(), {path}));
-  const auto* semantic = std::get_if<SemanticLayer>(&(*found)->content);
-  if (semantic == nullptr) {
-    return Unexpected(Error{ErrorCode::kUnsupported, "is no semantic layer", path, layer});
-  }
-  return evaluated_objects(*semantic);
-}
-
-Result<Comparison> compare(const EvaluationReport& first, const EvaluationReport& second) {
-  std::vector<double> first_jaccard;
-  std::vector<double> second_jaccard;
-  std::vector<double> first_distance;
-  std::vector<double> second_distance;
-  for (std::size_t i = 0; i < first.truths.size(); ++i) {
-    const TruthResult& a = first.truths[i];
-    const TruthResult& b = second.truths[i];
-    if (!a.nearest_map_index || !b.nearest_map_index) continue;
-    first_jaccard.push_back(a.aligned_jaccard);
-    second_jaccard.push_back(b.aligned_jaccard);
-    first_distance.push_back(a.nearest_distance_m);
-    second_distance.push_back(b.nearest_distance_m);
-  }
-  // One-sided: is the first map's Jaccard index greater, is the second map's distance greater?
-  HYPERMAP_ASSIGN_OR_RETURN(const auto jaccard, wilcoxon_one_sided(first_jaccard, second_jaccard));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto distance,
-                            wilcoxon_one_sided(second_distance, first_distance));
-  return Comparison{jaccard, distance};
-}
-
-Result<Outcome> run(const EvalArguments& arguments) {
-  EvaluationOptions options;
-  options.classes = arguments.classes;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, objects_of(arguments.truth, arguments.layer));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto map, objects_of(arguments.map, arguments.layer));
-  Outcome outcome{.report = evaluate(map, truth, options), .against = std::nullopt};
-  for (const std::string& name : arguments.classes) {
-    if (outcome.report.classes.contains(canonical_class_name(name))) continue;
-    return fail(ErrorCode::kNotFound,
-                "neither the map nor the truth has an object of class '" + printable(name) + "'",
-                "--classes");
-  }
-  if (arguments.against) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other, objects_of(*arguments.against, arguments.layer));
-    HYPERMAP_ASSIGN_OR_RETURN(outcome.against,
-                              compare(outcome.report, evaluate(other, truth, options)));
-  }
-  return outcome;
+EvaluationJob job_of(const EvalArguments& arguments) {
+  EvaluationJob job{.map = arguments.map, .truth = arguments.truth, .layer = arguments.layer};
+  if (arguments.against) job.against = *arguments.against;
+  job.options.classes = arguments.classes;
+  return job;
 }
 
 Json number(const std::optional<double>& value) {
@@ -119,7 +60,7 @@ Json json_of(const OneToOneMetric& metric) {
           {"small", metric.num_small}};
 }
 
-void print_json(const Outcome& outcome) {
+void print_json(const EvaluationOutcome& outcome) {
   Json json{{"all", json_of(outcome.report.all.nearest)},
             {"one_to_one", json_of(outcome.report.all.one_to_one)},
             {"classes", Json::object()}};
@@ -149,7 +90,7 @@ std::vector<std::string> row(const std::string& name, const ClassMetrics& metric
           fixed(metrics.nearest.jaccard, 2)};
 }
 
-void print_table(const Outcome& outcome) {
+void print_table(const EvaluationOutcome& outcome) {
   Table table({"class",
                "truths",
                "found",
@@ -192,8 +133,11 @@ void add_eval_command(CLI::App& program, Action& action) {
   command.add_flag("--json", arguments->json, "one JSON document");
   command.callback([arguments, &action] {
     action = [arguments] {
-      const auto outcome = run(*arguments);
-      if (!outcome) return report(outcome.error());
+      auto outcome = run_evaluation(job_of(*arguments));
+      if (!outcome) {
+        if (outcome.error().field == "classes") outcome.error().field = "--classes";
+        return report(outcome.error());
+      }
       if (arguments->json) {
         print_json(*outcome);
       } else {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
-#include "hypermap/io/archive/map_server.hpp"
-#include "hypermap/io/archive/octomap_file.hpp"
-#include "hypermap/io/check/file_check.hpp"
+#include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -40,6 +42,7 @@ std::string size_text(const LayerSummary& layer) {
     return std::to_string(layer.leaves->occupied) + " occupied, " +
            std::to_string(layer.leaves->free) + " free voxels";
   }
+  if (layer.num_values) return std::to_string(*layer.num_values) + " values";
   return "kept as it is";
 }
 
@@ -78,51 +81,6 @@ void print(const ArchiveInfo& info) {
               printable(info.provenance->tool).c_str(),
               printable(info.provenance->input).c_str(),
               printable(info.provenance->input_hash).c_str());
-}
-
-ExitCode report_all(const std::vector<Finding>& findings) {
-  ExitCode worst = ExitCode::kDone;
-  for (const Finding& finding : findings) worst = std::max(worst, report(finding));
-  return worst;
-}
-
-ExitCode show(const ArchiveInfo& info, bool json) {
-  if (json) {
-    std::printf("%s\n", to_json(info).c_str());
-  } else {
-    print(info);
-  }
-  return ExitCode::kDone;
-}
-
-ExitCode show_archive(const InfoArguments& arguments) {
-  const auto loaded = load_archive(arguments.file);
-  if (!loaded) return report(loaded.error());
-  show(describe(loaded->value), arguments.json);
-  return report_all(loaded->findings);
-}
-
-/// An archive with this one part says of it what there is to say.
-ExitCode show_octree(const InfoArguments& arguments) {
-  auto loaded = read_octomap(arguments.file);
-  if (!loaded) return report(loaded.error());
-  ExtensionEntry entry{.format = std::string(kOctomapFormat), .version = 1, .name = "octree"};
-  MapArchive archive;
-  archive.octomaps.push_back(
-      {.entry = std::move(entry), .bytes = {}, .tree = std::move(loaded->value)});
-  show(describe(archive), arguments.json);
-  return report_all(loaded->findings);
-}
-
-ExitCode show_map(const InfoArguments& arguments) {
-  auto loaded = read_map(arguments.file);
-  if (!loaded) return report(loaded.error());
-  MapArchive archive;
-  const auto added =
-      archive.hypermap.add_layer({LayerInfo{.name = "map"}, std::move(loaded->value)});
-  if (!added) return report(added.error());
-  show(describe(archive), arguments.json);
-  return report_all(loaded->findings);
 }
 
 Json dataset_json(const DatasetSummary& summary) {
@@ -169,33 +127,28 @@ void print(const DatasetSummary& summary) {
               summary.unpaired.size());
 }
 
-ExitCode show_dataset(const InfoArguments& arguments) {
-  ClassRegistry classes;
-  const auto dataset = open_dataset(arguments.file, {}, classes);
-  if (!dataset) return report(dataset.error());
-  const DatasetSummary& summary = (*dataset)->summary();
-  if (arguments.json) {
-    std::printf("%s\n",
-                dataset_json(summary).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-  } else {
-    print(summary);
-  }
-  return report_all(summary.findings);
+std::string to_json(const DatasetSummary& summary) {
+  return dataset_json(summary).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+ExitCode report_all(const std::vector<Finding>& findings) {
+  ExitCode worst = ExitCode::kDone;
+  for (const Finding& finding : findings) worst = std::max(worst, report(finding));
+  return worst;
 }
 
 ExitCode run(const InfoArguments& arguments) {
-  const auto kind = find_file_kind(arguments.file);
-  if (!kind) return report(kind.error());
-  switch (*kind) {
-    case FileKind::kDataset:
-      return show_dataset(arguments);
-    case FileKind::kOctree:
-      return show_octree(arguments);
-    case FileKind::kMap:
-      return show_map(arguments);
-    default:
-      return show_archive(arguments);
-  }
+  const auto described = describe_file(arguments.file);
+  if (!described) return report(described.error());
+  const auto show = [&](const auto& info) {
+    if (arguments.json) {
+      std::printf("%s\n", to_json(info).c_str());
+    } else {
+      print(info);
+    }
+  };
+  std::visit(show, described->value);
+  return report_all(described->findings);
 }
 
 }  // namespace

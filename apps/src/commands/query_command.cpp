@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
-#include "hypermap/core/objects/publication.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
-#include "hypermap/projection/layers/hypermap_query.hpp"
+#include "hypermap/io/archive/map_query.hpp"
 #include "number_lists.hpp"
-#include "object_query.hpp"
 #include "tables.hpp"
 
 #include <CLI/Validators.hpp>
@@ -34,31 +32,11 @@ struct QueryArguments {
   bool json = false;
 };
 
-/// The arguments with their numbers read.
+/// The arguments as the library takes them.
 struct Question {
   QueryArguments arguments;
-  std::vector<double> at;  ///< 2 numbers; 3 only of objects. Empty when no point was given.
-  std::optional<Polygon> area;
+  MapQuery query;
 };
-
-/// What was found, in the frame that was asked for.
-struct Answers {
-  std::string frame;
-  std::vector<QueryAnswer> found;
-};
-
-std::vector<QueryAnswer> as_answers(const std::vector<LayerAnswer>& found) {
-  std::vector<QueryAnswer> answers;
-  answers.reserve(found.size());
-  for (const LayerAnswer& one : found) {
-    answers.push_back({.id = one.id,
-                       .name = one.name,
-                       .value = one.value,
-                       .position = {one.position.x(), one.position.y()},
-                       .confidence = one.confidence});
-  }
-  return answers;
-}
 
 Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
   if (!arguments.area) return std::optional<Polygon>();
@@ -68,66 +46,53 @@ Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
   return std::optional<Polygon>(std::move(*polygon));
 }
 
-bool is_about_objects(const QueryArguments& arguments) {
-  return arguments.nearest || *arguments.layer == "objects";
+Result<std::optional<PlanPoint>> point_of(const QueryArguments& arguments) {
+  if (!arguments.at) return std::optional<PlanPoint>();
+  HYPERMAP_ASSIGN_OR_RETURN(const auto numbers, parse_numbers(*arguments.at, 2, 3, "--at"));
+  PlanPoint point{.xy = {numbers[0], numbers[1]}};
+  if (numbers.size() > 2) point.z = numbers[2];
+  return std::optional(point);
 }
 
 Result<Question> question_of(QueryArguments arguments) {
   Question question;
-  if (arguments.at) {
-    const std::size_t most = is_about_objects(arguments) ? 3 : 2;
-    HYPERMAP_ASSIGN_OR_RETURN(question.at, parse_numbers(*arguments.at, 2, most, "--at"));
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(question.area, area_of(arguments));
+  MapQuery& query = question.query;
+  query.layer = arguments.layer.value_or(std::string(kObjectsLayer));
+  query.text = arguments.text;
+  query.value = arguments.value;
+  HYPERMAP_ASSIGN_OR_RETURN(query.at, point_of(arguments));
+  HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
+  query.frame_id = arguments.frame;
   question.arguments = std::move(arguments);
   return question;
 }
 
-Result<Answers> ask_layer(const MapArchive& archive, const Question& question) {
-  const QueryArguments& arguments = question.arguments;
-  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*arguments.layer));
-  const QueryScope scope{*arguments.layer, arguments.frame};
-  Answers answers{.frame = arguments.frame.empty() ? layer->info.frame_id : arguments.frame,
-                  .found = {}};
-  Result<std::vector<LayerAnswer>> found;
-  if (arguments.text) {
-    found = query_string(archive.hypermap, scope, *arguments.text, question.area);
-  } else if (arguments.value) {
-    found = query_int(archive.hypermap, scope, *arguments.value, question.area);
-  } else if (question.area) {
-    found = query_area(archive.hypermap, scope, *question.area);
-  } else {
-    found = query_at(archive.hypermap, scope, {question.at[0], question.at[1]});
-  }
-  if (!found) return Unexpected(std::move(found).error());
-  answers.found = as_answers(*found);
+Result<MapAnswers> ask(const MapArchive& archive, const Question& question) {
+  if (!question.arguments.nearest) return query_map(archive, question.query);
+  auto answers = query_nearest(archive, *question.arguments.nearest, *question.query.at);
+  if (!answers) answers.error().field = "--nearest";
   return answers;
 }
 
-Answers ask_objects(const MapArchive& archive, const Question& question) {
-  ObjectQuery query{.name = question.arguments.text, .area = question.area};
-  if (!question.at.empty()) query.at = question.at;
-  if (question.arguments.value) query.id = *question.arguments.value;
-  return Answers{.frame = "map", .found = find_objects(archive, query)};
+std::vector<double> numbers_of(const PlanPoint& point) {
+  std::vector<double> numbers{point.xy.x(), point.xy.y()};
+  if (point.z) numbers.push_back(*point.z);
+  return numbers;
 }
 
-Result<Answers> ask(const MapArchive& archive, const Question& question) {
-  if (!is_about_objects(question.arguments)) return ask_layer(archive, question);
-  if (!question.arguments.nearest) return ask_objects(archive, question);
-  HYPERMAP_ASSIGN_OR_RETURN(auto found,
-                            nearest_object(archive, *question.arguments.nearest, question.at));
-  return Answers{.frame = "map", .found = std::move(found)};
+std::vector<double> numbers_of(const Eigen::Vector3d& size) {
+  return {size.x(), size.y(), size.z()};
 }
 
-void print_json(const Answers& answers) {
-  Json json{{"frame", answers.frame}, {"results", Json::array()}};
-  for (const QueryAnswer& one : answers.found) {
+void print_json(const MapAnswers& answers) {
+  Json json{{"frame", answers.frame_id}, {"results", Json::array()}};
+  for (const MapAnswer& one : answers.found) {
     Json entry{{"id", one.id},
                {"name", one.name},
                {"value", one.value},
-               {"position", one.position},
+               {"position", numbers_of(one.position)},
                {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
-    if (one.size_m) entry["size_m"] = *one.size_m;
+    if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
     json["results"].push_back(std::move(entry));
   }
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
@@ -139,20 +104,20 @@ std::string joined(const std::vector<double>& numbers) {
   return text;
 }
 
-void print_table(const Answers& answers) {
+void print_table(const MapAnswers& answers) {
   Table table({"name",
                "id",
                "value",
-               "position (" + printable(answers.frame) + ")",
+               "position (" + printable(answers.frame_id) + ")",
                "confidence",
                "size m"});
-  for (const QueryAnswer& one : answers.found) {
+  for (const MapAnswer& one : answers.found) {
     table.add({printable(one.name),
                std::to_string(one.id),
                std::to_string(one.value),
-               joined(one.position),
+               joined(numbers_of(one.position)),
                fixed(one.confidence, 2),
-               one.size_m ? joined(*one.size_m) : "-"});
+               one.size_m ? joined(numbers_of(*one.size_m)) : "-"});
   }
   std::printf("%s%zu found\n", table.text().c_str(), answers.found.size());
 }
@@ -161,29 +126,30 @@ void print_table(const Answers& answers) {
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
-    if (arguments.layer.value_or("objects") != "objects") {
+    if (arguments.layer && *arguments.layer != kObjectsLayer) {
       return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
     }
     return std::nullopt;
   }
   if (!arguments.layer) return "one of --layer and --nearest is needed";
-  const bool asked = arguments.at || arguments.area || arguments.text || arguments.value;
-  if (!asked && *arguments.layer != "objects") {
-    return "--layer needs one of --at, --area, --string and --int";
-  }
-  if (*arguments.layer == "objects") return std::nullopt;
-  if (arguments.at && (arguments.area || arguments.text || arguments.value)) {
-    return "--at goes alone on a 2D layer; --area may go with --string or --int";
-  }
-  if (arguments.text && arguments.value) return "--string and --int exclude each other";
   return std::nullopt;
+}
+
+/// A question that the layer cannot be asked is a wrong command line.
+ExitCode report_refusal(const Error& error, const QueryArguments& arguments) {
+  if (error.code != ErrorCode::kInvalidArgument) {
+    return report(with_source(error, {arguments.file}));
+  }
+  const std::string option = error.field.empty() ? "" : "--" + error.field + " ";
+  std::fprintf(stderr, "query: %s%s\n", option.c_str(), error.what.c_str());
+  return ExitCode::kUsage;
 }
 
 ExitCode run(const Question& question) {
   const auto loaded = load_archive(question.arguments.file);
   if (!loaded) return report(loaded.error());
   auto answers = ask(loaded->value, question);
-  if (!answers) return report(with_source(answers.error(), {question.arguments.file}));
+  if (!answers) return report_refusal(answers.error(), question.arguments);
   if (question.arguments.json) {
     print_json(*answers);
   } else {
@@ -198,8 +164,8 @@ void add_query_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<QueryArguments>();
   CLI::App& command = *program.add_subcommand("query", "What is where in a map, and where is what");
   command.add_option("file", arguments->file, "archive or configuration")->required();
-  command.add_option("--layer", arguments->layer, "a 2D layer, or objects for those of the 3D map");
-  command.add_option("--at", arguments->at, "point X,Y; with objects also X,Y,Z");
+  command.add_option("--layer", arguments->layer, "a layer as info lists it");
+  command.add_option("--at", arguments->at, "point X,Y; in 3D layers also X,Y,Z");
   command.add_option("--area", arguments->area, "polygon \"x y,x y,x y,...\"");
   command.add_option("--string", arguments->text, "things of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "things of this number: occupancy, or id");

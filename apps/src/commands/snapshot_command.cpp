@@ -4,9 +4,9 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
+#include "hypermap/viewer_offscreen/snapshot/map_scene.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 #include "number_lists.hpp"
-#include "object_query.hpp"
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
@@ -42,47 +42,13 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
   return options;
 }
 
-std::vector<ObjectId> ids_of(const std::vector<QueryAnswer>& answers) {
-  std::vector<ObjectId> ids;
-  ids.reserve(answers.size());
-  for (const QueryAnswer& one : answers) ids.push_back({static_cast<std::uint32_t>(one.id)});
-  return ids;
-}
-
-/// The first layer of each kind, and the objects that the archive stands for.
-SnapshotScene scene_of(const MapArchive& archive, const std::string& title) {
-  SnapshotScene scene;
-  scene.title = title;
-  scene.classes = archive.classes;
-  const auto shown = find_objects(archive, {.name = std::nullopt});
-  if (archive.octree) {
-    scene.leaves = published_leaves(archive, ids_of(shown));
-  } else if (!archive.octomaps.empty()) {
-    scene.leaves = leaf_source(archive.octomaps.front().tree);
-  }
-  for (const Layer& layer : archive.hypermap.layers()) {
-    scene.frame_id = layer.info.frame_id;
-    if (const auto* grid = std::get_if<OccupancyLayer>(&layer.content)) {
-      if (!scene.occupancy) scene.occupancy = grid->grid;
-    } else if (const auto* semantic = std::get_if<SemanticLayer>(&layer.content)) {
-      const auto objects = semantic->objects();
-      if (scene.semantic.empty()) scene.semantic.assign(objects.begin(), objects.end());
-    }
-  }
-  for (const QueryAnswer& one : shown) {
-    const Object& object = archive.objects.at(ObjectId{static_cast<std::uint32_t>(one.id)});
-    scene.objects.push_back(
-        {.box = object.box, .class_id = archive.classes.find(one.name), .label = one.name});
-  }
-  return scene;
-}
-
 Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
-  const std::string title =
-      arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
-  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage picture,
-                            render_snapshot(scene_of(loaded.value, title), options));
+  const MapArchive& archive = loaded.value;
+  SnapshotScene scene =
+      map_scene(archive.hypermap, archive.classes, shown_objects(archive), shown_leaves(archive));
+  scene.title = arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
+  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage picture, render_snapshot(scene, options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(picture));
   return write_file_atomically(arguments.output, bytes);
 }
@@ -97,8 +63,9 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command.add_option("--view", arguments->view, "iso, top, or a camera pose \"x y z qx qy qz qw\"")
       ->capture_default_str();
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command.add_option(
-      "--layers", arguments->layers, "voxels,objects,occupancy,semantic or all (default: by view)");
+  command.add_option("--layers",
+                     arguments->layers,
+                     "voxels,objects,occupancy,semantic,overlay or all (default: by view)");
   command.add_option("--title", arguments->title, "text over the picture (default: file name)");
   command
       .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")

@@ -210,7 +210,7 @@ Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archi
     std::vector<ValueTree::Entry> keys{{"class", make_text(grid.class_name)}};
     append_keys(keys, grid.extra);
     entry.extra = make_map(std::move(keys));
-    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy({.grid = grid.grid}, entry.file));
+    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy(OccupancyLayer(grid.grid), entry.file));
     std::move(files.begin(), files.end(), std::back_inserter(written.files));
     written.entries.push_back(std::move(entry));
   }
@@ -221,6 +221,16 @@ Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archiv
   if (!archive.provenance) return {};
   HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(*archive.provenance));
   put(written, entry_of(archive, kProvenanceFormat), std::move(bytes));
+  return {};
+}
+
+Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (is_strict_form(layer)) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_layer(layer));
+    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    written.entries.push_back(extension_of(layer));
+  }
   return {};
 }
 
@@ -276,6 +286,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   put_classes(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));
+  HYPERMAP_TRY(put_layers(written, archive));
   return written;
 }
 

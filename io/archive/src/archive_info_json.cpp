@@ -30,6 +30,7 @@ std::string json_of(const LayerSummary& layer) {
   if (layer.leaves)
     text += ",\"leaves\":" + json_object({{"occupied", std::to_string(layer.leaves->occupied)},
                                           {"free", std::to_string(layer.leaves->free)}});
+  if (layer.num_values) text += ",\"values\":" + std::to_string(*layer.num_values);
   if (layer.bounds)
     text += ",\"bounds\":" + json_object({{"min", json_of(layer.bounds->min(), layer.flat)},
                                           {"max", json_of(layer.bounds->max(), layer.flat)}});

@@ -68,6 +68,8 @@ Result<std::int64_t> version_at(const YamlNode& map, std::string_view key, std::
 /// Reads the configuration's parts and gathers what is noticed on the way.
 class ConfigParser {
  public:
+  explicit ConfigParser(const LayerRegistry& layers) : layers_(layers) {}
+
   Result<Loaded<HypermapConfig>> parse(const YamlNode& root) {
     HYPERMAP_TRY(root.as_map());
     HYPERMAP_TRY(take_format_version(root));
@@ -143,20 +145,29 @@ class ConfigParser {
 
   Result<void> take_extension(const YamlNode& node) {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string format, text_at(node, "format"));
-    if (std::find(kLayerFormats.begin(), kLayerFormats.end(), format) == kLayerFormats.end()) {
+    const std::int64_t newest = newest_version(format);
+    if (newest == 0) {
       findings_.push_back({.error = node.error("unknown format '" + printable(format, 40) +
                                                "' is kept as it is, unread")});
       config_.foreign_extensions.push_back(node.value());
       return {};
     }
     ExtensionEntry extension{.format = format};
-    HYPERMAP_ASSIGN_OR_RETURN(extension.version, version_at(node, "version", kExtensionVersion));
+    HYPERMAP_ASSIGN_OR_RETURN(extension.version, version_at(node, "version", newest));
     HYPERMAP_ASSIGN_OR_RETURN(extension.name, unique_name(node, extension_names_));
     HYPERMAP_ASSIGN_OR_RETURN(extension.frame_id, text_at(node, "frame_id"));
     HYPERMAP_ASSIGN_OR_RETURN(extension.file, text_at(node, "file"));
     extension.extra = other_keys(node.value(), kExtensionKeys);
     config_.extensions.push_back(std::move(extension));
     return {};
+  }
+
+  /// Of an extension that is read here; 0 for a format that is not.
+  [[nodiscard]] std::int64_t newest_version(std::string_view format) const {
+    if (std::find(kLayerFormats.begin(), kLayerFormats.end(), format) != kLayerFormats.end())
+      return kExtensionVersion;
+    const LayerType* type = is_strict_class(format) ? nullptr : layers_.find(format);
+    return type == nullptr ? 0 : type->empty->version();
   }
 
   static Result<std::string> unique_name(const YamlNode& map, std::set<std::string>& taken) {
@@ -174,6 +185,7 @@ class ConfigParser {
     return other_keys(map.value(), known);
   }
 
+  const LayerRegistry& layers_;
   HypermapConfig config_;
   std::vector<Finding> findings_;
   std::set<std::string> layer_names_;
@@ -230,9 +242,10 @@ ValueTree list_of(const Items& items) {
 }  // namespace
 
 Result<Loaded<HypermapConfig>> parse_hypermap_config(std::string_view bytes,
-                                                     const SourceName& source) {
+                                                     const SourceName& source,
+                                                     const LayerRegistry& layers) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(bytes, source));
-  return ConfigParser().parse(document.root());
+  return ConfigParser(layers).parse(document.root());
 }
 
 std::string write_hypermap_config(const HypermapConfig& config) {

@@ -12,7 +12,6 @@
 #include <memory>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 namespace hypermap {
 namespace {
@@ -22,18 +21,15 @@ constexpr std::uint64_t kSignatureBytes = 4;
 /// A bare configuration may name files anywhere; in the archive that the map is saved to, such a
 /// file bears the layer's name.
 Layer within_archive(Layer layer) {
-  if (!layer.info.file || check_member_name(*layer.info.file)) return layer;
-  layer.info.file.reset();
-  if (auto* opaque = std::get_if<OpaqueLayer>(&layer.content))
-    for (OpaqueFile& file : opaque->files) file.name = layer.info.name;
+  if (layer.info.file && !check_member_name(*layer.info.file)) layer.info.file.reset();
   return layer;
 }
 
 /// Puts a map together from the files that its configuration names.
 class ArchiveReader {
  public:
-  ArchiveReader(ArchiveMembers& members, const ArchiveLimits& limits)
-      : members_(members), limits_(limits) {}
+  ArchiveReader(ArchiveMembers& members, const ArchiveLimits& limits, const LayerRegistry& layers)
+      : members_(members), limits_(limits), layers_(layers) {}
 
   Result<Loaded<MapArchive>> read(const std::string& config_name) {
     HYPERMAP_ASSIGN_OR_RETURN(HypermapConfig config, read_config(config_name));
@@ -51,7 +47,8 @@ class ArchiveReader {
                   "not a map archive: it has no member " + std::string(kConfigName));
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                               members_.take(name, "the configuration", limits_.max_text_bytes));
-    HYPERMAP_ASSIGN_OR_RETURN(auto config, parse_hypermap_config(bytes, members_.source_of(name)));
+    HYPERMAP_ASSIGN_OR_RETURN(auto config,
+                              parse_hypermap_config(bytes, members_.source_of(name), layers_));
     keep(std::move(config.findings));
     return std::move(config.value);
   }
@@ -61,7 +58,7 @@ class ArchiveReader {
     archive_.hypermap.set_extra(config.extra);
     for (std::size_t i = 0; i < config.layers.size(); ++i) {
       const LayerEntry& entry = config.layers[i];
-      HYPERMAP_ASSIGN_OR_RETURN(auto content, read_layer(members_, entry, i, limits_));
+      HYPERMAP_ASSIGN_OR_RETURN(auto content, read_layer(members_, entry, i, limits_, layers_));
       keep(std::move(content.findings));
       HYPERMAP_TRY(archive_.hypermap.add_layer(
           within_archive({.info = entry.info, .content = std::move(content.value)})));
@@ -73,11 +70,22 @@ class ArchiveReader {
     archive_.foreign_extensions = config.foreign_extensions;
     for (std::size_t i = 0; i < config.extensions.size(); ++i) {
       const std::string owner = "extensions[" + std::to_string(i) + "].file";
+      if (layers_.find(config.extensions[i].format) != nullptr) {
+        HYPERMAP_TRY(read_registered_layer(config.extensions[i], owner));
+        continue;
+      }
       HYPERMAP_ASSIGN_OR_RETURN(
           auto findings, read_extension(archive_, members_, config.extensions[i], owner, limits_));
       keep(std::move(findings));
     }
     return {};
+  }
+
+  Result<void> read_registered_layer(const ExtensionEntry& entry, const std::string& owner) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto layer,
+                              read_extension_layer(members_, entry, owner, limits_, layers_));
+    keep(std::move(layer.findings));
+    return archive_.hypermap.add_layer(within_archive(std::move(layer.value)));
   }
 
   /// Files that nothing names may belong to what is not understood, so they are kept.
@@ -97,6 +105,7 @@ class ArchiveReader {
 
   ArchiveMembers& members_;
   const ArchiveLimits& limits_;
+  const LayerRegistry& layers_;
   MapArchive archive_;
   std::vector<Finding> findings_;
 };
@@ -105,8 +114,9 @@ class ArchiveReader {
 Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
                                     const std::string& config_name,
                                     const std::string& file,
-                                    const ArchiveLimits& limits) try {
-  auto loaded = ArchiveReader(members, limits).read(config_name);
+                                    const ArchiveLimits& limits,
+                                    const LayerRegistry& layers) try {
+  auto loaded = ArchiveReader(members, limits, layers).read(config_name);
   if (!loaded) return tl::make_unexpected(with_source(std::move(loaded).error(), {.file = file}));
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), {.file = file});
@@ -119,11 +129,12 @@ Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
 
 Result<Loaded<MapArchive>> read_zip(std::shared_ptr<const ByteSource> source,
                                     const std::string& file,
-                                    const ArchiveLimits& limits) {
+                                    const ArchiveLimits& limits,
+                                    const LayerRegistry& layers) {
   auto zip = ZipReader::create(std::move(source), limits.zip);
   if (!zip) return tl::make_unexpected(with_source(std::move(zip).error(), {.file = file}));
   ZipMembers members(std::move(*zip), file);
-  return read_all(members, std::string(kConfigName), file, limits);
+  return read_all(members, std::string(kConfigName), file, limits, layers);
 }
 
 /// A zip file begins with a local header, or with the end record when it is empty; whatever else
@@ -148,20 +159,22 @@ Result<void> expect_configuration(const std::filesystem::path& path) {
 }  // namespace
 
 Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
-                                        const ArchiveLimits& limits) {
+                                        const ArchiveLimits& limits,
+                                        const LayerRegistry& layers) {
   HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
                             open_file(path, limits.zip.max_archive_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
-  if (is_zip) return read_zip(std::move(source), path.string(), limits);
+  if (is_zip) return read_zip(std::move(source), path.string(), limits, layers);
   HYPERMAP_TRY(expect_configuration(path));
   FolderMembers members(path);
-  return read_all(members, path.filename().string(), path.string(), limits);
+  return read_all(members, path.filename().string(), path.string(), limits, layers);
 }
 
 Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                          const SourceName& source,
-                                         const ArchiveLimits& limits) {
-  return read_zip(view_bytes(bytes), source.file, limits);
+                                         const ArchiveLimits& limits,
+                                         const LayerRegistry& layers) {
+  return read_zip(view_bytes(bytes), source.file, limits, layers);
 }
 
 }  // namespace hypermap

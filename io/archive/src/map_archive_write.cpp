@@ -23,6 +23,7 @@ Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
                         .extra = archive.hypermap.extra()};
   std::vector<OpaqueFile> files;
   for (const Layer& layer : archive.hypermap.layers()) {
+    if (!is_strict_form(layer)) continue;
     config.layers.push_back({.class_name = std::string(class_of(layer)), .info = layer.info});
     HYPERMAP_ASSIGN_OR_RETURN(auto layer_files, write_layer(layer));
     append_files(files, std::move(layer_files));
@@ -71,8 +72,8 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
 Result<void> verify_bytes(const MapArchive& archive,
                           std::string_view bytes,
                           const SourceName& source,
-                          const ArchiveLimits& limits) {
-  auto again = parse_archive(bytes, source, limits);
+                          const SaveOptions& options) {
+  auto again = parse_archive(bytes, source, options.limits, options.layers);
   if (!again) {
     Error error = std::move(again).error();
     error.what = "not saved, the archive could not be loaded again: " + error.what;
@@ -122,7 +123,7 @@ Result<void> save_archive(const MapArchive& archive,
   if (!bytes) return in_file(std::move(bytes).error());
   const bool verify = options.verify && bytes->size() <= options.max_verified_bytes;
   if (verify)
-    if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options.limits); !same)
+    if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options); !same)
       return in_file(std::move(same).error());
   HYPERMAP_TRY(write_file_atomically(path, *bytes, calls));
   if (verify) return verify_file(path, *bytes);

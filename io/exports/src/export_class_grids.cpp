@@ -73,7 +73,7 @@ Result<WrittenFiles> export_class_grids(const MapArchive& archive, const ExportR
     if (!is_wanted(grid, archive, wanted)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(
         const WrittenFiles pair,
-        write_map_pair(OccupancyLayer{grid.grid}, request.output / name, request.keep_rotation));
+        write_map_pair(OccupancyLayer(grid.grid), request.output / name, request.keep_rotation));
     written.insert(written.end(), pair.begin(), pair.end());
   }
   return written;

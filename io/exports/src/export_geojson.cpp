@@ -60,7 +60,7 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   }
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
   Json features = Json::array();
-  for (const SemanticObject& object : std::get<SemanticLayer>(layer->content).objects()) {
+  for (const SemanticObject& object : layer->content.as<SemanticLayer>()->objects()) {
     if (is_wanted(object, request.classes)) features.push_back(feature_json(object));
   }
   const Json document{{"type", "FeatureCollection"},

@@ -23,12 +23,12 @@ template <class Content>
                                                 const ExportRequest& request) {
   if (request.layer) {
     HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, archive.hypermap.at(*request.layer));
-    if (std::holds_alternative<Content>(layer->content)) return layer;
+    if (layer->content.as<Content>() != nullptr) return layer;
     return fail(
         ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);
   }
   for (const Layer& layer : archive.hypermap.layers()) {
-    if (std::holds_alternative<Content>(layer.content)) return &layer;
+    if (layer.content.as<Content>() != nullptr) return &layer;
   }
   return fail(ErrorCode::kNotFound, "the map has no layer of the kind that the format needs");
 }

@@ -29,7 +29,7 @@ Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportReque
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<OccupancyLayer>(archive, request));
   std::filesystem::path stem = request.output;
   if (stem.extension() == ".yaml" || stem.extension() == ".pgm") stem.replace_extension();
-  return write_map_pair(std::get<OccupancyLayer>(layer->content), stem, request.keep_rotation);
+  return write_map_pair(*layer->content.as<OccupancyLayer>(), stem, request.keep_rotation);
 }
 
 }  // namespace hypermap

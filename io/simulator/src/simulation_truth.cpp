@@ -74,7 +74,7 @@ Result<MapArchive> make_truth(const Simulator& simulator,
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid,
                             true_occupancy(simulator.furnished(), scene.waypoints));
   HYPERMAP_TRY(archive.hypermap.add_layer(
-      {LayerInfo{.name = "occupancy"}, OccupancyLayer{.grid = std::move(grid)}}));
+      {LayerInfo{.name = "occupancy"}, OccupancyLayer(std::move(grid))}));
   HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(semantic)}));
   return archive;
 }

@@ -2,6 +2,7 @@
 #include "hypermap/projection/layers/hypermap.hpp"
 
 #include "hypermap/core/base/utf8.hpp"
+#include "hypermap/projection/layers/layer_members.hpp"
 
 #include <algorithm>
 
@@ -27,18 +28,37 @@ auto find_layer(Layers& layers, std::string_view name) {
       layers.begin(), layers.end(), [&](const Layer& layer) { return layer.info.name == name; });
 }
 
-struct ClassName {
-  std::string_view operator()(const OccupancyLayer& /*layer*/) const {
-    return kOccupancyLayerClass;
-  }
-  std::string_view operator()(const SemanticLayer& /*layer*/) const { return kSemanticLayerClass; }
-  std::string_view operator()(const OpaqueLayer& layer) const { return layer.class_name; }
-};
+/// Where a layer of this form has its place behind all others of it.
+std::vector<Layer>::iterator end_of_form(std::vector<Layer>& layers, bool strict) {
+  return strict ? std::find_if_not(layers.begin(), layers.end(), is_strict_form) : layers.end();
+}
 
 }  // namespace
 
 std::string_view class_of(const Layer& layer) {
-  return std::visit(ClassName(), layer.content);
+  return layer.content->class_name();
+}
+
+bool is_strict_class(std::string_view class_name) {
+  return class_name == kOccupancyLayerClass || class_name == kSemanticLayerClass;
+}
+
+bool is_strict_form(const Layer& layer) {
+  return is_strict_class(class_of(layer)) || layer.content.as<OpaqueLayer>() != nullptr;
+}
+
+Result<std::vector<LayerAnswer>> OpaqueLayer::query(const LayerQuery& /*query*/) const {
+  return fail(ErrorCode::kUnsupported,
+              "layers of class " + printable(class_name_) + " answer no query",
+              "layer");
+}
+
+Result<void> OpaqueLayer::save(LayerWriter& writer) const {
+  return bytes_ ? writer.bytes("", *bytes_) : Result<void>();
+}
+
+bool OpaqueLayer::equals(const MapLayer& other) const {
+  return is_same_layer(*this, other);
 }
 
 Result<void> validate_layer_name(std::string_view name) {
@@ -60,14 +80,33 @@ Result<void> Hypermap::add_layer(Layer layer) {
   if (layers_.size() >= kMaxLayers) {
     return fail(ErrorCode::kLimit, "more than " + std::to_string(kMaxLayers) + " layers", "layers");
   }
-  layers_.push_back(std::move(layer));
+  const bool strict = is_strict_form(layer);
+  if (!strict) {
+    layer.info.load_file = true;
+    if (!layer.info.file) layer.info.file = layer.info.name;
+  }
+  layers_.insert(end_of_form(layers_, strict), std::move(layer));
   return {};
 }
 
 Result<void> Hypermap::set_content(std::string_view name, LayerContent content) {
-  HYPERMAP_TRY(at(name));
-  find_layer(layers_, name)->content = std::move(content);
-  return {};
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* found, at(name));
+  Layer layer{.info = found->info, .content = std::move(content)};
+  if (is_strict_form(layer) == is_strict_form(*found)) {
+    find_layer(layers_, name)->content = std::move(layer.content);
+    return {};
+  }
+  remove_layer(layer.info.name);
+  return add_layer(std::move(layer));
+}
+
+Result<void> Hypermap::update(std::string_view name, const LayerContent& update) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, at(name));
+  if (!layer->info.enable_update.value_or(true)) {
+    return fail(ErrorCode::kUnsupported, "takes no updates, as its enable_update says", "layer");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(LayerContent content, layer->content->updated(update));
+  return set_content(name, std::move(content));
 }
 
 bool Hypermap::remove_layer(std::string_view name) {

@@ -133,7 +133,7 @@ struct SemanticLayer::Impl {
 
 SemanticLayer::SemanticLayer() : impl_(std::make_unique<Impl>()) {}
 SemanticLayer::SemanticLayer(const SemanticLayer& other)
-    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+    : MapLayer(other), impl_(std::make_unique<Impl>(*other.impl_)) {}
 SemanticLayer::SemanticLayer(SemanticLayer&& other) noexcept = default;
 SemanticLayer& SemanticLayer::operator=(const SemanticLayer& other) {
   if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);

@@ -131,11 +131,11 @@ TEST(MapServer, TheTopRowOfThePictureIsTheLastRowOfTheGrid) {
 OccupancyLayer all_values() {
   std::vector<std::int8_t> values;
   for (int value = -1; value <= 100; ++value) values.push_back(static_cast<std::int8_t>(value));
-  return {
+  return OccupancyLayer(
       *OccupancyGrid::create(
           {.resolution_m = 0.1 / 3, .origin = {-0.1, 1e-7}, .yaw_rad = 0.3, .cols = 51, .rows = 2},
           std::move(values)),
-      make_map({{"note", make_text("kept")}})};
+      make_map({{"note", make_text("kept")}}));
 }
 
 TEST(MapServer, TheScaleFormKeepsEveryValueAtFullPrecision) {

@@ -69,7 +69,7 @@ inline Object sample_object() {
 inline MapArchive sample_archive() {
   MapArchive archive;
   EXPECT_TRUE(archive.hypermap.add_layer({.info = {.name = "occupancy", .file = "occupancy"},
-                                          .content = OccupancyLayer{.grid = sample_grid(3)}}));
+                                          .content = OccupancyLayer(sample_grid(3))}));
   EXPECT_TRUE(archive.hypermap.add_layer(
       {.info = {.name = "semantic", .frame_id = "lab", .file = "semantic"},
        .content = SemanticLayer::create({sample_shape(0, "sink", 0.1), sample_shape(1, "cup", 2)})

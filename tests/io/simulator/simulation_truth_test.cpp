@@ -89,7 +89,7 @@ TEST(SimulationTruth, TheArchiveHoldsFootprintsBoxesAndReasons) {
   ASSERT_TRUE(archive) << to_string(archive.error());
   const auto layer = archive->hypermap.at("semantic");
   ASSERT_TRUE(layer);
-  const auto& semantic = std::get<SemanticLayer>((*layer)->content);
+  const auto& semantic = *(*layer)->content.as<SemanticLayer>();
   ASSERT_EQ(semantic.objects().size(), 2U);
   const PlacedObject& bench = simulator->objects()[0];
   EXPECT_EQ(semantic.objects()[0].id, 1U);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/test_data.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 
 #include "hypermap/io/archive/map_archive.hpp"
@@ -9,6 +8,7 @@
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 #include "support/sanitized.hpp"
 #include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -233,7 +233,7 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   EXPECT_EQ(loaded->value.classes, expected->classes);
   const auto layer = loaded->value.hypermap.at("semantic");
   ASSERT_TRUE(layer);
-  const auto things = evaluated_objects(std::get<SemanticLayer>((*layer)->content));
+  const auto things = evaluated_objects(*(*layer)->content.as<SemanticLayer>());
   ASSERT_EQ(things.size(), 5U);
   EXPECT_TRUE(things[0].excluded);   // table
   EXPECT_FALSE(things[2].excluded);  // chair

@@ -42,7 +42,8 @@ TEST(SnapshotView, SaysWhatItMustBe) {
 TEST(SnapshotLayers, AreReadFromTheirNames) {
   EXPECT_EQ(parse_snapshot_layers("voxels,semantic").value(),
             (SnapshotLayers{.voxels = true, .semantic = true}));
-  EXPECT_EQ(parse_snapshot_layers("all").value(), (SnapshotLayers{true, true, true, true, true}));
+  EXPECT_EQ(parse_snapshot_layers("all").value(),
+            (SnapshotLayers{true, true, true, true, true, true}));
   EXPECT_THAT(parse_snapshot_layers("voxels,boxes").error().what, HasSubstr("is \"boxes\""));
   EXPECT_FALSE(parse_snapshot_layers(""));
 }

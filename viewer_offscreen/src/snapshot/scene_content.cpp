@@ -132,16 +132,27 @@ KnownCells known_cells(const OccupancyGrid& grid) {
   return known;
 }
 
-void add_grid_corners(const OccupancyGrid& grid,
+void add_grid_corners(const GridGeometry& geometry,
                       double height_m,
                       std::vector<Eigen::Vector3d>& points) {
-  const GridGeometry& geometry = grid.geometry();
   for (const int col : {0, geometry.cols}) {
     for (const int row : {0, geometry.rows}) {
       const Eigen::Vector2d plan = from_cells(geometry, {double(col), double(row)});
       points.emplace_back(plan.x(), plan.y(), height_m);
     }
   }
+}
+
+void add_overlay_points(const SnapshotOverlay& overlay,
+                        double height_m,
+                        std::vector<Eigen::Vector3d>& points) {
+  for (const DrawnCells& cells : overlay.cells) add_grid_corners(cells.geometry, height_m, points);
+  for (const DrawnLine& line : overlay.lines) {
+    for (const Eigen::Vector2d& point : line.points)
+      points.emplace_back(point.x(), point.y(), height_m);
+  }
+  for (const DrawnText& text : overlay.texts)
+    points.emplace_back(text.position.x(), text.position.y(), height_m);
 }
 
 }  // namespace
@@ -161,10 +172,11 @@ ClassRegistry classes_shown(const SnapshotScene& scene) {
 
 SnapshotLayers layers_shown(const SnapshotScene& scene, const SnapshotOptions& options) {
   if (options.layers) return *options.layers;
-  const bool has_plan = scene.occupancy.has_value() || !scene.semantic.empty();
+  const bool has_plan =
+      scene.occupancy.has_value() || !scene.semantic.empty() || !scene.overlay.empty();
   const bool has_space = static_cast<bool>(scene.leaves) || !scene.objects.empty();
   if (has_plan && (std::holds_alternative<TopView>(options.view) || !has_space)) {
-    return {.occupancy = true, .semantic = true};
+    return {.occupancy = true, .semantic = true, .overlay = true};
   }
   return {.voxels = true, .objects = true, .trajectory = true};
 }
@@ -219,7 +231,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const SnapshotScene& scene,
     }
   }
   if (layers.occupancy && scene.occupancy && scene.occupancy->geometry().num_cells() > 0) {
-    add_grid_corners(known_part(*scene.occupancy), voxels.floor_m, points);
+    add_grid_corners(known_part(*scene.occupancy).geometry(), voxels.floor_m, points);
   }
   if (layers.semantic) {
     for (const SemanticObject& object : scene.semantic) {
@@ -228,6 +240,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const SnapshotScene& scene,
       points.emplace_back(around.max.x(), around.max.y(), voxels.floor_m);
     }
   }
+  if (layers.overlay) add_overlay_points(scene.overlay, voxels.floor_m, points);
   if (points.empty() && layers.trajectory) points = scene.trajectory_in_map;
   std::erase_if(points, [](const Eigen::Vector3d& point) { return !point.allFinite(); });
   return points;
@@ -281,6 +294,19 @@ std::vector<PaintedLine> paint_trajectory(std::span<const Eigen::Vector3d> point
     lines.push_back({floats(points[i - 1]), floats(points[i]), {kTrajectoryColor, 230}});
   }
   return lines;
+}
+
+std::vector<PaintedLine> paint_overlay_lines(std::span<const DrawnLine> lines, double height_m) {
+  std::vector<PaintedLine> painted;
+  for (const DrawnLine& line : lines) {
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const Eigen::Vector2d& a = line.points[i - 1];
+      const Eigen::Vector2d& b = line.points[i];
+      painted.push_back(
+          {floats({a.x(), a.y(), height_m}), floats({b.x(), b.y(), height_m}), {line.color}});
+    }
+  }
+  return painted;
 }
 
 std::vector<PaintedLine> paint_outline(const Polygon& polygon, double height_m, Paint paint) {

@@ -53,6 +53,9 @@ struct ShownVoxels {
 [[nodiscard]] std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects);
 /// The camera's way.
 [[nodiscard]] std::vector<PaintedLine> paint_trajectory(std::span<const Eigen::Vector3d> points);
+/// The lines of an overlay.
+[[nodiscard]] std::vector<PaintedLine> paint_overlay_lines(std::span<const DrawnLine> lines,
+                                                           double height_m);
 /// The rings of a polygon.
 [[nodiscard]] std::vector<PaintedLine> paint_outline(const Polygon& polygon,
                                                      double height_m,

@@ -84,6 +84,20 @@ ColorImage texture_of(const OccupancyGrid& grid, int largest_side) {
   return texture;
 }
 
+/// The picture of coloured cells, not larger than a texture can be: of merged cells the first
+/// counts.
+ColorImage texture_of(const DrawnCells& cells, int largest_side) {
+  const GridGeometry& geometry = cells.geometry;
+  const int step = (std::max(geometry.cols, geometry.rows) + largest_side - 1) / largest_side;
+  ColorImage texture((geometry.cols + step - 1) / step, (geometry.rows + step - 1) / step);
+  for (int row = 0; row < texture.height_px(); ++row) {
+    for (int col = 0; col < texture.width_px(); ++col) {
+      texture.at(col, row) = cells.colors[geometry.index({col * step, row * step})];
+    }
+  }
+  return texture;
+}
+
 void load_texture(const GlApi& gl, const ColorImage& picture) {
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
@@ -173,15 +187,30 @@ void ScenePainter::draw_triangles(GLenum mode, std::span<const std::array<float,
   gl_->DrawArrays(mode, 0, static_cast<GLsizei>(points.size()));
 }
 
+int ScenePainter::largest_texture_side() const {
+  GLint side = 0;
+  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+  return side;
+}
+
 void ScenePainter::draw_grid(const OccupancyGrid& grid, double height_m) const {
   if (grid.geometry().num_cells() == 0) return;
-  GLint largest_side = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_side);
-  load_texture(*gl_, texture_of(grid, largest_side));
-  const double cols = grid.geometry().cols;
-  const double rows = grid.geometry().rows;
+  draw_texture(grid.geometry(), texture_of(grid, largest_texture_side()), height_m);
+}
+
+void ScenePainter::draw_cells(const DrawnCells& cells, double height_m) const {
+  if (cells.geometry.num_cells() == 0) return;
+  draw_texture(cells.geometry, texture_of(cells, largest_texture_side()), height_m);
+}
+
+void ScenePainter::draw_texture(const GridGeometry& geometry,
+                                const ColorImage& texture,
+                                double height_m) const {
+  load_texture(*gl_, texture);
+  const double cols = geometry.cols;
+  const double rows = geometry.rows;
   const auto corner = [&](double col, double row) {
-    return point_at(from_cells(grid.geometry(), {col, row}), height_m);
+    return point_at(from_cells(geometry, {col, row}), height_m);
   };
   const std::array<std::array<float, 3>, 4> corners{
       corner(0, 0), corner(cols, 0), corner(0, rows), corner(cols, rows)};

@@ -6,6 +6,7 @@
 #include "hypermap/core/base/image.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
+#include "hypermap/projection/layers/layer_drawing.hpp"
 #include "hypermap/viewer_offscreen/rendering/voxel_surface.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot_camera.hpp"
 #include "rendering/gl_api.hpp"
@@ -57,6 +58,8 @@ class ScenePainter {
   void draw_backdrop(Rgb8 upper, Rgb8 lower) const;
   /// Draws a grid at the given height.
   void draw_grid(const OccupancyGrid& grid, double height_m) const;
+  /// Draws coloured cells at the given height.
+  void draw_cells(const DrawnCells& cells, double height_m) const;
   /// Fills a polygon with its holes left out.
   void fill(const Polygon& polygon, double height_m, Paint paint) const;
   void draw_faces(std::span<const PaintedFace> faces) const;
@@ -73,6 +76,9 @@ class ScenePainter {
 
   ScenePainter(const GlApi& gl, const SnapshotCamera& camera) : gl_(&gl), camera_(&camera) {}
   void use(GLuint program) const;
+  [[nodiscard]] int largest_texture_side() const;
+  /// Stretches a picture of the cells, row 0 first, over the grid.
+  void draw_texture(const GridGeometry& geometry, const ColorImage& texture, double height_m) const;
   void draw_triangles(GLenum mode, std::span<const std::array<float, 3>> points) const;
 
   const GlApi* gl_;

@@ -160,6 +160,16 @@ std::vector<MapLabel> semantic_labels(const SnapshotScene& scene,
   return labels;
 }
 
+void add_overlay_labels(std::vector<MapLabel>& labels,
+                        const SnapshotOverlay& overlay,
+                        double height_m) {
+  for (const DrawnText& text : overlay.texts) {
+    if (labels.size() == kMaxLabels) return;
+    const Eigen::Vector3d place(text.position.x(), text.position.y(), height_m);
+    labels.push_back({place, place, printable(text.text, kMaxTextBytes), text.color});
+  }
+}
+
 }  // namespace
 
 Annotations annotations_of(const SnapshotScene& scene,
@@ -171,13 +181,14 @@ Annotations annotations_of(const SnapshotScene& scene,
   annotations.title = printable(scene.title, 2 * kMaxTextBytes);
   annotations.subtitle = subtitle_of(scene, options, layers, voxels);
   annotations.legend = legend_of(scene, layers, voxels, registry);
-  if (annotations.legend.rows.empty())
+  if (annotations.legend.rows.empty() && !(layers.overlay && !scene.overlay.empty()))
     annotations.subtitle += std::string(kSeparator) + "nothing to show";
   if (layers.objects) {
     annotations.labels = object_labels(scene, options.view);
   } else if (layers.semantic) {
     annotations.labels = semantic_labels(scene, registry, voxels.floor_m);
   }
+  if (layers.overlay) add_overlay_labels(annotations.labels, scene.overlay, voxels.floor_m);
   return annotations;
 }
 

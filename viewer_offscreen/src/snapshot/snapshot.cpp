@@ -65,6 +65,9 @@ Result<void> draw_scene(const SnapshotScene& scene,
   painter.draw_backdrop(kSkyColor, kGroundColor);
   if (layers.occupancy && scene.occupancy)
     painter.draw_grid(known_part(*scene.occupancy), voxels.floor_m);
+  if (layers.overlay) {
+    for (const DrawnCells& cells : scene.overlay.cells) painter.draw_cells(cells, voxels.floor_m);
+  }
   if (camera.pixels_per_m()) {
     painter.draw_lines(paint_metric_grid(points_to_frame(scene, layers, voxels, TopView{}),
                                          voxels.floor_m,
@@ -72,6 +75,10 @@ Result<void> draw_scene(const SnapshotScene& scene,
                        {.width_px = 1.0, .hidden_by_voxels = false});
   }
   if (layers.semantic) draw_semantic(painter, scene.semantic, registry, voxels.floor_m);
+  if (layers.overlay) {
+    painter.draw_lines(paint_overlay_lines(scene.overlay.lines, voxels.floor_m),
+                       {.width_px = 2.0, .hidden_by_voxels = false});
+  }
   if (layers.voxels) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto faces, paint_voxels(voxels, camera));
     painter.draw_faces(faces);

@@ -19,12 +19,13 @@ constexpr int kMaxSidePx = 8192;
 constexpr int kMaxSupersampling = 4;
 constexpr std::int64_t kMaxDrawnPixels = std::int64_t{1} << 25U;
 
-constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 5> kLayerNames{{
+constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 6> kLayerNames{{
     {"voxels", &SnapshotLayers::voxels},
     {"objects", &SnapshotLayers::objects},
     {"occupancy", &SnapshotLayers::occupancy},
     {"semantic", &SnapshotLayers::semantic},
     {"trajectory", &SnapshotLayers::trajectory},
+    {"overlay", &SnapshotLayers::overlay},
 }};
 
 Result<void> check_range(double value, double low, double high, const char* field) {
@@ -133,10 +134,11 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
       known = true;
     }
     if (!known) {
-      return fail(ErrorCode::kInvalidArgument,
-                  "must be of voxels, objects, occupancy, semantic, trajectory, all; is \"" +
-                      printable(name, 80) + "\"",
-                  "layers");
+      return fail(
+          ErrorCode::kInvalidArgument,
+          "must be of voxels, objects, occupancy, semantic, trajectory, overlay, all; is \"" +
+              printable(name, 80) + "\"",
+          "layers");
     }
   } while (!rest.empty());
   return layers;

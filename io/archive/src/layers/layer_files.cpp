@@ -2,20 +2,27 @@
 #include "layer_files.hpp"
 
 #include "hypermap/io/archive/map_server.hpp"
-#include "hypermap/io/archive/semantic_yaml.hpp"
+#include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/value_keys.hpp"
+#include "layer_member_files.hpp"
 
+#include <array>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <utility>
-#include <variant>
 
 namespace hypermap {
 namespace {
 
-void append_findings(std::vector<Finding>& findings, std::vector<Finding> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(findings));
-}
+using Flag = std::optional<bool> LayerInfo::*;
+constexpr std::array<std::pair<std::string_view, Flag>, 3> kFlags{
+    {{"subscribe_mode", &LayerInfo::subscribe_mode},
+     {"enable_update", &LayerInfo::enable_update},
+     {"publish_global_topics", &LayerInfo::publish_global_topics}}};
+constexpr std::array<std::string_view, 3> kFlagKeys{
+    kFlags[0].first, kFlags[1].first, kFlags[2].first};
 
 std::string file_of(const LayerInfo& info) {
   return info.file.value_or(info.name);
@@ -26,25 +33,15 @@ std::string picture_member(const std::string& metadata_member, const std::string
   return (std::filesystem::path(metadata_member).parent_path() / image).string();
 }
 
-Result<Loaded<LayerContent>> read_grid(ArchiveMembers& members,
-                                       const LayerInfo& info,
-                                       const std::string& owner,
-                                       const ArchiveLimits& limits) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto layer, read_occupancy(members, file_of(info), owner, limits));
-  return Loaded<LayerContent>{.value = std::move(layer.value),
-                              .findings = std::move(layer.findings)};
-}
-
-Result<Loaded<LayerContent>> read_shapes(ArchiveMembers& members,
-                                         const LayerInfo& info,
-                                         const std::string& owner,
-                                         const ArchiveLimits& limits) {
-  const std::string file = file_of(info);
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
-                            members.take(file, owner, limits.max_text_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto layer, parse_semantic_layer(bytes, members.source_of(file)));
-  return Loaded<LayerContent>{.value = std::move(layer.value),
-                              .findings = std::move(layer.findings)};
+/// Runs the loader of a class; what it finds wrong is told of the member read last.
+Result<Loaded<LayerContent>> load_content(const LayerType& type, MemberFileReader& reader) {
+  auto content = type.load(reader);
+  if (!content) {
+    Error error = std::move(content).error();
+    if (error.file.empty()) error = with_source(std::move(error), reader.last_source());
+    return tl::make_unexpected(std::move(error));
+  }
+  return Loaded<LayerContent>{.value = std::move(*content), .findings = reader.take_findings()};
 }
 
 /// Keeps the file of a layer that is not understood, if there is one.
@@ -52,14 +49,13 @@ Result<Loaded<LayerContent>> read_opaque_layer(ArchiveMembers& members,
                                                const LayerEntry& entry,
                                                const std::string& owner,
                                                const ArchiveLimits& limits) {
-  OpaqueLayer layer{.class_name = entry.class_name};
+  std::optional<std::string> bytes;
   const std::string file = file_of(entry.info);
   if (entry.info.load_file && members.contains(file)) {
-    HYPERMAP_ASSIGN_OR_RETURN(std::string bytes,
-                              members.take(file, owner, limits.zip.max_entry_bytes));
-    layer.files.push_back({.name = file, .bytes = std::move(bytes)});
+    HYPERMAP_ASSIGN_OR_RETURN(bytes, members.take(file, owner, limits.zip.max_entry_bytes));
   }
-  Loaded<LayerContent> loaded{.value = std::move(layer), .findings = {}};
+  Loaded<LayerContent> loaded{.value = OpaqueLayer(entry.class_name, std::move(bytes)),
+                              .findings = {}};
   loaded.findings.push_back(
       {.error = {.code = ErrorCode::kUnsupported,
                  .what = "unknown layer class '" + printable(entry.class_name, 40) +
@@ -68,20 +64,30 @@ Result<Loaded<LayerContent>> read_opaque_layer(ArchiveMembers& members,
   return loaded;
 }
 
-/// What an unread layer of a known class starts with.
-LayerContent empty_layer(const LayerEntry& entry) {
-  if (entry.class_name == kOccupancyLayerClass) return OccupancyLayer{};
-  return SemanticLayer();
-}
-
 /// A layer that is not to be loaded must have nothing to lose.
-Result<std::vector<OpaqueFile>> check_empty(const Layer& layer) {
-  const bool empty = layer.content == LayerContent(OccupancyLayer{}) ||
-                     layer.content == LayerContent(SemanticLayer());
-  if (empty) return std::vector<OpaqueFile>{};
+Result<void> check_nothing_is_lost(const Layer& layer) {
+  const bool kept = layer.info.load_file || layer.content.as<OpaqueLayer>() != nullptr;
+  if (kept || layer.content == OccupancyLayer() || layer.content == SemanticLayer()) return {};
   return fail(ErrorCode::kInvalidArgument,
               "has content, yet load_file is false: it would be lost",
               "layer " + printable(layer.info.name));
+}
+
+/// What the configuration says of the layer besides its file. Errors: kMalformedFile for a flag
+/// that is none.
+Result<LayerInfo> info_of(const ExtensionEntry& entry) {
+  LayerInfo info{.name = entry.name,
+                 .frame_id = entry.frame_id,
+                 .file = entry.file,
+                 .extra = other_keys(entry.extra, kFlagKeys)};
+  const SourceName unnamed;
+  const YamlNode keys(entry.extra, "", unnamed);
+  for (const auto& [key, flag] : kFlags) {
+    const auto node = keys.find(key);
+    if (!node) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(info.*flag, node->as_bool());
+  }
+  return info;
 }
 
 }  // namespace
@@ -103,11 +109,12 @@ Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
   auto grid = grid_from_picture(picture, metadata.value, MapDialect::kHypermap);
   if (!grid) return tl::make_unexpected(with_source(std::move(grid).error(), source));
   Loaded<OccupancyLayer> loaded{
-      .value = {.grid = std::move(grid->value), .extra = std::move(metadata.value.extra)},
+      .value = OccupancyLayer(std::move(grid->value), std::move(metadata.value.extra)),
       .findings = std::move(metadata.findings)};
-  for (Finding& finding : grid->findings)
+  for (Finding& finding : grid->findings) {
     finding.error = with_source(std::move(finding.error), source);
-  append_findings(loaded.findings, std::move(grid->findings));
+    loaded.findings.push_back(std::move(finding));
+  }
   return loaded;
 }
 
@@ -123,27 +130,57 @@ Result<std::vector<OpaqueFile>> write_occupancy(const OccupancyLayer& layer,
 Result<Loaded<LayerContent>> read_layer(ArchiveMembers& members,
                                         const LayerEntry& entry,
                                         std::size_t index,
-                                        const ArchiveLimits& limits) {
+                                        const ArchiveLimits& limits,
+                                        const LayerRegistry& types) {
   const std::string owner = "layers[" + std::to_string(index) + "].file";
-  const bool known =
-      entry.class_name == kOccupancyLayerClass || entry.class_name == kSemanticLayerClass;
   HYPERMAP_TRY(members.check(file_of(entry.info), owner));
-  if (!known) return read_opaque_layer(members, entry, owner, limits);
-  if (!entry.info.load_file)
-    return Loaded<LayerContent>{.value = empty_layer(entry), .findings = {}};
-  if (entry.class_name == kOccupancyLayerClass)
-    return read_grid(members, entry.info, owner, limits);
-  return read_shapes(members, entry.info, owner, limits);
+  const LayerType* type = types.find(entry.class_name);
+  if (type == nullptr) return read_opaque_layer(members, entry, owner, limits);
+  if (!entry.info.load_file) return Loaded<LayerContent>{.value = type->empty, .findings = {}};
+  MemberFileReader reader(members, {.stem = file_of(entry.info), .owner = owner}, limits);
+  return load_content(*type, reader);
+}
+
+Result<Loaded<Layer>> read_extension_layer(ArchiveMembers& members,
+                                           const ExtensionEntry& entry,
+                                           const std::string& owner,
+                                           const ArchiveLimits& limits,
+                                           const LayerRegistry& types) {
+  HYPERMAP_ASSIGN_OR_RETURN(LayerInfo info, info_of(entry));
+  MemberFileReader reader(
+      members,
+      {.stem = entry.file, .owner = owner, .version = static_cast<int>(entry.version)},
+      limits);
+  HYPERMAP_ASSIGN_OR_RETURN(auto content, load_content(*types.find(entry.format), reader));
+  return Loaded<Layer>{.value = {.info = std::move(info), .content = std::move(content.value)},
+                       .findings = std::move(content.findings)};
 }
 
 Result<std::vector<OpaqueFile>> write_layer(const Layer& layer) {
-  if (const auto* opaque = std::get_if<OpaqueLayer>(&layer.content)) return opaque->files;
-  if (!layer.info.load_file) return check_empty(layer);
-  const std::string file = file_of(layer.info);
-  if (const auto* occupancy = std::get_if<OccupancyLayer>(&layer.content))
-    return write_occupancy(*occupancy, file);
-  return std::vector<OpaqueFile>{
-      {.name = file, .bytes = write_semantic_layer(std::get<SemanticLayer>(layer.content))}};
+  HYPERMAP_TRY(check_nothing_is_lost(layer));
+  if (!layer.info.load_file && layer.content.as<OpaqueLayer>() == nullptr)
+    return std::vector<OpaqueFile>{};
+  MemberFileWriter writer(file_of(layer.info));
+  if (auto saved = layer.content->save(writer); !saved) {
+    return tl::make_unexpected(with_source(
+        std::move(saved).error(), {.file = {}, .entry = "layer " + printable(layer.info.name)}));
+  }
+  return std::move(writer).files();
+}
+
+ExtensionEntry extension_of(const Layer& layer) {
+  ExtensionEntry entry{.format = std::string(class_of(layer)),
+                       .version = layer.content->version(),
+                       .name = layer.info.name,
+                       .frame_id = layer.info.frame_id,
+                       .file = file_of(layer.info)};
+  std::vector<ValueTree::Entry> keys;
+  for (const auto& [key, flag] : kFlags) {
+    if (const auto& set = layer.info.*flag) keys.emplace_back(std::string(key), make_bool(*set));
+  }
+  append_keys(keys, layer.info.extra);
+  if (!keys.empty()) entry.extra = make_map(std::move(keys));
+  return entry;
 }
 
 }  // namespace hypermap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A layer's files, as the first implementation names and writes them.
+/// A layer's files: the strict form as the first implementation names and writes them, layers of
+/// other classes as extensions.
 #pragma once
 
 #include "archive_members.hpp"
@@ -8,9 +9,9 @@
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
+#include "hypermap/projection/layers/layer_registry.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -25,11 +26,23 @@ namespace hypermap {
 [[nodiscard]] Result<std::vector<OpaqueFile>> write_occupancy(const OccupancyLayer& layer,
                                                               const std::string& stem);
 
-/// The content of the layer that `layers[index]` tells of.
+/// The content of the layer that `layers[index]` tells of, by the loader of its class in `types`.
 [[nodiscard]] Result<Loaded<LayerContent>> read_layer(ArchiveMembers& members,
                                                       const LayerEntry& entry,
                                                       std::size_t index,
-                                                      const ArchiveLimits& limits);
+                                                      const ArchiveLimits& limits,
+                                                      const LayerRegistry& types);
+/// The layer that an extension holds. Requires: its format is a class of `types`.
+[[nodiscard]] Result<Loaded<Layer>> read_extension_layer(ArchiveMembers& members,
+                                                         const ExtensionEntry& entry,
+                                                         const std::string& owner,
+                                                         const ArchiveLimits& limits,
+                                                         const LayerRegistry& types);
+
+/// The members of a layer. Errors: those of MapLayer::save, naming the layer; kInvalidArgument when
+/// a layer that is not to be loaded has content.
 [[nodiscard]] Result<std::vector<OpaqueFile>> write_layer(const Layer& layer);
+/// How the configuration lists a layer that is not of the strict form.
+[[nodiscard]] ExtensionEntry extension_of(const Layer& layer);
 
 }  // namespace hypermap

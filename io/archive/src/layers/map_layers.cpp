@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace hypermap {
@@ -59,8 +58,7 @@ Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent conten
 }  // namespace
 
 std::vector<const Object*> shown_objects(const MapArchive& archive) {
-  const Layer* layer = archive.hypermap.find(kSemanticName);
-  const auto* semantic = layer != nullptr ? std::get_if<SemanticLayer>(&layer->content) : nullptr;
+  const auto* semantic = archive.hypermap.find_as<SemanticLayer>(kSemanticName);
   std::vector<const Object*> shown;
   for (const Object& object : archive.objects.objects()) {
     if (semantic == nullptr || semantic->find(object.id.value) != nullptr) {
@@ -83,6 +81,15 @@ LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId>
   };
 }
 
+LeafSource shown_leaves(const MapArchive& archive) {
+  if (archive.octree) {
+    std::vector<ObjectId> shown;
+    for (const Object* object : shown_objects(archive)) shown.push_back(object->id);
+    return published_leaves(archive, shown);
+  }
+  return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
+}
+
 Result<void> derive_layers(MapArchive& archive,
                            const ObjectPipelineOptions& objects,
                            const LayerOptions& options) {
@@ -98,7 +105,7 @@ Result<void> derive_layers(MapArchive& archive,
                                                archive.classes,
                                                {.policy = objects.footprint,
                                                 .confidence = objects.publication.confidence}));
-  HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer{std::move(occupancy)}));
+  HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(occupancy))));
   HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
   archive.class_grids.clear();
   for (auto& [id, grid] : class_grids) {

@@ -146,8 +146,8 @@ Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
   for (Finding& finding : grid->findings) {
     findings.push_back({finding.severity, with_source(finding.error, source)});
   }
-  return Loaded<OccupancyLayer>{{std::move(grid->value), std::move(metadata.value.extra)},
-                                std::move(findings)};
+  return Loaded<OccupancyLayer>{
+      OccupancyLayer(std::move(grid->value), std::move(metadata.value.extra)), std::move(findings)};
 }
 
 }  // namespace hypermap

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -23,6 +24,12 @@ struct LeafSample {
   std::optional<ClassId> best_class =
       {};                       ///< Most probable class; none where nothing was ever named.
   ObjectId object = kNoObject;  ///< kNoObject where the cell belongs to none.
+};
+
+struct LeafCount {
+  std::size_t occupied = 0;
+  std::size_t free = 0;
+  friend bool operator==(const LeafCount&, const LeafCount&) = default;
 };
 
 using LeafVisitor = std::function<void(const LeafSample&)>;

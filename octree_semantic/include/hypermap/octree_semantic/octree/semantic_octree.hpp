@@ -47,12 +47,6 @@ struct StoredLeaf {
 };
 using StoredLeafVisitor = std::function<void(const StoredLeaf&)>;
 
-struct LeafCount {
-  std::size_t occupied = 0;
-  std::size_t free = 0;
-  friend bool operator==(const LeafCount&, const LeafCount&) = default;
-};
-
 /// What a ray met in the map.
 struct RayCast {
   enum class Outcome : std::uint8_t {

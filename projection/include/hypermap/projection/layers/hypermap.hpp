@@ -7,47 +7,51 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/projection/grids/occupancy_grid.hpp"
-#include "hypermap/projection/layers/frame_tree.hpp"
-#include "hypermap/projection/layers/semantic_layer.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/projection/layers/frame_tree.hpp"
+#include "hypermap/projection/layers/map_layer.hpp"
+#include "hypermap/projection/layers/occupancy_layer.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
 
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
 
-inline constexpr std::string_view kOccupancyLayerClass = "OccupancyGridLayer";
-inline constexpr std::string_view kSemanticLayerClass = "SemanticLayer";
-
-/// An occupancy grid and what its metadata file says beyond it.
-struct OccupancyLayer {
-  OccupancyGrid grid;
-  ValueTree extra = {};  ///< Unknown keys of the metadata, as a map; null when there are none.
-  friend bool operator==(const OccupancyLayer&, const OccupancyLayer&) = default;
-};
-
-/// A file of a layer that is not understood, byte for byte.
+/// A member of an archive that is not understood, byte for byte.
 struct OpaqueFile {
-  std::string name;  ///< Member name in the archive.
+  std::string name;
   std::string bytes;
   friend bool operator==(const OpaqueFile&, const OpaqueFile&) = default;
 };
 
-/// A layer of a class that is not known here: kept, saved again, answers no query.
-struct OpaqueLayer {
-  std::string class_name;
-  std::vector<OpaqueFile> files = {};
-  friend bool operator==(const OpaqueLayer&, const OpaqueLayer&) = default;
-};
+/// A layer of a class that nobody registered: kept, saved again, answers no query.
+class OpaqueLayer final : public MapLayer {
+ public:
+  explicit OpaqueLayer(std::string name_of_class, std::optional<std::string> file_bytes = {})
+      : class_name_(std::move(name_of_class)), bytes_(std::move(file_bytes)) {}
 
-/// A new kind of layer is added here, in hypermap_query.cpp and in the archive's layer files; the
-/// compiler names each place that must know it.
-using LayerContent = std::variant<OccupancyLayer, SemanticLayer, OpaqueLayer>;
+  [[nodiscard]] std::string_view class_name() const override { return class_name_; }
+  [[nodiscard]] LayerStatistics statistics() const override { return {}; }
+  /// Errors: kUnsupported, always.
+  [[nodiscard]] Result<std::vector<LayerAnswer>> query(const LayerQuery& query) const override;
+  [[nodiscard]] std::vector<LayerPrimitive> draw() const override { return {}; }
+  [[nodiscard]] Result<void> save(LayerWriter& writer) const override;
+  [[nodiscard]] bool equals(const MapLayer& other) const override;
+
+  friend bool operator==(const OpaqueLayer& a, const OpaqueLayer& b) {
+    return a.class_name_ == b.class_name_ && a.bytes_ == b.bytes_;
+  }
+
+ private:
+  std::string class_name_;
+  std::optional<std::string> bytes_;  ///< Of its file, when it has one.
+};
 
 /// What the configuration says of a layer. An absent flag stays absent on save.
 struct LayerInfo {
@@ -68,30 +72,49 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// `OccupancyGridLayer`, `SemanticLayer`, or the class name of an opaque layer.
+/// The class name of the content.
 [[nodiscard]] std::string_view class_of(const Layer& layer);
+
+/// Whether the first implementation knows the class: OccupancyGridLayer or SemanticLayer.
+[[nodiscard]] bool is_strict_class(std::string_view class_name);
+/// Whether the first implementation's form of archives has the layer among its own: of a class that
+/// it knows, or of one that stood there unknown. All others are extensions of an archive.
+[[nodiscard]] bool is_strict_form(const Layer& layer);
 
 /// Errors: kInvalidArgument unless `name` is plain: 1 to 200 bytes of UTF-8 without control
 /// characters, slash, backslash or colon, not "." or "..", no blank at either end.
 [[nodiscard]] Result<void> validate_layer_name(std::string_view name);
 
-/// Layers in the order of the configuration, frames, and keys that nobody knows.
+/// Layers in the order of the configuration (those of the strict form come first), frames, and keys
+/// that nobody knows.
 ///
 /// A value: copy it, compare it; a reader fills one aside and swaps it in.
 class Hypermap {
  public:
   static constexpr std::size_t kMaxLayers = 256;
 
-  /// Errors: kInvalidArgument for a name that is not plain or that another layer bears, or an empty
-  /// frame_id; kLimit beyond kMaxLayers.
+  /// Behind those of its form. An extension is always loaded from a file: its name when it has
+  /// none. Errors: kInvalidArgument for a name that is not plain or that another layer bears, or an
+  /// empty frame_id; kLimit beyond kMaxLayers.
   [[nodiscard]] Result<void> add_layer(Layer layer);
-  /// Gives a layer new content. Errors: kNotFound.
+  /// Gives a layer new content; one that changes its form moves behind those of the new one.
+  /// Errors: kNotFound.
   [[nodiscard]] Result<void> set_content(std::string_view name, LayerContent content);
+  /// Lets a layer take an update of its class in, as its type does it (MapLayer::updated).
+  /// Errors: kNotFound; kUnsupported when the layer's enable_update is false; those of the type.
+  /// The layer is then as it was.
+  [[nodiscard]] Result<void> update(std::string_view name, const LayerContent& update);
   /// Whether there was one.
   bool remove_layer(std::string_view name);
 
   [[nodiscard]] std::span<const Layer> layers() const noexcept { return layers_; }
   [[nodiscard]] const Layer* find(std::string_view name) const;
+  /// The content of a layer that is there and of this type; else null.
+  template <std::derived_from<MapLayer> T>
+  [[nodiscard]] const T* find_as(std::string_view name) const {
+    const Layer* layer = find(name);
+    return layer == nullptr ? nullptr : layer->content.as<T>();
+  }
   /// The layer, or kNotFound naming the layers there are.
   [[nodiscard]] Result<const Layer*> at(std::string_view name) const;
 

@@ -8,7 +8,9 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/projection/layers/frame_tree.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
+#include "hypermap/projection/layers/layer_query.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -17,17 +19,6 @@
 #include <vector>
 
 namespace hypermap {
-
-/// One thing found.
-struct LayerAnswer {
-  std::uint64_t id = 0;  ///< Of the object; of a grid's cell its place in row-major order.
-  std::string name;      ///< String representation: the object's name; Free, Occupied, Unknown.
-  std::int64_t value =
-      0;  ///< Integer representation: the object's id; the cell's occupancy, -1..100.
-  Eigen::Vector2d position =
-      Eigen::Vector2d::Zero();            ///< Centroid or cell centre, in the query's frame.
-  std::optional<double> confidence = {};  ///< In [0, 1], when the layer knows it.
-};
 
 /// Where a query looks and in which frame it speaks.
 struct QueryScope {
@@ -40,7 +31,14 @@ struct QueryScope {
 /// coordinate is not finite. An empty list is a normal answer, also for a point outside the grid.
 ///
 /// Area queries take the objects that meet the area (touching included), and the cells whose
-/// interior it meets.
+/// interior it meets. Heights are the same in all frames.
+
+/// Asks one layer, which may be in no hypermap, with points and areas in the frame `frame_id`
+/// (empty: the layer's own), to which `frames` leads; answers come in it too.
+[[nodiscard]] Result<std::vector<LayerAnswer>> query_layer(const Layer& layer,
+                                                           const FrameTree& frames,
+                                                           std::string_view frame_id,
+                                                           const LayerQuery& query);
 
 /// getString: what is at a point. Source: [hypermap] table 2, F10, F11.
 [[nodiscard]] Result<std::vector<LayerAnswer>> query_at(const Hypermap& map,

@@ -6,8 +6,9 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/projection/layers/map_layer.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,8 @@
 #include <vector>
 
 namespace hypermap {
+
+inline constexpr std::string_view kSemanticLayerClass = "SemanticLayer";
 
 /// A thing with a name and a shape.
 struct SemanticObject {
@@ -44,7 +47,10 @@ struct SemanticObject {
 
 /// A set of objects with an R-tree over their bounds. A value: copying copies the objects and the
 /// tree. Frame: that of the hypermap layer that holds it.
-class SemanticLayer {
+///
+/// As a layer: its string is the object's name, its integer the object's id, its position the
+/// centroid.
+class SemanticLayer final : public MapLayer {
  public:
   static constexpr std::size_t kMaxObjects = 1'000'000;
   static constexpr std::size_t kMaxNameBytes = 256;
@@ -54,7 +60,7 @@ class SemanticLayer {
   SemanticLayer(SemanticLayer&& other) noexcept;
   SemanticLayer& operator=(const SemanticLayer& other);
   SemanticLayer& operator=(SemanticLayer&& other) noexcept;
-  ~SemanticLayer();
+  ~SemanticLayer() override;
 
   /// A layer of these objects, packed at once: O(n log n).
   /// Errors: as add, naming the index of the object.
@@ -81,6 +87,16 @@ class SemanticLayer {
   [[nodiscard]] std::vector<std::uint64_t> in(const Polygon& area) const;
   /// Ids, ascending, of the objects of that very name.
   [[nodiscard]] std::vector<std::uint64_t> named(std::string_view name) const;
+
+  [[nodiscard]] std::string_view class_name() const override { return kSemanticLayerClass; }
+  [[nodiscard]] LayerStatistics statistics() const override;
+  [[nodiscard]] Result<std::vector<LayerAnswer>> query(const LayerQuery& query) const override;
+  [[nodiscard]] std::vector<LayerPrimitive> draw() const override;
+  [[nodiscard]] Result<void> save(LayerWriter& writer) const override;
+  /// Objects of the update replace those of their ids; the others are added.
+  /// Source: [hypermap] 3.3.4 (SemanticMapUpdate). Errors: as MapLayer; kLimit.
+  [[nodiscard]] Result<LayerContent> updated(const LayerContent& update) const override;
+  [[nodiscard]] bool equals(const MapLayer& other) const override;
 
   friend bool operator==(const SemanticLayer& a, const SemanticLayer& b);
 

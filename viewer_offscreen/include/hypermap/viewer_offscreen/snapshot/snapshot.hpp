@@ -10,6 +10,7 @@
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
+#include "hypermap/projection/layers/layer_drawing.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot_options.hpp"
 
@@ -28,6 +29,15 @@ struct SnapshotObject {
   std::string label = {};                          ///< Empty: no label.
 };
 
+/// What layers of any type draw besides: on the floor, in the order of the layers.
+struct SnapshotOverlay {
+  std::vector<DrawnCells> cells = {};
+  std::vector<DrawnLine> lines = {};
+  std::vector<DrawnText> texts = {};
+
+  [[nodiscard]] bool empty() const { return cells.empty() && lines.empty() && texts.empty(); }
+};
+
 /// What there is to show. Frame: Map; the 2D layers lie in its plane. Every part may be absent.
 ///
 /// Requires: what `leaves` looks at outlives the scene.
@@ -38,6 +48,7 @@ struct SnapshotScene {
   std::vector<SnapshotObject> objects = {};
   std::optional<OccupancyGrid> occupancy = std::nullopt;
   std::vector<SemanticObject> semantic = {};  ///< Coloured by the class that `name` spells.
+  SnapshotOverlay overlay = {};
   std::vector<Eigen::Vector3d> trajectory_in_map = {};
   ClassRegistry classes = {};
 };

@@ -39,6 +39,7 @@ struct SnapshotLayers {
   bool occupancy = false;   ///< The occupancy grid, on the floor.
   bool semantic = false;    ///< Polygons with labels, on the floor.
   bool trajectory = false;  ///< The camera's way.
+  bool overlay = false;     ///< What layers of other types draw, on the floor.
   friend bool operator==(const SnapshotLayers&, const SnapshotLayers&) = default;
 };
 
@@ -66,8 +67,8 @@ struct SnapshotOptions {
 /// qw, separated by commas or blanks. Errors: kInvalidArgument.
 [[nodiscard]] Result<SnapshotView> parse_snapshot_view(std::string_view text);
 
-/// Names separated by commas: voxels objects occupancy semantic trajectory; "all" is all of them.
-/// Errors: kInvalidArgument naming the unknown name and the known ones.
+/// Names separated by commas: voxels objects occupancy semantic trajectory overlay; "all" is all of
+/// them. Errors: kInvalidArgument naming the unknown name and the known ones.
 [[nodiscard]] Result<SnapshotLayers> parse_snapshot_layers(std::string_view text);
 
 struct SnapshotSize {

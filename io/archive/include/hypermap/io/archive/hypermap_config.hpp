@@ -7,10 +7,11 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/value_tree.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/projection/layers/frame_tree.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
-#include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/projection/layers/layer_registry.hpp"
 
 #include <cstdint>
 #include <string>
@@ -39,14 +40,16 @@ inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
 inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
 
-/// A part of the map beyond the strict form, of a known format.
+/// A part of the map beyond the strict form: of a known format, or a layer whose class, registered
+/// by whoever reads, is the format.
 struct ExtensionEntry {
   std::string format;
   std::int64_t version = 1;
   std::string name = {};
   std::string frame_id = "map";
-  std::string file = {};  ///< Member name; of a class grid the stem, as for an occupancy layer.
-  ValueTree extra = {};   ///< All other keys, as a map; null when there are none.
+  /// Member name; of a class grid and a registered layer the stem.
+  std::string file = {};
+  ValueTree extra = {};  ///< All other keys, as a map; null when there are none.
   friend bool operator==(const ExtensionEntry&, const ExtensionEntry&) = default;
 };
 
@@ -64,12 +67,14 @@ struct HypermapConfig {
 /// The member names that a layer's or extension's file may have are checked when it is read, since
 /// a configuration on disk may name files anywhere.
 ///
+/// Extensions whose format is a class of `layers` beyond the strict form are known ones.
+///
 /// Findings: unknown keys, with the nearest known one; extensions of unknown format. Both are kept.
 /// Errors: kMalformedFile naming field and line (a missing key, a wrong type, a name that is not
 /// plain or there twice, a transform that closes a loop); kUnsupported "written by a newer version
 /// N"; kLimit for too many layers or extensions.
-[[nodiscard]] Result<Loaded<HypermapConfig>> parse_hypermap_config(std::string_view bytes,
-                                                                   const SourceName& source);
+[[nodiscard]] Result<Loaded<HypermapConfig>> parse_hypermap_config(
+    std::string_view bytes, const SourceName& source, const LayerRegistry& layers = {});
 
 /// The strict form first: layers, transforms; then format_version, extensions, other keys.
 /// Boundary: without layers the list is there, empty; without extensions their key and

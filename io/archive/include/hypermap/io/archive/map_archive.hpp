@@ -18,6 +18,7 @@
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
+#include "hypermap/projection/layers/layer_registry.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -81,18 +82,21 @@ struct ArchiveLimits {
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
 /// anywhere (absolute); told apart by content.
 ///
-/// Everything is parsed aside; what is returned is whole.
+/// Everything is parsed aside; what is returned is whole. `layers` are the types of layers that
+/// are loaded; those of other classes are kept as they are.
 /// Findings: whatever was repaired, is unknown and kept, or is used by nothing.
 /// Errors: those of ZipReader and of the readers of the parts; kMalformedFile for a missing
 /// configuration or member, a file that leads out of the archive, a file that two layers share, a
 /// label without a class; kUnsupported for a newer version and for a file of another kind; kIo;
 /// kOutOfMemory. Each names archive and member.
 [[nodiscard]] Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
-                                                      const ArchiveLimits& limits = {});
+                                                      const ArchiveLimits& limits = {},
+                                                      const LayerRegistry& layers = {});
 /// The same from an archive's bytes, which errors call `source.file`.
 [[nodiscard]] Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                                        const SourceName& source,
-                                                       const ArchiveLimits& limits = {});
+                                                       const ArchiveLimits& limits = {},
+                                                       const LayerRegistry& layers = {});
 
 /// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
 /// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse.
@@ -106,6 +110,8 @@ struct SaveOptions {
   bool verify = true;
   /// Larger archives are written without that second look. Unit: byte. Default: 1 GiB.
   std::uint64_t max_verified_bytes = std::uint64_t{1} << 30;
+  /// Types of layers that verification loads: all that the map has.
+  LayerRegistry layers = {};
 };
 
 /// Replaces the file atomically. Errors: those of write_archive and write_file_atomically;

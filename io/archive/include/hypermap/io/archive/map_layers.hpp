@@ -28,6 +28,11 @@ namespace hypermap {
 [[nodiscard]] LeafSource published_leaves(const MapArchive& archive,
                                           std::span<const ObjectId> shown);
 
+/// The voxels that the map shows: those of its octree as `published_leaves` of `shown_objects`,
+/// else those of the first octree of another program, as they are; none when there is neither.
+/// Requires: the archive outlives the result and is not changed.
+[[nodiscard]] LeafSource shown_leaves(const MapArchive& archive);
+
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
 /// octree and from the objects that `objects` publishes; other layers stay as they are.
 ///

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which objects are of a class, at a place, in an area, nearest to a point.
+///
+/// Source: [hypermap] 3.3.1 (spatial, keyword and combined queries).
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/geometry/plan_point.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/objects/object_map.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// Conditions that must all hold; those that are absent always do. Frame: Map.
+struct ObjectQuery {
+  /// The best class, in any spelling of it (`canonical_class_name`); an unknown name fits nothing.
+  std::optional<std::string> class_name = std::nullopt;
+  std::optional<ObjectId> id = std::nullopt;
+  std::optional<PlanPoint> at = std::nullopt;  ///< In the box, faces included.
+  std::optional<Polygon> area = std::nullopt;  ///< Meets the box seen from above, edges included.
+  /// One of these, as `published` lists them. Requires: ascending.
+  std::optional<std::vector<ObjectId>> among = std::nullopt;
+};
+
+/// The objects that fulfil the query, in ascending order of ids.
+/// Boundary: an empty list is a normal answer. Cost: O(n).
+[[nodiscard]] std::vector<ObjectId> find_objects(const ObjectMap& objects,
+                                                 const ClassRegistry& classes,
+                                                 const ObjectQuery& query);
+
+/// Those whose best class is this one, in any spelling of it.
+[[nodiscard]] std::vector<ObjectId> objects_of_class(const ObjectMap& objects,
+                                                     const ClassRegistry& classes,
+                                                     std::string_view class_name);
+
+/// Of the objects that fulfil the query the one whose centroid is nearest to `point`, measured in
+/// the plane when `point` has no height; of equally near ones the lowest id. Cost: O(n).
+[[nodiscard]] std::optional<ObjectId> nearest_object(const ObjectMap& objects,
+                                                     const ClassRegistry& classes,
+                                                     const ObjectQuery& query,
+                                                     const PlanPoint& point);
+
+}  // namespace hypermap

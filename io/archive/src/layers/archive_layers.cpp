@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/archive_layers.hpp"
+
+#include "hypermap/io/archive/class_grid_layer.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/objects_layer.hpp"
+#include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/archive/octree_layer.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// Name and frame by which an extension of `format` is saved.
+LayerInfo info_of(const MapArchive& archive, std::string_view format, std::string_view name) {
+  LayerInfo info{.name = std::string(name)};
+  const auto kept = archive.extension_entries.find(format);
+  if (kept == archive.extension_entries.end()) return info;
+  info.name = kept->second.name;
+  info.frame_id = kept->second.frame_id;
+  return info;
+}
+
+std::vector<ObjectId> shown_ids(const MapArchive& archive) {
+  std::vector<ObjectId> ids;
+  for (const Object* object : shown_objects(archive)) ids.push_back(object->id);
+  return ids;
+}
+
+Layer octree_layer(const MapArchive& archive) {
+  const SemanticOctree& octree = *archive.octree;
+  return {.info = info_of(archive, kOctomapFormat, "octree"),
+          .content =
+              OctreeLayer({.leaves = leaf_source(octree),
+                           .drawn = published_leaves(archive, shown_ids(archive)),
+                           .classes = archive.classes,
+                           .file = [&octree] { return write_octomap(to_octomap_tree(octree)); }})};
+}
+
+Layer octree_layer(const OctomapExtension& octomap) {
+  return {
+      .info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
+      .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
+                              .drawn = leaf_source(octomap.tree),
+                              .classes = {},
+                              .file = [&octomap] { return Result<std::string>(octomap.bytes); }})};
+}
+
+Layer objects_layer(const MapArchive& archive) {
+  return {.info = info_of(archive, kObjectsFormat, kObjectsLayer),
+          .content = ObjectsLayer(archive.objects, archive.classes, shown_ids(archive))};
+}
+
+}  // namespace
+
+std::vector<Layer> archive_layers(const MapArchive& archive) {
+  const auto own = archive.hypermap.layers();
+  std::vector<Layer> layers(own.begin(), own.end());
+  if (archive.octree) layers.push_back(octree_layer(archive));
+  for (const OctomapExtension& octomap : archive.octomaps) layers.push_back(octree_layer(octomap));
+  if (!archive.objects.empty()) layers.push_back(objects_layer(archive));
+  for (const ClassGrid& grid : archive.class_grids) {
+    layers.push_back({.info = {.name = grid.class_name, .frame_id = grid.frame_id},
+                      .content = ClassGridLayer(grid.grid)});
+  }
+  return layers;
+}
+
+Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
+  std::vector<Layer> layers = archive_layers(archive);
+  const auto found = std::find_if(
+      layers.begin(), layers.end(), [&](const Layer& layer) { return layer.info.name == name; });
+  if (found != layers.end()) return std::move(*found);
+  if (name == kObjectsLayer) return objects_layer(archive);
+  std::string known;
+  for (const Layer& layer : layers) known += (known.empty() ? "" : ", ") + layer.info.name;
+  return fail(
+      ErrorCode::kNotFound,
+      "no layer is named " + printable(name) + "; there are: " + (known.empty() ? "none" : known),
+      "layer");
+}
+
+}  // namespace hypermap

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/check/file_info.hpp"
+
+#include "hypermap/io/archive/map_server.hpp"
+#include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/codec/file_kind.hpp"
+
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+using DescribedFile = Result<Loaded<FileInfo>>;
+
+DescribedFile describe_archive(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path));
+  return Loaded<FileInfo>{describe(loaded.value), std::move(loaded.findings)};
+}
+
+DescribedFile describe_octree(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_octomap(path));
+  ExtensionEntry entry{.format = std::string(kOctomapFormat), .version = 1, .name = "octree"};
+  MapArchive archive;
+  archive.octomaps.push_back(
+      {.entry = std::move(entry), .bytes = {}, .tree = std::move(loaded.value)});
+  return Loaded<FileInfo>{describe(archive), std::move(loaded.findings)};
+}
+
+DescribedFile describe_map(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path));
+  MapArchive archive;
+  HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "map"}, std::move(loaded.value)}));
+  return Loaded<FileInfo>{describe(archive), std::move(loaded.findings)};
+}
+
+DescribedFile describe_dataset(const std::filesystem::path& path) {
+  ClassRegistry classes;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset, open_dataset(path, {}, classes));
+  return Loaded<FileInfo>{dataset->summary(), dataset->summary().findings};
+}
+
+}  // namespace
+
+Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const FileKind kind, find_file_kind(path));
+  switch (kind) {
+    case FileKind::kDataset:
+      return describe_dataset(path);
+    case FileKind::kOctree:
+      return describe_octree(path);
+    case FileKind::kMap:
+      return describe_map(path);
+    default:
+      return describe_archive(path);
+  }
+}
+
+}  // namespace hypermap

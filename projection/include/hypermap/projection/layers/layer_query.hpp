@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a layer can be asked, and what it answers.
+///
+/// Source: [hypermap] 3.3.1 (spatial and keyword queries), 3.3.3 (string and integer
+/// representations), table 2.
+#pragma once
+
+#include "hypermap/core/geometry/plan_point.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace hypermap {
+
+/// Conditions that must all hold; those that are absent always do.
+///
+/// getString is `at`, getStrings `area`, getCoords `text`, getCoordsArea `text` with `area`; the
+/// integer queries go by `value`. Frame: the layer's.
+struct LayerQuery {
+  std::optional<std::string> text = std::nullopt;    ///< The string representation is this one.
+  std::optional<std::int64_t> value = std::nullopt;  ///< The integer representation is this one.
+  std::optional<PlanPoint> at = std::nullopt;  ///< It is at this point; flat layers ignore heights.
+  /// It is in this area: objects that touch it are, cells must share area with it.
+  std::optional<Polygon> area = std::nullopt;
+};
+
+/// One thing found.
+struct LayerAnswer {
+  std::uint64_t id = 0;    ///< Of the object; of a grid's cell its place in row-major order.
+  std::string name;        ///< String representation: the object's name; Free, Occupied, Unknown.
+  std::int64_t value = 0;  ///< Integer representation: the object's id; the cell's occupancy,
+                           ///< -1..100.
+  Eigen::Vector2d position =
+      Eigen::Vector2d::Zero();            ///< Centroid or cell centre, in the query's frame.
+  std::optional<double> confidence = {};  ///< In [0, 1], when the layer knows it.
+  std::optional<double> z_m = {};         ///< Height of the position; none in flat layers.
+  /// Extent along the axes of the layer's frame; none in flat layers.
+  std::optional<Eigen::Vector3d> size_m = {};
+};
+
+/// Whether string and integer representation are those that `query` asks for.
+[[nodiscard]] inline bool has_representation(const LayerAnswer& answer, const LayerQuery& query) {
+  return (!query.text || *query.text == answer.name) &&
+         (!query.value || *query.value == answer.value);
+}
+
+}  // namespace hypermap

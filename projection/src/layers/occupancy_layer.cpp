@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/projection/layers/occupancy_layer.hpp"
+
+#include "hypermap/projection/layers/layer_members.hpp"
+
+#include <string>
+
+namespace hypermap {
+namespace {
+
+LayerAnswer answer_of(const OccupancyGrid& grid, Cell cell) {
+  const std::int8_t occupancy = grid.at(cell);
+  LayerAnswer answer{.id = grid.geometry().index(cell),
+                     .name = std::string(occupancy_string(occupancy)),
+                     .value = occupancy,
+                     .position = centre(grid.geometry(), cell)};
+  if (occupancy != kUnknownCell) answer.confidence = occupancy / 100.0;
+  return answer;
+}
+
+bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {
+  return (!query.value || *query.value == occupancy) &&
+         (!query.text || *query.text == occupancy_string(occupancy));
+}
+
+/// Cells where the query looks, in row-major order.
+template <class Visit>
+void for_each_cell(const GridGeometry& geometry, const LayerQuery& query, const Visit& visit) {
+  const auto at = query.at ? cell_at(geometry, query.at->xy) : std::nullopt;
+  if (query.at && !at) return;
+  if (query.area) {
+    for_each_covered_cell(geometry, *query.area, [&](Cell cell, double /*covered*/) {
+      if (!at || cell == *at) visit(cell);
+    });
+    return;
+  }
+  if (at) return visit(*at);
+  for (int row = 0; row < geometry.rows; ++row) {
+    for (int col = 0; col < geometry.cols; ++col) visit(Cell{col, row});
+  }
+}
+
+}  // namespace
+
+LayerStatistics OccupancyLayer::statistics() const {
+  LayerStatistics statistics{.cells = grid.counts()};
+  if (grid.geometry().num_cells() == 0) return statistics;
+  const Rect rect = hypermap::bounds(grid.geometry());
+  statistics.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(rect.min.x(), rect.min.y(), 0.0),
+                                          Eigen::Vector3d(rect.max.x(), rect.max.y(), 0.0));
+  return statistics;
+}
+
+Result<std::vector<LayerAnswer>> OccupancyLayer::query(const LayerQuery& query) const {
+  std::vector<LayerAnswer> answers;
+  for_each_cell(grid.geometry(), query, [&](Cell cell) {
+    if (is_asked_for(grid.at(cell), query)) answers.push_back(answer_of(grid, cell));
+  });
+  return answers;
+}
+
+std::vector<LayerPrimitive> OccupancyLayer::draw() const {
+  return {DrawnOccupancy{grid}};
+}
+
+Result<void> OccupancyLayer::save(LayerWriter& writer) const {
+  return writer.grid("", *this);
+}
+
+bool OccupancyLayer::equals(const MapLayer& other) const {
+  return is_same_layer(*this, other);
+}
+
+}  // namespace hypermap

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_query.hpp"
+
+#include "hypermap/io/archive/map_layers.hpp"
+#include "io/archive/sample_archive.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace hypermap {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+
+/// Two sofas, of which the layer `semantic` shows the second, and an object that nobody named.
+MapArchive archive_with_sofas() {
+  MapArchive archive;
+  const ClassId sofa = archive.classes.add("couch").value();
+  for (const double x : {0.0, 2.0, 4.0}) {
+    Object object;
+    if (x < 4.0) {
+      object.belief.observe(std::array{ClassEvidence{sofa, Probability(0.9)}}, Probability(0.5));
+    }
+    object.box = {{x, 0.0, 0.0}, {x + 1.0, 1.0, 0.5}};
+    object.centroid_in_map = object.box.centre();
+    (void)archive.objects.add(object);
+  }
+  const Polygon square = make_polygon({{2, 0}, {3, 0}, {3, 1}, {2, 1}}).value();
+  auto layer = SemanticLayer::create({{.id = 2, .name = "couch", .parts = {square}},
+                                      {.id = 3, .name = "thing", .parts = {square}}});
+  EXPECT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, std::move(layer).value()}));
+  return archive;
+}
+
+auto ids_are(std::vector<std::uint64_t> ids) {
+  std::vector<testing::Matcher<MapAnswer>> each;
+  for (const std::uint64_t id : ids) each.push_back(Field(&MapAnswer::id, id));
+  return testing::ElementsAreArray(each);
+}
+
+TEST(MapQuery, OnlyObjectsThatTheMapShowsAnswer) {
+  const MapArchive archive = archive_with_sofas();
+  const auto all = query_map(archive, {.layer = "objects"}).value();
+  EXPECT_EQ(all.frame_id, "map");
+  EXPECT_THAT(all.found, ids_are({2, 3}));
+  EXPECT_THAT(query_map(archive, {.layer = "objects", .text = "sofa"}).value().found, ids_are({2}));
+  EXPECT_THAT(query_map(archive, {.layer = "objects", .value = 1}).value().found, IsEmpty());
+}
+
+TEST(MapQuery, AnObjectAnswersWithClassPlaceAndSize) {
+  const MapArchive archive = archive_with_sofas();
+  const auto found = query_map(archive, {.layer = "objects"}).value().found;
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].name, "couch");
+  EXPECT_EQ(found[0].value, 2);
+  EXPECT_EQ(found[0].position.xy, Eigen::Vector2d(2.5, 0.5));
+  EXPECT_EQ(found[0].position.z, 0.25);
+  EXPECT_EQ(found[0].size_m, Eigen::Vector3d(1.0, 1.0, 0.5));
+  EXPECT_EQ(found[1].name, "unknown");
+}
+
+TEST(MapQuery, ANumberThatIsNoIdNamesNoObject) {
+  const MapArchive archive = archive_with_sofas();
+  constexpr std::int64_t kTwoPlus2To32 = (std::int64_t{1} << 32) + 2;
+  for (const std::int64_t value :
+       {std::int64_t{0}, std::int64_t{-1}, kTwoPlus2To32, std::numeric_limits<std::int64_t>::max()})
+    EXPECT_THAT(query_map(archive, {.layer = "objects", .value = value}).value().found, IsEmpty());
+}
+
+TEST(MapQuery, ALayerAnswersInTheFrameAskedFor) {
+  const MapArchive archive = test::sample_archive();
+  const MapQuery cup{.layer = "semantic", .text = "cup"};
+  const auto own = query_map(archive, cup).value();
+  EXPECT_EQ(own.frame_id, "lab");
+  ASSERT_EQ(own.found.size(), 1U);
+  EXPECT_EQ(own.found[0].position.z, std::nullopt);
+  EXPECT_EQ(own.found[0].size_m, std::nullopt);
+  MapQuery in_map = cup;
+  in_map.frame_id = "map";
+  const auto turned = query_map(archive, in_map).value();
+  EXPECT_EQ(turned.frame_id, "map");
+  EXPECT_NE(turned.found[0].position.xy, own.found[0].position.xy);
+}
+
+TEST(MapQuery, ALayerIsAskedByPointByAreaByTextAndByNumber) {
+  const MapArchive archive = archive_with_sofas();
+  const Polygon area = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}).value();
+  const auto ask = [&](MapQuery query) {
+    query.layer = "semantic";
+    return query_map(archive, query).value().found;
+  };
+  EXPECT_THAT(ask({.at = PlanPoint{{2.5, 0.5}}}), ids_are({2, 3}));
+  EXPECT_THAT(ask({.area = area}), ids_are({2, 3}));
+  EXPECT_THAT(ask({.text = "thing", .area = area}), ids_are({3}));
+  EXPECT_THAT(ask({.value = 2}), ids_are({2}));
+}
+
+TEST(MapQuery, ALayerRefusesWhatItCannotCombine) {
+  const MapArchive archive = archive_with_sofas();
+  for (const MapQuery& query : {MapQuery{.layer = "semantic"},
+                                MapQuery{.layer = "semantic", .value = 1, .at = PlanPoint{}},
+                                MapQuery{.layer = "semantic", .text = "couch", .value = 1}}) {
+    const auto refused = query_map(archive, query);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  }
+  EXPECT_EQ(query_map(archive, {.layer = "smells", .value = 1}).error().code, ErrorCode::kNotFound);
+}
+
+TEST(MapQuery, TheNearestIsOneThatTheMapShows) {
+  const MapArchive archive = archive_with_sofas();
+  EXPECT_THAT(query_nearest(archive, "sofa", {{0, 0}}).value().found, ids_are({2}));
+  EXPECT_EQ(query_nearest(archive, "zebra", {{0, 0}}).error().code, ErrorCode::kNotFound);
+}
+
+}  // namespace
+}  // namespace hypermap

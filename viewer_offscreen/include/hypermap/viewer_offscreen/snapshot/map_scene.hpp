@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a picture shows of a map, wherever the map lives: in an archive or in a running mapper.
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/objects/object.hpp"
+#include "hypermap/projection/layers/hypermap.hpp"
+#include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
+
+#include <span>
+
+namespace hypermap {
+
+/// What the hypermap's layers draw (`with_layer`), the voxels, and each of `objects` with its box
+/// and the name of its best class; every part may be empty. The title is left empty.
+///
+/// Boundary: the scene's frame is that of the last layer, whatever its kind.
+/// Requires: what `leaves` looks at outlives the scene. Cost: a copy of grid, shapes and classes.
+[[nodiscard]] SnapshotScene map_scene(const Hypermap& hypermap,
+                                      const ClassRegistry& classes,
+                                      std::span<const Object* const> objects,
+                                      LeafSource leaves);
+
+}  // namespace hypermap

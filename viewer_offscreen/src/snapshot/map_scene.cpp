@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/viewer_offscreen/snapshot/map_scene.hpp"
+
+#include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
+
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+SnapshotObject drawn(const Object& object, const ClassRegistry& classes) {
+  const auto best = best_class(object);
+  if (!best) return {.box = object.box, .label = "unknown"};
+  return {.box = object.box, .class_id = best->id, .label = classes.name(best->id)};
+}
+
+}  // namespace
+
+SnapshotScene map_scene(const Hypermap& hypermap,
+                        const ClassRegistry& classes,
+                        std::span<const Object* const> objects,
+                        LeafSource leaves) {
+  SnapshotScene scene{.leaves = std::move(leaves), .classes = classes};
+  for (const Layer& layer : hypermap.layers()) scene = with_layer(std::move(scene), layer);
+  for (const Object* object : objects) scene.objects.push_back(drawn(*object, classes));
+  return scene;
+}
+
+}  // namespace hypermap
