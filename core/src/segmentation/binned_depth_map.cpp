@@ -2,6 +2,7 @@
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/segmentation/depth_cloud.hpp"
 
 #include <tbb/parallel_for.h>
@@ -14,14 +15,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kMaxPanelsPerSide = 4096;
-
-Result<void> check_panels(int value, const char* field) {
-  if (value >= 1 && value <= kMaxPanelsPerSide) return {};
-  return fail(
-      ErrorCode::kInvalidArgument, "must be in 1..4096, is " + std::to_string(value), field);
-}
 
 /// First pixel of panel `panel` of `panels` over `side_px` pixels; panels differ by a pixel at
 /// most.
@@ -66,20 +59,42 @@ DepthPanel make_panel(const RgbdFrame& frame,
   return panel;
 }
 
+using BinnedDepth = BinnedDepthMapOptions;
+
+constexpr OptionRow kPanelRows[] = {
+    option::count<&BinnedDepth::columns>(
+        "columns",
+        {1, 4096},
+        {.source = "[smap] table D.1", .effect = "Panels across.", .smap = 24}),
+    option::count<&BinnedDepth::rows>(
+        "rows", {1, 4096}, {.source = "[smap] table D.1", .effect = "Panels down.", .smap = 16}),
+    option::number<&BinnedDepth::min_range_m>(
+        "min_range_m",
+        {0, 1000},
+        {.unit = "m", .source = "[smap] table D.1, R_min", .effect = "Nearer depth is dropped."}),
+    option::number<&BinnedDepth::max_range_m>(
+        "max_range_m",
+        option::above(0, 1000),
+        {.unit = "m", .effect = "Farther depth is dropped.", .smap = 1.7}),
+};
+
+Result<void> check_ranges(const BinnedDepth& options) {
+  if (options.max_range_m > options.min_range_m) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be above min_range_m (" + number_text(options.min_range_m) + "), is " +
+                  number_text(options.max_range_m),
+              "max_range_m");
+}
+
 }  // namespace
 
+const OptionTable& option_table(const BinnedDepthMapOptions&) {
+  static constexpr OptionTable kTable{kPanelRows, kRule<check_ranges>};
+  return kTable;
+}
+
 Result<void> validate(const BinnedDepthMapOptions& options) {
-  HYPERMAP_TRY(check_panels(options.columns, "columns"));
-  HYPERMAP_TRY(check_panels(options.rows, "rows"));
-  if (!(options.min_range_m >= 0.0) || !std::isfinite(options.min_range_m)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be finite and >= 0, is " + number_text(options.min_range_m),
-                "min_range_m");
-  }
-  if (options.max_range_m > options.min_range_m && std::isfinite(options.max_range_m)) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be finite and > min_range_m, is " + number_text(options.max_range_m),
-              "max_range_m");
+  return check_options(options);
 }
 
 BinnedDepthMap::BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options)

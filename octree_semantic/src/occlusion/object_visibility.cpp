@@ -203,33 +203,6 @@ Box overlooked(const RgbdFrame& frame, double max_range_m) {
 
 }  // namespace
 
-Result<void> validate(const VisibilityOptions& options) {
-  const auto refuse = [](const std::string& rule, double value, const std::string& field) {
-    return fail(ErrorCode::kInvalidArgument, rule + ", is " + std::to_string(value), field);
-  };
-  if (options.max_rays < 1 || options.max_rays > 65536) {
-    return refuse("must be in 1 .. 65536", options.max_rays, "max_rays");
-  }
-  if (!(options.max_range_m > 0.0) || !std::isfinite(options.max_range_m)) {
-    return refuse("must be finite and > 0", options.max_range_m, "max_range_m");
-  }
-  struct Field {
-    double value;
-    double max;
-    const char* name;
-  };
-  for (const Field& field : {Field{options.depth_tolerance_m, 10.0, "depth_tolerance_m"},
-                             Field{options.depth_tolerance_per_m2, 10.0, "depth_tolerance_per_m2"},
-                             Field{options.min_in_view_share, 1.0, "min_in_view_share"},
-                             Field{options.min_open_share, 1.0, "min_open_share"},
-                             Field{options.absent_share, 1.0, "absent_share"},
-                             Field{options.partly_occluded_share, 1.0, "partly_occluded_share"}}) {
-    if (field.value >= 0.0 && field.value <= field.max) continue;
-    return refuse("must be in 0 .. " + std::to_string(field.max), field.value, field.name);
-  }
-  return {};
-}
-
 Result<std::vector<VisibilityVerdict>> judge_visibility(const ObjectMap& objects,
                                                         const RgbdFrame& frame,
                                                         const AnswerLines& answer,

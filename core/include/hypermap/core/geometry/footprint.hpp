@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// A cell of the point grid: floor(p / edge) on each axis. Source: [smap] Eq. (3.8), restored.
 struct PointCell {
   std::int32_t x = 0;
@@ -49,6 +51,7 @@ struct PointEvidenceOptions {
 
 /// Errors: kInvalidArgument naming the field and its range.
 [[nodiscard]] Result<void> validate(const PointEvidenceOptions& options);
+[[nodiscard]] const OptionTable& option_table(const PointEvidenceOptions& options);
 
 /// Everything that a PointEvidence remembers, for storing it.
 struct PointEvidenceState {

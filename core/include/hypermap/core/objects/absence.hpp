@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What one frame says about the place of one object.
 struct VisibilityVerdict {
   ObjectId object;
@@ -78,6 +80,7 @@ struct AbsenceOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const AbsenceOptions& options);
+[[nodiscard]] const OptionTable& option_table(const AbsenceOptions& options);
 
 struct AbsenceReport {
   std::size_t num_visible = 0;

@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// One detected and segmented thing of one frame.
 struct Observation {
   Segment segment;
@@ -88,6 +90,7 @@ struct AssignmentOptions {
   double merge_factor = 1.15;
   friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const AssignmentOptions& options);
 
 struct AssociationOptions {
   AssociationPolicy policy = AssociationPolicy::kAssignment;
@@ -119,6 +122,7 @@ struct AssociationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const AssociationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const AssociationOptions& options);
 
 /// What limits the candidates of policy smap. Source: [smap] 3.5.4, steps 1 and C.2.2.
 struct AssociationScope {

@@ -18,6 +18,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What happens to a class whose log-odds would pass the upper bound.
 enum class Saturation {
   /// Each class stops at the bound. Source: [smap] 3.5.3. A class that is often a little likely
@@ -40,6 +42,7 @@ struct ClassBeliefOptions {
 
 /// Errors: kInvalidArgument when min_log_odds >= max_log_odds or one is not finite.
 [[nodiscard]] Result<void> validate(const ClassBeliefOptions& options);
+[[nodiscard]] const OptionTable& option_table(const ClassBeliefOptions& options);
 
 /// One class and the belief in it.
 struct ClassLogOdds {

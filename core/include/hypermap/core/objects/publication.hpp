@@ -14,6 +14,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct PublicationOptions {
   /// Existence must be above; ours: 3. [hypermap] 3.4.5: 2. None: not asked (preset smap).
   std::optional<LogOdds> min_existence = LogOdds(3.0);
@@ -30,6 +32,7 @@ struct PublicationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const PublicationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const PublicationOptions& options);
 
 /// In ascending order of ids.
 [[nodiscard]] std::vector<ObjectId> published(const ObjectMap& objects,

@@ -15,6 +15,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct VisibilityHistogramOptions {
   int num_bins = 18;            ///< Bins of a full turn, 4 to 360; 20 degrees each. [smap] 5.1
   double base_increment = 2.0;  ///< Log-odds that a near observation adds. [smap] table D.2, d_base
@@ -33,6 +35,7 @@ struct VisibilityHistogramOptions {
 /// Errors: kInvalidArgument naming the field: bins in 4..360, weights finite, >= 0 and not all 0,
 /// increment finite and > 0, bounds in order, hidden_below <= visible_above, both in [0, 1].
 [[nodiscard]] Result<void> validate(const VisibilityHistogramOptions& options);
+[[nodiscard]] const OptionTable& option_table(const VisibilityHistogramOptions& options);
 
 /// Log-odds of "the object can be seen from there", per bearing of the camera as seen from the
 /// object's centre, in the map frame. A value.

@@ -15,6 +15,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct BinnedDepthMapOptions {
   /// Panels across. [smap] table D.1, BDM dimensions: 24. Unit: panel.
   int columns = 24;
@@ -30,6 +32,7 @@ struct BinnedDepthMapOptions {
 
 /// Errors: kInvalidArgument naming the field: sides in 1..4096, 0 <= min_range_m < max_range_m.
 [[nodiscard]] Result<void> validate(const BinnedDepthMapOptions& options);
+[[nodiscard]] const OptionTable& option_table(const BinnedDepthMapOptions& options);
 
 /// One panel: the box of its points, which may overlap its neighbours' ([smap] figure 3.17).
 struct DepthPanel {

@@ -15,6 +15,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// How the thing is told from what else the box shows.
 enum class SegmentationPolicy {
   /// Ours: what continues outside the box is background (floor, table top, wall, neighbours); of
@@ -66,6 +68,7 @@ struct ForegroundOptions {
 
   friend bool operator==(const ForegroundOptions&, const ForegroundOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const ForegroundOptions& options);
 
 /// Policy `kRegionGrowing`.
 struct RegionGrowingOptions {
@@ -83,6 +86,7 @@ struct RegionGrowingOptions {
 
   friend bool operator==(const RegionGrowingOptions&, const RegionGrowingOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const RegionGrowingOptions& options);
 
 /// The defaults are ours; `smap_segmentation()` and `hypermap_segmentation()` are the sources'.
 struct GeometricSegmentationOptions {
@@ -120,6 +124,7 @@ struct GeometricSegmentationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const GeometricSegmentationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const GeometricSegmentationOptions& options);
 
 /// Table D.1 of [smap] as printed.
 [[nodiscard]] GeometricSegmentationOptions smap_segmentation();

@@ -14,6 +14,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// How the values of a class that several detectors know become one.
 enum class StackingRule {
   kSum,       ///< Their sum: says what any detector says.
@@ -35,6 +37,7 @@ struct StackingOptions {
 
 /// Errors: kInvalidArgument: a weight that is not finite and >= 0, min_overlap outside (0, 1].
 [[nodiscard]] Result<void> validate(const StackingOptions& options);
+[[nodiscard]] const OptionTable& option_table(const StackingOptions& options);
 
 /// One class vector over the combined set: each class once, sorted by id, summing to 1.
 ///

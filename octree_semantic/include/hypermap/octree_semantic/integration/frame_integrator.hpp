@@ -24,6 +24,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What frees space. Measurements occupy the voxel in which they end in every mode.
 ///
 /// | mode | frees | occupied voxels |
@@ -58,6 +60,7 @@ struct IntegrationOptions {
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const IntegrationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const IntegrationOptions& options);
 
 /// What is known of some measurements of a frame: they belong together.
 struct PixelLabels {

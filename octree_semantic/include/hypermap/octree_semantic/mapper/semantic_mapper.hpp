@@ -27,6 +27,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct SemanticMapperOptions {
   OctreeOptions octree;
   IntegrationOptions integration;
@@ -44,6 +46,7 @@ struct SemanticMapperOptions {
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SemanticMapperOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SemanticMapperOptions& options);
 
 /// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
 struct StageSeconds {

@@ -22,6 +22,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct VisibilityOptions {
   int max_rays = 128;        ///< Rays per object at most, 1 .. 65,536, spread evenly over it.
   double max_range_m = 5.0;  ///< Farther points are out of view, > 0.
@@ -39,6 +41,7 @@ struct VisibilityOptions {
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const VisibilityOptions& options);
+[[nodiscard]] const OptionTable& option_table(const VisibilityOptions& options);
 
 /// Answers lines of sight, 1 where hidden, in their order; as OcclusionScene::occluded.
 using AnswerLines = std::function<Result<std::vector<std::uint8_t>>(std::span<const SightLine>)>;

@@ -28,6 +28,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct OctreeOptions {
   double resolution_m = 0.05;         ///< Edge of a voxel, 0.001 .. 10.
   SensorModelOptions sensor_model{};  ///< OctoMap's defaults.
@@ -37,6 +39,7 @@ struct OctreeOptions {
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const OctreeOptions& options);
+[[nodiscard]] const OptionTable& option_table(const OctreeOptions& options);
 
 /// All that the map keeps of one known voxel, exactly: for archives.
 struct StoredLeaf {

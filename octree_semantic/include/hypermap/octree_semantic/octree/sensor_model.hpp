@@ -16,6 +16,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Log-odds in steps of 0.001.
 using MilliLogOdds = std::int16_t;
 
@@ -40,6 +42,7 @@ struct SensorModelOptions {
 /// Errors: kInvalidArgument naming the field: hit > 0.5 > miss, both inside (0, 1);
 /// clamp_min < 0.5 < clamp_max, both in [0.000001, 0.999999]; occupied_from between the clamps.
 [[nodiscard]] Result<void> validate(const SensorModelOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SensorModelOptions& options);
 
 /// The same in the units of the voxels.
 struct SensorModel {

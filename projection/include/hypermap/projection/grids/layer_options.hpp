@@ -7,6 +7,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct LayerOptions {
   /// Band of heights over the floor in which things are obstacles. Unit: metre. Default: 0.1 .. 1.8
   double min_height_m = 0.1;
@@ -18,5 +20,6 @@ struct LayerOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const LayerOptions& options);
+[[nodiscard]] const OptionTable& option_table(const LayerOptions& options);
 
 }  // namespace hypermap

@@ -17,6 +17,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Everything that changes a map, besides the data.
 struct MapOptions {
   SemanticMapperOptions mapper;
@@ -26,6 +28,7 @@ struct MapOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const MapOptions& options);
+[[nodiscard]] const OptionTable& option_table(const MapOptions& options);
 
 /// What `hypermap config` prints of one option.
 struct OptionDescription {
