@@ -89,7 +89,7 @@ std::string range_text(const OptionRow& row) {
       return text;
     }
     default:
-      return to_string(row.range) + (row.may_be_none ? ", none" : "");
+      return (row.may_be_none ? "none or " : "") + to_string(row.range);
   }
 }
 

@@ -2,8 +2,6 @@
 #include "hypermap/core/objects/absence.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace hypermap {
 namespace {

@@ -4,7 +4,6 @@
 #include "contact.hpp"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <vector>
 

@@ -41,6 +41,7 @@ DepthPanel make_panel(const RgbdFrame& frame,
                       const PixelRect& rect,
                       const BinnedDepthMapOptions& options) {
   const Eigen::Isometry3d& map_from_camera = frame.map_from_camera.isometry();
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
   DepthPanel panel;
   const double middle_u = 0.5 * (rect.u_begin + rect.u_end - 1);
   const double middle_v = 0.5 * (rect.v_begin + rect.v_end - 1);
@@ -51,7 +52,7 @@ DepthPanel make_panel(const RgbdFrame& frame,
       const float depth = frame.depth_m.at(u, v);
       if (!is_measured(depth)) continue;
       const double depth_m = static_cast<double>(depth);
-      if (depth_m < options.min_range_m || depth_m > options.max_range_m) continue;
+      if (depth_m < options.min_range_m || depth_m > max_range_m) continue;
       const PointInCamera point = frame.camera.unproject(u, v, depth_m);
       extend(panel, map_from_camera * point.xyz, point.xyz.norm());
     }
@@ -74,15 +75,18 @@ constexpr OptionRow kPanelRows[] = {
         {.unit = "m", .source = "[smap] table D.1, R_min", .effect = "Nearer depth is dropped."}),
     option::number<&BinnedDepth::max_range_m>(
         "max_range_m",
-        option::above(0, 1000),
-        {.unit = "m", .effect = "Farther depth is dropped.", .smap = 1.7}),
+        option::above(0, 100000),
+        {.unit = "m",
+         .effect = "Farther depth is dropped; none: as integration.max_range_m.",
+         .smap = 1.7}),
 };
 
 Result<void> check_ranges(const BinnedDepth& options) {
-  if (options.max_range_m > options.min_range_m) return {};
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
+  if (max_range_m > options.min_range_m) return {};
   return fail(ErrorCode::kInvalidArgument,
               "must be above min_range_m (" + number_text(options.min_range_m) + "), is " +
-                  number_text(options.max_range_m),
+                  number_text(max_range_m),
               "max_range_m");
 }
 

@@ -106,12 +106,13 @@ constexpr OptionRow kSegmentationRows[] = {
                                                 .source = "[smap] table D.1, R_min",
                                                 .effect = "Nearer depth is dropped.",
                                                 .smap = 0.2}),
-    option::number<&Segmentation::max_range_m>("max_range_m",
-                                               option::above(0, 100),
-                                               {.unit = "m",
-                                                .source = "[smap] table D.1, R_max: 1.7",
-                                                .effect = "Farther depth is dropped.",
-                                                .smap = 1.7}),
+    option::number<&Segmentation::max_range_m>(
+        "max_range_m",
+        option::above(0, kMaxSegmentedRangeM),
+        {.unit = "m",
+         .source = "[smap] table D.1, R_max: 1.7",
+         .effect = "Farther depth is dropped; none: as integration.max_range_m.",
+         .smap = 1.7}),
     option::number<&Segmentation::leaf_size_m>("leaf_size_m",
                                                option::zero_or(kFinestLeafM, 10),
                                                {.unit = "m",
@@ -159,10 +160,11 @@ constexpr OptionRow kSegmentationRows[] = {
 };
 
 Result<void> check_segmentation(const Segmentation& options) {
-  if (!(options.max_range_m > options.min_range_m)) {
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
+  if (!(max_range_m > options.min_range_m)) {
     return fail(ErrorCode::kInvalidArgument,
                 "must be above min_range_m (" + number_text(options.min_range_m) + "), is " +
-                    number_text(options.max_range_m),
+                    number_text(max_range_m),
                 "max_range_m");
   }
   if (options.cluster_max_points >= options.cluster_min_points) return {};

@@ -67,6 +67,19 @@ Result<void> apply(const BoundOptions& options, const YamlNode& node, const std:
   return {};
 }
 
+Result<void> set_option(MapOptions& options, std::string_view name, std::string_view text) {
+  const BoundOptions known = options_of(options);
+  const BoundOption* option = find_option(known, name);
+  if (option == nullptr) {
+    return fail(ErrorCode::kNotFound, unknown_text(known, std::string(name)), "option");
+  }
+  const auto document = parse_yaml(text, SourceName{});
+  const Result<void> assigned =
+      document ? assign_yaml(*option, document->root()) : Unexpected(document.error());
+  if (assigned) return {};
+  return fail(ErrorCode::kInvalidArgument, assigned.error().what, std::string(name));
+}
+
 Result<ObjectPipelineOptions> preset_from(const YamlNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
   if (const auto name = preset_of(text)) return preset(*name);
@@ -99,7 +112,7 @@ const OptionTable& option_table(const MapOptions&) {
 }
 
 Result<void> validate(const MapOptions& options) {
-  return check_options(options);
+  return check_options(MapOptions{with_ranges(options.mapper), options.layers});
 }
 
 std::vector<OptionDescription> describe_options(const MapOptions& options) {
@@ -121,19 +134,14 @@ Result<MapOptions> with_option(const MapOptions& options,
                                std::string_view name,
                                std::string_view text) {
   MapOptions out = options;
-  const BoundOptions known = options_of(out);
-  const BoundOption* option = find_option(known, name);
-  if (option == nullptr) {
-    return fail(ErrorCode::kNotFound, unknown_text(known, std::string(name)), "option");
-  }
-  const auto document = parse_yaml(text, SourceName{});
-  const Result<void> assigned =
-      document ? assign_yaml(*option, document->root()) : Unexpected(document.error());
-  if (!assigned) {
-    return fail(ErrorCode::kInvalidArgument, assigned.error().what, std::string(name));
-  }
+  HYPERMAP_TRY(set_option(out, name, text));
   HYPERMAP_TRY(validate(out));
   return out;
+}
+
+Result<void> check_option(std::string_view name, std::string_view text) {
+  MapOptions scratch;
+  return set_option(scratch, name, text);
 }
 
 Result<MapOptions> read_options(const std::filesystem::path& path, const MapOptions& base) {

@@ -2,7 +2,6 @@
 #include "frame_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace hypermap {

@@ -16,7 +16,8 @@ constexpr OptionRow kIntegrationRows[] = {
     option::number<&IntegrationOptions::max_range_m>(
         "max_range_m",
         option::above(0, 100000),
-        {.unit = "m", .effect = "Farther measurements only free the way up to here."}),
+        {.unit = "m",
+         .effect = "Farther measurements only free the way up to here. Other ranges follow it."}),
     option::count<&IntegrationOptions::num_threads>(
         "num_threads",
         {1, 256},

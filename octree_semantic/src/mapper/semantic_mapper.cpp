@@ -97,7 +97,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
                                SemanticOctree octree,
                                ObjectMap objects,
                                OcclusionScene occlusion)
-    : options_(std::move(options)),
+    : options_(with_ranges(std::move(options))),
       octree_(std::move(octree)),
       objects_(std::move(objects)),
       occlusion_(std::move(occlusion)) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace hypermap {
 namespace {
@@ -63,6 +62,7 @@ class RayJudge {
   RayJudge(const RgbdFrame& frame, const VisibilityOptions& options)
       : frame_(&frame),
         options_(&options),
+        max_range_m_(options.max_range_m.value_or(kDefaultMaxRangeM)),
         camera_from_map_(frame.map_from_camera.inverse()),
         camera_in_map_(frame.map_from_camera.origin()) {}
 
@@ -70,7 +70,7 @@ class RayJudge {
   [[nodiscard]] Sight judge(const Eigen::Vector3d& point_in_map, const Box& box) {
     const PointInCamera point = camera_from_map_ * PointInMap{point_in_map};
     const auto pixel = frame_->camera.project(point);
-    if (!pixel || !(point.xyz.norm() <= options_->max_range_m)) return Sight::kOutside;
+    if (!pixel || !(point.xyz.norm() <= max_range_m_)) return Sight::kOutside;
     if (!in_picture(*pixel)) return Sight::kOutside;
     const double depth_m = point.xyz.z();
     const double tolerance_m =
@@ -114,6 +114,7 @@ class RayJudge {
 
   const RgbdFrame* frame_;
   const VisibilityOptions* options_;
+  double max_range_m_;
   Transform<frame::Camera, frame::Map> camera_from_map_;
   PointInMap camera_in_map_;
   std::vector<SightLine> lines_;
@@ -208,7 +209,8 @@ Result<std::vector<VisibilityVerdict>> judge_visibility(const ObjectMap& objects
                                                         const AnswerLines& answer,
                                                         const VisibilityOptions& options,
                                                         std::span<const ObjectId> seen_now) {
-  const std::vector<ObjectId> ids = objects.query(overlooked(frame, options.max_range_m));
+  const std::vector<ObjectId> ids =
+      objects.query(overlooked(frame, options.max_range_m.value_or(kDefaultMaxRangeM)));
   HYPERMAP_ASSIGN_OR_RETURN(const Sights sights, look_at(objects, ids, frame, answer, options));
   const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
   std::vector<VisibilityVerdict> verdicts;

@@ -11,7 +11,8 @@ constexpr OptionRow kVisibilityRows[] = {
     option::number<&VisibilityOptions::max_range_m>(
         "max_range_m",
         option::above(0, 100000),
-        {.unit = "m", .effect = "Farther points are out of view."}),
+        {.unit = "m",
+         .effect = "Farther points are out of view; none: as integration.max_range_m."}),
     option::number<&VisibilityOptions::depth_tolerance_m>(
         "depth_tolerance_m",
         {0, 10},

@@ -132,6 +132,13 @@ TEST(OptionTable, RangesReadAsSentences) {
   EXPECT_EQ(to_string(option::below(0, 0.5)), "at least 0 and below 0.5");
   EXPECT_EQ(to_string(option::inside(0.5, 1)), "above 0.5 and below 1");
   EXPECT_EQ(to_string(option::zero_or(2, 9)), "0 or 2 .. 9");
+  std::vector<std::string> texts;
+  for (const OptionRow& row : kOuterRows) {
+    if (row.kind != OptionKind::kSection) texts.push_back(range_text(row));
+  }
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{
+                "0 or 2 .. 9", "true, false", "sweet, sour", "none or 1 .. 8", "names", "1 .. 4"}));
 }
 
 TEST(OptionTable, APresetGivesItsValuesAndLeavesTheOthers) {

@@ -132,6 +132,25 @@ TEST(OptionsFile, ARefusalNamesTheWholeWayToTheField) {
   EXPECT_EQ(validate(options).error().field, "publication.min_existence");
 }
 
+TEST(OptionsFile, AValueIsCheckedByItselfOrWithTheOthers) {
+  EXPECT_TRUE(check_option("segmentation.min_range_m", "9"));
+  EXPECT_EQ(to_string(with_option({}, "segmentation.min_range_m", "9").error()),
+            "segmentation.max_range_m: must be above min_range_m (9), is 5");
+  EXPECT_EQ(to_string(check_option("segmentation.min_range_m", "-1").error()),
+            "segmentation.min_range_m: must be in 0 .. 100, is -1");
+}
+
+TEST(OptionsFile, ARangeIsSetApartOrFollows) {
+  const auto apart = with_option({}, "segmentation.max_range_m", "2.5");
+  ASSERT_TRUE(apart) << to_string(apart.error());
+  EXPECT_EQ(apart->mapper.objects.segmentation.max_range_m, 2.5);
+  const auto following = with_option(*apart, "segmentation.max_range_m", "none");
+  ASSERT_TRUE(following) << to_string(following.error());
+  EXPECT_EQ(*following, MapOptions{});
+  EXPECT_EQ(value_of({}, "segmentation.max_range_m"), "none");
+  EXPECT_EQ(value_of({}, "integration.max_range_m"), "5");
+}
+
 TEST(OptionsFile, AnOptionIsSetByItsName) {
   const auto options = with_option({}, "octree.resolution_m", "0.02");
   ASSERT_TRUE(options) << to_string(options.error());

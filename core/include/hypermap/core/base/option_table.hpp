@@ -114,7 +114,7 @@ struct OptionTable {
   Result<void> (*rule)(const void* options) = nullptr;
 };
 
-/// "true, false", "names", the names of a choice, or the interval.
+/// "true, false", "names", the names of a choice, or the interval: "none or 0 .. 1".
 [[nodiscard]] std::string range_text(const OptionRow& row);
 
 /// Errors: kInvalidArgument, without a field: the rule that `value` breaks, and the value.

@@ -30,9 +30,9 @@ enum class Saturation {
 };
 
 struct ClassBeliefOptions {
-  /// Evidence saturates here, so a wrong belief can still be overturned. [smap] table D.2: 10.
+  /// Evidence saturates here, so a wrong belief can still be overturned.
   LogOdds max_log_odds{10.0};
-  /// Lower bound. [smap] table D.2: -10.
+  /// Lower bound.
   LogOdds min_log_odds{-10.0};
   /// Deviation: the sources clamp; test ASimilarClassNeverCatchesUpWhenTheBeliefShifts.
   Saturation saturation = Saturation::kShift;

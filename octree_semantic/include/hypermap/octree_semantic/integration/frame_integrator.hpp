@@ -8,6 +8,7 @@
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
@@ -51,10 +52,10 @@ enum class IntegrationMode : std::uint8_t { kExact, kDiscretize, kProjective };
 
 struct IntegrationOptions {
   IntegrationMode mode = IntegrationMode::kProjective;
-  /// Farther measurements free the way up to here and occupy nothing; > 0, at most 100,000.
-  /// Distance from the sensor, not depth.
-  double max_range_m = 5.0;
-  /// Threads that share the work of a frame, 1 .. 256. The result does not depend on it.
+  /// Farther measurements free the way up to here and occupy nothing. Distance from the sensor, not
+  /// depth. In a mapper it is the range of the whole map.
+  double max_range_m = kDefaultMaxRangeM;
+  /// Threads that share the work of a frame. The result does not depend on it.
   int num_threads = 1;
   friend bool operator==(const IntegrationOptions&, const IntegrationOptions&) = default;
 };

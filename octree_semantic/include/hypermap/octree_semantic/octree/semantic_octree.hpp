@@ -31,9 +31,9 @@ namespace hypermap {
 struct OptionTable;
 
 struct OctreeOptions {
-  double resolution_m = 0.05;         ///< Edge of a voxel, 0.001 .. 10.
+  double resolution_m = 0.05;         ///< Edge of a voxel.
   SensorModelOptions sensor_model{};  ///< OctoMap's defaults.
-  /// Class evidence of a voxel saturates at +- this, 0.1 .. 30. [smap] table D.2: 10.
+  /// Class evidence of a voxel saturates at +- this.
   LogOdds max_class_log_odds{10.0};
   friend bool operator==(const OctreeOptions&, const OctreeOptions&) = default;
 };

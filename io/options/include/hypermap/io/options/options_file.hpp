@@ -50,6 +50,10 @@ struct OptionDescription {
                                              std::string_view name,
                                              std::string_view text);
 
+/// Whether the option `name` may have the value that `text` says, whatever the others are.
+/// Errors: as with_option.
+[[nodiscard]] Result<void> check_option(std::string_view name, std::string_view text);
+
 /// A copy of `base` with what the file says. A key `preset` (default, smap, hypermap) replaces the
 /// `mapper.objects` of `base` before all other keys.
 /// Errors: kIo; those of `read_yaml`; kNotFound for an unknown key, with the nearest known name;
