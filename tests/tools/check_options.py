@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Every number of an options struct has a default and a comment, and every real number its unit in
-the name or in the comment. Fields of a type of ours are explained by that type."""
+the name or in the comment. Fields of a type of ours are explained by that type.
+
+Each field of the options of a map (MapOptions and all that it holds) stands in the option table of
+its struct, with an effect, and with the unit that its name or type says. Structs that MapOptions
+does not hold are arguments of single calls: `config` and options files do not know them."""
 
 import re
 import sys
@@ -20,6 +24,19 @@ UNIT_IN_COMMENT = re.compile(
 REAL = ("double", "float")
 OWN_TYPE = re.compile(r"^(const )?[A-Z]\w*$")
 HAS_NO_DEFAULT_OF_ITS_OWN = re.compile(r"^(double|float|bool|int|unsigned|char|std::u?int\d+_t|std::size_t)")
+
+
+MAP_OPTIONS = "MapOptions"
+NO_OPTION_OF_A_FILE = {
+    "StackingOptions.weights": "detectors by number have no meaning elsewhere",
+    "AssociationOptions.transient_classes": "classes by number have no meaning elsewhere",
+    "SemanticMapperOptions.transient_classes": "the ids of transient_class_names",
+}
+ALIAS = re.compile(r"^using (\w+) = (\w+Options);", re.MULTILINE)
+ROW = re.compile(r"option::(\w+)<&(\w+)::(\w+)>\(")
+UNIT_OF_NAME = {"_m": "m", "_px": "px", "_s": "s", "_deg": "degrees", "_per_m": "m/m", "_per_m2": "1/m"}
+UNIT_OF_TYPE = {"LogOdds": "log-odds", "Probability": "probability"}
+SAYS_NO_UNIT = ("flag", "choice", "names", "section")
 
 
 def comment_above(lines, index):
@@ -48,24 +65,103 @@ def field_problem(kind, name, default, comment):
     return None
 
 
-def check(root):
-    problems = []
+def structs_of(root):
+    """(path, text, match) of each options struct of the public headers."""
     for path in source_tree.public_headers(root):
         text = source_tree.read(path)
         for struct in STRUCT.finditer(text):
-            body = struct.group(2)
-            lines = body.split("\n")
-            for field in FIELD.finditer(body):
-                kind, name, default, trailing = field.groups()
-                index = body.count("\n", 0, field.start())
-                comment = comment_above(lines, index) or comment_beside(lines, index, trailing)
-                problem = field_problem(kind.strip(), name, default, comment)
-                if problem is None:
-                    continue
-                line = source_tree.line_of(text, struct.start(2) + field.start())
-                problems.append(f"{path.relative_to(root).as_posix()}:{line}: "
-                                f"{struct.group(1)}.{name} {problem}")
+            yield path, text, struct
+
+
+def check_comments(root):
+    problems = []
+    for path, text, struct in structs_of(root):
+        body = struct.group(2)
+        lines = body.split("\n")
+        for field in FIELD.finditer(body):
+            kind, name, default, trailing = field.groups()
+            index = body.count("\n", 0, field.start())
+            comment = comment_above(lines, index) or comment_beside(lines, index, trailing)
+            problem = field_problem(kind.strip(), name, default, comment)
+            if problem is None:
+                continue
+            line = source_tree.line_of(text, struct.start(2) + field.start())
+            problems.append(f"{path.relative_to(root).as_posix()}:{line}: "
+                            f"{struct.group(1)}.{name} {problem}")
     return problems
+
+
+def row_text(text, start):
+    """The arguments of a row, from its opening parenthesis to the closing one."""
+    code = source_tree.without_comments_and_strings(text)
+    depth = 0
+    for end in range(start, len(code)):
+        depth += {"(": 1, ")": -1}.get(code[end], 0)
+        if depth == 0:
+            return text[start:end + 1]
+    return text[start:]
+
+
+def rows_of(root):
+    """{"Struct.field": (kind, arguments)} of all tables."""
+    rows = {}
+    for path in source_tree.files(root, source_tree.LIBRARIES, [".cpp"]):
+        text = source_tree.read(path)
+        if "option::" not in text:
+            continue
+        aliases = dict(ALIAS.findall(text))
+        for row in ROW.finditer(text):
+            struct = aliases.get(row.group(2), row.group(2))
+            rows[f"{struct}.{row.group(3)}"] = (row.group(1), row_text(text, row.end() - 1))
+    return rows
+
+
+def expected_unit(kind, name):
+    bare = kind.strip().removeprefix("std::optional<").rstrip(">")
+    if bare in UNIT_OF_TYPE:
+        return UNIT_OF_TYPE[bare]
+    endings = [ending for ending in UNIT_OF_NAME if name.endswith(ending)]
+    return UNIT_OF_NAME[max(endings, key=len)] if endings else None
+
+
+def row_problem(kind, name, row):
+    if row is None:
+        return "stands in no option table"
+    function, arguments = row
+    if function == "section":
+        return None
+    if ".effect" not in arguments:
+        return "has no effect in its table"
+    unit = expected_unit(kind, name)
+    if function in SAYS_NO_UNIT or unit is None or f'.unit = "{unit}"' in arguments:
+        return None
+    return f'has not the unit "{unit}" in its table'
+
+
+def check_tables(root):
+    structs = {struct.group(1): (path, text, struct) for path, text, struct in structs_of(root)}
+    rows = rows_of(root)
+    problems, seen, waiting = [], set(), [MAP_OPTIONS]
+    while waiting:
+        name = waiting.pop()
+        if name in seen or name not in structs:
+            continue
+        seen.add(name)
+        path, text, struct = structs[name]
+        for field in FIELD.finditer(struct.group(2)):
+            kind, member = field.group(1), field.group(2)
+            waiting.append(kind.strip())
+            key = f"{name}.{member}"
+            problem = row_problem(kind, member, rows.get(key))
+            if problem is None or key in NO_OPTION_OF_A_FILE:
+                continue
+            line = source_tree.line_of(text, struct.start(2) + field.start())
+            problems.append(f"{path.relative_to(root).as_posix()}:{line}: {key} {problem}")
+    return problems
+
+
+def check(root):
+    return check_comments(root) + check_tables(root)
 
 
 HEADER = "core/include/hypermap/core/a.hpp"
@@ -79,11 +175,35 @@ GOOD = {HEADER: header("  double range_m = 1.0;  ///< Farther is dropped.\n"
                        "  /// Names to keep.\n  std::vector<std::string> names = {};\n"
                        "  /// Larger keeps more. Unit: standard deviation.\n  double spread = 0.3;\n"
                        "  friend bool operator==(const AOptions&, const AOptions&) = default;\n")}
+MAP_HEADER = "io/options/include/hypermap/io/b.hpp"
+TABLE = "core/src/a.cpp"
+GOOD[MAP_HEADER] = "struct MapOptions {\n  CoreOptions core;\n};\n"
+GOOD["core/include/hypermap/core/c.hpp"] = (
+    "struct CoreOptions {\n  double range_m = 1.0;  ///< Farther is dropped.\n};\n")
+GOOD["io/options/src/b.cpp"] = 'auto a = option::section<&MapOptions::core>("core");\n'
+
+
+def table(notes):
+    return ("using Core = CoreOptions;\n"
+            f'auto a = option::number<&Core::range_m>("range_m", {{0, 1}}, {{{notes}}});\n')
+
+
+GOOD[TABLE] = table('.unit = "m", .effect = "Farther (than this) is dropped."')
 BAD = [
     ("no comment", {HEADER: header("  double range_m = 1.0;\n")}),
     ("no default", {HEADER: header("  double range_m;  ///< Farther is dropped.\n")}),
     ("no unit", {HEADER: header("  double spread = 0.3;  ///< Larger keeps more.\n")}),
     ("second field", {HEADER: header("  int a = 1;  ///< Many.\n  int b = 1;\n")}),
+    ("not in a table", {"core/include/hypermap/core/c.hpp":
+                        "struct CoreOptions {\n  double range_m = 1.0;  ///< Farther is dropped.\n"
+                        "  int more = 1;  ///< Many.\n};\n"}),
+    ("no unit in the table", {"core/include/hypermap/core/c.hpp":
+                              GOOD["core/include/hypermap/core/c.hpp"],
+                              TABLE: table('.effect = "Farther is dropped."')}),
+    ("no effect in the table", {"core/include/hypermap/core/c.hpp":
+                                GOOD["core/include/hypermap/core/c.hpp"],
+                                TABLE: table('.unit = "m"')}),
+    ("no section", {MAP_HEADER: GOOD[MAP_HEADER], "io/options/src/b.cpp": ""}),
 ]
 
 if __name__ == "__main__":

@@ -11,10 +11,10 @@
 #include <CLI/Validators.hpp>
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace hypermap::app {
 namespace {
@@ -27,15 +27,32 @@ struct MapArguments {
   std::string preset = "default";
   std::optional<std::string> config;
   std::optional<std::string> mode;
-  std::optional<double> resolution_m;
-  std::optional<double> max_range_m;
+  std::optional<std::string> resolution_m;
+  std::optional<std::string> max_range_m;
   std::optional<std::string> stats;
   int num_threads = 0;
 };
 
-const std::map<std::string, IntegrationMode> kModes{{"exact", IntegrationMode::kExact},
-                                                    {"discretize", IntegrationMode::kDiscretize},
-                                                    {"projective", IntegrationMode::kProjective}};
+/// Accepts what an options file may say of the option `name`.
+CLI::Validator value_of_option(const std::string& name) {
+  return {[name](const std::string& text) {
+            const auto checked = check_option(name, text);
+            return checked ? std::string() : checked.error().what;
+          },
+          "",
+          name};
+}
+
+/// The options that have a flag of their own.
+Result<MapOptions> with_flags(MapOptions options, const MapArguments& arguments) {
+  for (const auto& [name, text] : {std::pair{"integration.mode", arguments.mode},
+                                   std::pair{"octree.resolution_m", arguments.resolution_m},
+                                   std::pair{"integration.max_range_m", arguments.max_range_m}}) {
+    if (!text) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(options, with_option(options, name, *text));
+  }
+  return options;
+}
 
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const MapArguments& arguments) {
@@ -49,15 +66,11 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   if (arguments.config) {
     HYPERMAP_ASSIGN_OR_RETURN(options, read_options(*arguments.config, options));
   }
+  HYPERMAP_ASSIGN_OR_RETURN(options, with_flags(std::move(options), arguments));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
-  if (arguments.mode) {
-    job.mapper.integration.mode = kModes.at(*arguments.mode);
-  }
-  if (arguments.resolution_m) job.mapper.octree.resolution_m = *arguments.resolution_m;
-  if (arguments.max_range_m) job.mapper.integration.max_range_m = *arguments.max_range_m;
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
   HYPERMAP_TRY(validate(job.mapper));
@@ -120,11 +133,14 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--mode",
                   arguments.mode,
                   "what frees space: every ray, one per voxel, or projection (default)")
-      ->check(CLI::IsMember({"exact", "discretize", "projective"}));
+      ->check(value_of_option("integration.mode"));
   command.add_option("--resolution", arguments.resolution_m, "edge of a voxel (default 0.05)")
-      ->check(number_in(0.001, 10.0));
-  command.add_option("--max-range", arguments.max_range_m, "farther depth only frees (default 5)")
-      ->check(number_in(0.01, 1000.0));
+      ->check(value_of_option("octree.resolution_m"));
+  command
+      .add_option("--max-range",
+                  arguments.max_range_m,
+                  "farther depth only frees, and shows no object (default 5)")
+      ->check(value_of_option("integration.max_range_m"));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));

@@ -1,17 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/deadline.hpp"
 
-#include "out_of_range.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace hypermap {
 
+namespace {
+
+constexpr std::string_view kDeadlineNames[] = {"none", "fixed", "smap"};
+
+constexpr OptionRow kDeadlineRows[] = {
+    option::choice<&DeadlineOptions::rule>(
+        "rule",
+        kDeadlineNames,
+        {.source = "[smap] (F.1)",
+         .effect = "When no detection of a frame is begun any more; for live use, not for `map`."}),
+    option::number<&DeadlineOptions::frame_s>(
+        "frame_s",
+        option::above(0, 3600),
+        {.unit = "s", .effect = "With rule fixed, from the start of the frame."}),
+};
+
+}  // namespace
+
+const OptionTable& option_table(const DeadlineOptions&) {
+  static constexpr OptionTable kTable{kDeadlineRows};
+  return kTable;
+}
+
 Result<void> validate(const DeadlineOptions& options) {
-  if (options.frame_s > 0.0 && options.frame_s <= 3600.0) return {};
-  return out_of_range("deadline.frame_s", "must be above 0 and at most 3600", options.frame_s);
+  return check_options(options);
 }
 
 double object_lifetime_s(std::size_t num_active) {

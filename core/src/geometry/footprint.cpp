@@ -211,25 +211,6 @@ Result<void> check_edge(double edge_m, double first_edge_m) {
 
 }  // namespace
 
-Result<void> validate(const PointEvidenceOptions& options) {
-  if (!(options.edge_m >= 0.001 && options.edge_m <= 1.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0.001..1, is " + number_text(options.edge_m),
-                "edge_m");
-  }
-  if (options.max_cells < 64 || options.max_cells > 65'536) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 64..65536, is " + std::to_string(options.max_cells),
-                "max_cells");
-  }
-  if (!(options.min_vote_share >= 0.0 && options.min_vote_share <= 1.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in [0, 1], is " + number_text(options.min_vote_share),
-                "min_vote_share");
-  }
-  return {};
-}
-
 PointEvidence::PointEvidence(const PointEvidenceOptions& options) : options_(options) {
   take({.edge_m = options.edge_m, .num_observations = 0, .votes = {}});
 }

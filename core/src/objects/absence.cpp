@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/absence.hpp"
 
-#include "base/out_of_range.hpp"
-
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace hypermap {
 namespace {
@@ -96,45 +92,7 @@ bool is_to_be_removed(const Object& object, const AbsenceOptions& options) {
              : object_confidence(object, options.confidence) < options.min_confidence;
 }
 
-bool is_share(double value) {
-  return value >= 0.0 && value <= 1.0;
-}
-
-bool is_amount(double value) {
-  return std::isfinite(value) && value >= 0.0;
-}
-
 }  // namespace
-
-Result<void> validate(const AbsenceOptions& options) {
-  struct Check {
-    const char* field;
-    double value;
-    bool ok;
-    const char* rule;
-  };
-  const auto amount = [](const char* field, double value) {
-    return Check{field, value, is_amount(value), "must be finite and >= 0"};
-  };
-  const auto share = [](const char* field, double value) {
-    return Check{field, value, is_share(value), "must be in [0, 1]"};
-  };
-  for (const Check& check : {amount("missed_decay", options.missed_decay.value()),
-                             amount("absent_decay", options.absent_decay.value()),
-                             amount("absent_class_decay", options.absent_class_decay.value()),
-                             share("partly_occluded_factor", options.partly_occluded_factor),
-                             share("occluded_factor", options.occluded_factor),
-                             amount("expected_range_factor", options.expected_range_factor),
-                             amount("panel_tolerance_m", options.panel_tolerance_m),
-                             share("absent_share", options.absent_share),
-                             share("occluded_share", options.occluded_share)}) {
-    if (!check.ok) return out_of_range(check.field, check.rule, check.value);
-  }
-  if (!std::isfinite(options.min_existence.value())) {
-    return out_of_range("min_existence", "must be finite", options.min_existence.value());
-  }
-  return {};
-}
 
 AbsenceReport apply_absences(ObjectMap& objects,
                              std::span<const VisibilityVerdict> verdicts,

@@ -1,81 +1,143 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/objects/association.hpp"
-
-#include <cmath>
-#include <string>
+#include "hypermap/core/objects/object.hpp"
+#include "option_names.hpp"
 
 namespace hypermap {
 namespace {
 
-struct Check {
-  const char* field;
-  double value;
-  bool ok;
-  const char* rule;
+using Assignment = AssignmentOptions;
+using Association = AssociationOptions;
+
+constexpr OptionRow kAssignmentRows[] = {
+    option::number<&Assignment::near_m>(
+        "near_m",
+        option::above(0, 10),
+        {.unit = "m", .effect = "Points and boxes this near touch."}),
+    option::number<&Assignment::same_class_agreement>(
+        "same_class_agreement",
+        {0, 1},
+        {.effect = "Class vectors that agree so much count as one class."}),
+    option::number<&Assignment::same_class_share>(
+        "same_class_share",
+        {0, 1},
+        {.effect = "Same class: share of points that must lie in the other,"}),
+    option::number<&Assignment::same_class_box_share>(
+        "same_class_box_share", {0, 1}, {.effect = "or share of the smaller box,"}),
+    option::number<&Assignment::same_class_distance>(
+        "same_class_distance",
+        {0, 100},
+        {.unit = "diagonals", .effect = "or the most distance of the centres."}),
+    option::number<&Assignment::other_class_share>(
+        "other_class_share",
+        {0, 1},
+        {.effect = "Other class: share of points of each that must lie in the other,"}),
+    option::number<&Assignment::part_share>(
+        "part_share", {0, 1}, {.effect = "or nearly all of one lies in the other"}),
+    option::number<&Assignment::part_diagonal>(
+        "part_diagonal",
+        {0, 1},
+        {.effect = "and its diagonal is at least this share of the other."}),
+    option::number<&Assignment::part_maturity>(
+        "part_maturity",
+        option::above(0, 1000),
+        {.effect = "and it was not seen more than this many times as often."}),
+    option::number<&Assignment::merge_factor>(
+        "merge_factor",
+        {1, 100},
+        {.effect = "Objects merge when the shares are exceeded by this factor."}),
 };
 
-Check positive(const char* field, double value) {
-  return {field, value, std::isfinite(value) && value > 0.0, "must be finite and > 0"};
-}
+constexpr std::string_view kAssociationNames[] = {"assignment", "overlap", "radius", "smap"};
 
-Check not_negative(const char* field, double value) {
-  return {field, value, std::isfinite(value) && value >= 0.0, "must be finite and >= 0"};
-}
-
-Check share(const char* field, double value) {
-  return {field, value, value >= 0.0 && value <= 1.0, "must be in [0, 1]"};
-}
-
-Check finite(const char* field, double value) {
-  return {field, value, std::isfinite(value), "must be finite"};
-}
-
-template <class Checks>
-Result<void> first_failure(const Checks& checks) {
-  for (const Check& check : checks) {
-    if (check.ok) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                std::string(check.rule) + ", is " + number_text(check.value),
-                check.field);
-  }
-  return {};
-}
-
-Result<void> validate_assignment(const AssignmentOptions& o) {
-  return first_failure(std::initializer_list<Check>{
-      positive("assignment.near_m", o.near_m),
-      share("assignment.same_class_agreement", o.same_class_agreement),
-      share("assignment.same_class_share", o.same_class_share),
-      share("assignment.same_class_box_share", o.same_class_box_share),
-      not_negative("assignment.same_class_distance", o.same_class_distance),
-      share("assignment.other_class_share", o.other_class_share),
-      share("assignment.part_share", o.part_share),
-      share("assignment.part_diagonal", o.part_diagonal),
-      positive("assignment.part_maturity", o.part_maturity),
-      {"assignment.merge_factor", o.merge_factor, o.merge_factor >= 1.0, "must be >= 1"}});
-}
+constexpr OptionRow kAssociationRows[] = {
+    option::choice<&Association::policy>("policy",
+                                         kAssociationNames,
+                                         {.effect = "Which object an observation shows.",
+                                          .smap = AssociationPolicy::kSmap,
+                                          .hypermap = AssociationPolicy::kOverlap}),
+    option::section<&Association::assignment>("assignment"),
+    option::number<&Association::min_jaccard>(
+        "min_jaccard",
+        {0, 1},
+        {.source = "[hypermap] 3.4.5",
+         .effect = "Policy overlap: least Jaccard index of the shapes.",
+         .hypermap = 0.2}),
+    option::number<&Association::radius_m>("radius_m",
+                                           option::above(0, 1000),
+                                           {.unit = "m",
+                                            .source = "[hypermap] 3.4.5",
+                                            .effect = "Policy radius: half side of the square."}),
+    option::number<&Association::position_error_m>("position_error_m",
+                                                   option::above(0, 1000),
+                                                   {.unit = "m",
+                                                    .source = "[smap] table D.2, o_e",
+                                                    .effect = "Policy smap: error of a position.",
+                                                    .smap = 0.2}),
+    option::number<&Association::tracking_factor>(
+        "tracking_factor",
+        option::above(0, 1000),
+        {.source = "[smap] table D.2, o_t",
+         .effect = "Policy smap: times that error is the same thing.",
+         .smap = 0.5}),
+    option::choice<&Association::shape>("shape",
+                                        kShapeNames,
+                                        {.source = "[hypermap] 3.4.5",
+                                         .effect = "Which shape policy overlap compares with.",
+                                         .hypermap = ShapePolicy::kBest}),
+    option::number<&Association::shape_leaf_m>(
+        "shape_leaf_m",
+        {0, 10},
+        {.unit = "m", .source = "[hypermap] 3.4.4", .effect = "Thins projected points."}),
+    option::flag<&Association::box_from_points>(
+        "box_from_points",
+        {.effect = "The box follows the agreed points instead of a filter.", .smap = false}),
+    option::number<&Association::max_box_confidence>(
+        "max_box_confidence",
+        option::inside(0.5, 1),
+        {.unit = "probability",
+         .source = "public implementation of [smap]",
+         .effect = "A certain box would freeze the object."}),
+    option::number<&Association::min_gain>(
+        "min_gain", {0, 1}, {.effect = "Smallest gain of the box filter."}),
+    option::number<&Association::max_box_log_odds>("max_box_log_odds",
+                                                   option::above(0, 1000),
+                                                   {.unit = "log-odds",
+                                                    .source = "[smap] table D.2",
+                                                    .effect = "Clamp of the box confidence."}),
+    option::number<&Association::new_existence>(
+        "new_existence",
+        {-1000, 1000},
+        {.unit = "log-odds", .source = "[hypermap] 3.4.5", .effect = "Existence of a new object."}),
+    option::number<&Association::seen_existence>(
+        "seen_existence",
+        {0, 1000},
+        {.unit = "log-odds", .source = "[hypermap] 3.4.5", .effect = "Added by each observation."}),
+    option::number<&Association::max_existence>("max_existence",
+                                                {-1000, 1000},
+                                                {.unit = "log-odds",
+                                                 .source = "public implementation of [hypermap]",
+                                                 .effect = "Cap of the existence."}),
+    option::section<&Association::belief>("belief"),
+    option::section<&Association::histogram>("histogram"),
+    option::section<&Association::points>("points"),
+};
 
 }  // namespace
 
+const OptionTable& option_table(const AssignmentOptions&) {
+  static constexpr OptionTable kTable{kAssignmentRows};
+  return kTable;
+}
+
+const OptionTable& option_table(const AssociationOptions&) {
+  static constexpr OptionTable kTable{kAssociationRows};
+  return kTable;
+}
+
 Result<void> validate(const AssociationOptions& options) {
-  HYPERMAP_TRY(validate_assignment(options.assignment));
-  const double most = options.max_box_confidence;
-  HYPERMAP_TRY(first_failure(std::initializer_list<Check>{
-      share("min_jaccard", options.min_jaccard),
-      positive("radius_m", options.radius_m),
-      positive("position_error_m", options.position_error_m),
-      positive("tracking_factor", options.tracking_factor),
-      not_negative("shape_leaf_m", options.shape_leaf_m),
-      {"max_box_confidence", most, most > 0.5 && most < 1.0, "must be above 0.5 and below 1"},
-      share("min_gain", options.min_gain),
-      positive("max_box_log_odds", options.max_box_log_odds.value()),
-      finite("new_existence", options.new_existence.value()),
-      not_negative("seen_existence", options.seen_existence.value()),
-      finite("max_existence", options.max_existence.value())}));
-  HYPERMAP_TRY(validate(options.belief));
-  HYPERMAP_TRY(validate(options.histogram));
-  return validate(options.points);
+  return check_options(options);
 }
 
 }  // namespace hypermap

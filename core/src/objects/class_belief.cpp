@@ -22,18 +22,6 @@ bool has_lower_id(const ClassLogOdds& a, const ClassLogOdds& b) {
 
 }  // namespace
 
-Result<void> validate(const ClassBeliefOptions& options) {
-  const double low = options.min_log_odds.value();
-  const double high = options.max_log_odds.value();
-  if (!std::isfinite(low) || !std::isfinite(high) || low >= high) {
-    return fail(
-        ErrorCode::kInvalidArgument,
-        "must be finite and < max_log_odds (" + number_text(high) + "), is " + number_text(low),
-        "min_log_odds");
-  }
-  return {};
-}
-
 Result<ClassBelief> ClassBelief::create(const ClassBeliefOptions& options) {
   HYPERMAP_TRY(validate(options));
   ClassBelief belief;

@@ -2,10 +2,8 @@
 #include "hypermap/core/objects/publication.hpp"
 
 #include "contact.hpp"
-#include "hypermap/core/base/number_text.hpp"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -38,16 +36,6 @@ bool is_same_place(const Body& weaker, const Body& stronger, const PublicationOp
 }
 
 }  // namespace
-
-Result<void> validate(const PublicationOptions& options) {
-  for (const auto& [field, value] :
-       {std::pair{"same_place_share", options.same_place_share},
-        std::pair{"same_place_diagonal", options.same_place_diagonal}}) {
-    if (value >= 0.0 && value <= 1.0) continue;
-    return fail(ErrorCode::kInvalidArgument, "must be in [0, 1], is " + number_text(value), field);
-  }
-  return {};
-}
 
 std::vector<ObjectId> published(const ObjectMap& objects, const PublicationOptions& options) {
   std::vector<const Object*> believed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/visibility_histogram.hpp"
 
-#include "base/out_of_range.hpp"
+#include "hypermap/core/base/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -18,33 +18,6 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-Result<void> validate(const VisibilityHistogramOptions& options) {
-  if (options.num_bins < 4 || options.num_bins > 360) {
-    return out_of_range("num_bins", "must be in 4..360", options.num_bins);
-  }
-  if (!(std::isfinite(options.base_increment) && options.base_increment > 0.0)) {
-    return out_of_range("base_increment", "must be finite and > 0", options.base_increment);
-  }
-  for (const double w : options.weights) {
-    if (!(std::isfinite(w) && w >= 0.0)) return out_of_range("weights", "must be finite, >= 0", w);
-  }
-  if (std::accumulate(options.weights.begin(), options.weights.end(), 0.0) <= 0.0) {
-    return out_of_range("weights", "must not all be 0, their sum", 0.0);
-  }
-  const double low = options.min_log_odds.value();
-  if (!(std::isfinite(low) && std::isfinite(options.max_log_odds.value()) &&
-        options.min_log_odds < options.max_log_odds)) {
-    return out_of_range("min_log_odds", "must be finite and < max_log_odds", low);
-  }
-  if (!(options.visible_above >= 0.0 && options.visible_above <= 1.0)) {
-    return out_of_range("visible_above", "must be in [0, 1]", options.visible_above);
-  }
-  if (!(options.hidden_below >= 0.0 && options.hidden_below <= options.visible_above)) {
-    return out_of_range("hidden_below", "must be in [0, visible_above]", options.hidden_below);
-  }
-  return {};
-}
-
 VisibilityHistogram::VisibilityHistogram(const VisibilityHistogramOptions& options)
     : options_(options), bins_(static_cast<std::size_t>(options.num_bins)) {}
 
@@ -59,7 +32,9 @@ Result<VisibilityHistogram> VisibilityHistogram::from_bins(
   }
   for (const LogOdds l : bins) {
     if (l >= options.min_log_odds && l <= options.max_log_odds) continue;
-    return out_of_range("histogram", "bins must be within the bounds, one", l.value());
+    return fail(ErrorCode::kInvalidArgument,
+                "bins must be within the bounds, one is " + number_text(l.value()),
+                "histogram");
   }
   VisibilityHistogram histogram(options);
   histogram.bins_ = std::move(bins);

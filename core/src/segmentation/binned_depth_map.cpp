@@ -2,6 +2,7 @@
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/segmentation/depth_cloud.hpp"
 
 #include <tbb/parallel_for.h>
@@ -14,14 +15,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kMaxPanelsPerSide = 4096;
-
-Result<void> check_panels(int value, const char* field) {
-  if (value >= 1 && value <= kMaxPanelsPerSide) return {};
-  return fail(
-      ErrorCode::kInvalidArgument, "must be in 1..4096, is " + std::to_string(value), field);
-}
 
 /// First pixel of panel `panel` of `panels` over `side_px` pixels; panels differ by a pixel at
 /// most.
@@ -48,6 +41,7 @@ DepthPanel make_panel(const RgbdFrame& frame,
                       const PixelRect& rect,
                       const BinnedDepthMapOptions& options) {
   const Eigen::Isometry3d& map_from_camera = frame.map_from_camera.isometry();
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
   DepthPanel panel;
   const double middle_u = 0.5 * (rect.u_begin + rect.u_end - 1);
   const double middle_v = 0.5 * (rect.v_begin + rect.v_end - 1);
@@ -58,7 +52,7 @@ DepthPanel make_panel(const RgbdFrame& frame,
       const float depth = frame.depth_m.at(u, v);
       if (!is_measured(depth)) continue;
       const double depth_m = static_cast<double>(depth);
-      if (depth_m < options.min_range_m || depth_m > options.max_range_m) continue;
+      if (depth_m < options.min_range_m || depth_m > max_range_m) continue;
       const PointInCamera point = frame.camera.unproject(u, v, depth_m);
       extend(panel, map_from_camera * point.xyz, point.xyz.norm());
     }
@@ -66,20 +60,45 @@ DepthPanel make_panel(const RgbdFrame& frame,
   return panel;
 }
 
+using BinnedDepth = BinnedDepthMapOptions;
+
+constexpr OptionRow kPanelRows[] = {
+    option::count<&BinnedDepth::columns>(
+        "columns",
+        {1, 4096},
+        {.source = "[smap] table D.1", .effect = "Panels across.", .smap = 24}),
+    option::count<&BinnedDepth::rows>(
+        "rows", {1, 4096}, {.source = "[smap] table D.1", .effect = "Panels down.", .smap = 16}),
+    option::number<&BinnedDepth::min_range_m>(
+        "min_range_m",
+        {0, 1000},
+        {.unit = "m", .source = "[smap] table D.1, R_min", .effect = "Nearer depth is dropped."}),
+    option::number<&BinnedDepth::max_range_m>(
+        "max_range_m",
+        option::above(0, 100000),
+        {.unit = "m",
+         .effect = "Farther depth is dropped; none: as integration.max_range_m.",
+         .smap = 1.7}),
+};
+
+Result<void> check_ranges(const BinnedDepth& options) {
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
+  if (max_range_m > options.min_range_m) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be above min_range_m (" + number_text(options.min_range_m) + "), is " +
+                  number_text(max_range_m),
+              "max_range_m");
+}
+
 }  // namespace
 
+const OptionTable& option_table(const BinnedDepthMapOptions&) {
+  static constexpr OptionTable kTable{kPanelRows, kRule<check_ranges>};
+  return kTable;
+}
+
 Result<void> validate(const BinnedDepthMapOptions& options) {
-  HYPERMAP_TRY(check_panels(options.columns, "columns"));
-  HYPERMAP_TRY(check_panels(options.rows, "rows"));
-  if (!(options.min_range_m >= 0.0) || !std::isfinite(options.min_range_m)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be finite and >= 0, is " + number_text(options.min_range_m),
-                "min_range_m");
-  }
-  if (options.max_range_m > options.min_range_m && std::isfinite(options.max_range_m)) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be finite and > min_range_m, is " + number_text(options.max_range_m),
-              "max_range_m");
+  return check_options(options);
 }
 
 BinnedDepthMap::BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options)

@@ -43,7 +43,7 @@ class CleanRows {
         rect_(rect),
         nearest_(std::max(static_cast<float>(options.min_range_m),
                           std::numeric_limits<float>::denorm_min())),
-        farthest_(static_cast<float>(options.max_range_m)),
+        farthest_(static_cast<float>(options.max_range_m.value_or(kDefaultMaxRangeM))),
         nothing_(static_cast<std::size_t>(rect.width()) + 2, kNothing) {
     rows_.fill(nothing_);
     held_.fill(-1);

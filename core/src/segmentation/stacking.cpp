@@ -2,6 +2,7 @@
 #include "hypermap/core/segmentation/stacking.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -147,19 +148,38 @@ Result<Detection> join(const Group& group, const StackingOptions& options) {
                    .mask = united_mask(group)};
 }
 
-}  // namespace
+constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted"};
 
-Result<void> validate(const StackingOptions& options) {
+constexpr OptionRow kStackingRows[] = {
+    option::choice<&StackingOptions::rule>(
+        "rule",
+        kStackingNames,
+        {.source = "[smap] 3.5.3", .effect = "How class scores of several detectors become one."}),
+    option::number<&StackingOptions::min_overlap>(
+        "min_overlap",
+        option::above(0, 1),
+        {.effect = "Boxes that overlap so much show the same thing."}),
+};
+
+Result<void> check_weights(const StackingOptions& options) {
   for (const auto& [detector, weight] : options.weights) {
     if (std::isfinite(weight) && weight >= 0.0) continue;
     return fail(ErrorCode::kInvalidArgument,
                 "must be finite and >= 0, is " + number_text(weight),
                 "weights[" + std::to_string(detector.value) + "]");
   }
-  if (options.min_overlap > 0.0 && options.min_overlap <= 1.0) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be in (0, 1], is " + number_text(options.min_overlap),
-              "min_overlap");
+  return {};
+}
+
+}  // namespace
+
+const OptionTable& option_table(const StackingOptions&) {
+  static constexpr OptionTable kTable{kStackingRows, kRule<check_weights>};
+  return kTable;
+}
+
+Result<void> validate(const StackingOptions& options) {
+  return check_options(options);
 }
 
 Result<std::vector<ClassEvidence>> combine_class_scores(

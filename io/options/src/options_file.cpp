@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/options/options_file.hpp"
 
+#include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
-#include "option_row.hpp"
+#include "option_yaml.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace hypermap {
@@ -13,35 +13,34 @@ namespace {
 
 constexpr std::string_view kPresetKey = "preset";
 
-std::vector<OptionRow> all_rows() {
-  std::vector<OptionRow> rows;
-  for (auto part : {map_option_rows(),
-                    segmentation_option_rows(),
-                    association_option_rows(),
-                    presence_option_rows(),
-                    layer_option_rows()}) {
-    std::move(part.begin(), part.end(), std::back_inserter(rows));
-  }
-  return rows;
+constexpr OptionRow kMapRows[] = {
+    option::section<&MapOptions::mapper>(""),
+    option::section<&MapOptions::layers>("projection"),
+};
+
+using BoundOptions = std::vector<BoundOption>;
+
+BoundOptions options_of(MapOptions& options) {
+  return bind_options(option_table(options), &options);
 }
 
-const OptionRow* find_row(const std::vector<OptionRow>& rows, std::string_view name) {
+const BoundOption* find_option(const BoundOptions& options, std::string_view name) {
   const auto found = std::find_if(
-      rows.begin(), rows.end(), [&](const OptionRow& row) { return row.name == name; });
-  return found == rows.end() ? nullptr : &*found;
+      options.begin(), options.end(), [&](const auto& option) { return option.name == name; });
+  return found == options.end() ? nullptr : &*found;
 }
 
-bool is_section(const std::vector<OptionRow>& rows, const std::string& name) {
-  return std::any_of(rows.begin(), rows.end(), [&](const OptionRow& row) {
-    return row.name.starts_with(name + ".");
+bool is_section(const BoundOptions& options, const std::string& name) {
+  return std::any_of(options.begin(), options.end(), [&](const auto& option) {
+    return option.name.starts_with(name + ".");
   });
 }
 
 /// "unknown option, did you mean ...?"; the nearest may be a section.
-std::string unknown_text(const std::vector<OptionRow>& rows, const std::string& name) {
+std::string unknown_text(const BoundOptions& options, const std::string& name) {
   std::vector<std::string_view> names{kPresetKey};
-  for (const OptionRow& row : rows) {
-    const std::string_view full = row.name;
+  for (const BoundOption& option : options) {
+    const std::string_view full = option.name;
     names.push_back(full);
     for (std::size_t dot = full.find('.'); dot != full.npos; dot = full.find('.', dot + 1)) {
       names.push_back(full.substr(0, dot));
@@ -52,23 +51,33 @@ std::string unknown_text(const std::vector<OptionRow>& rows, const std::string& 
   return "unknown option \"" + printable(name) + "\"" + hint;
 }
 
-Result<void> apply(const std::vector<OptionRow>& rows,
-                   const YamlNode& node,
-                   const std::string& prefix,
-                   MapOptions& options) {
+Result<void> apply(const BoundOptions& options, const YamlNode& node, const std::string& prefix) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto entries, node.as_map());
   for (const auto& [key, value] : entries) {
     const std::string name = prefix + key;
     if (name == kPresetKey) continue;
-    if (const OptionRow* row = find_row(rows, name)) {
-      HYPERMAP_TRY(row->assign(options, value));
-    } else if (is_section(rows, name)) {
-      HYPERMAP_TRY(apply(rows, value, name + ".", options));
+    if (const BoundOption* option = find_option(options, name)) {
+      HYPERMAP_TRY(assign_yaml(*option, value));
+    } else if (is_section(options, name)) {
+      HYPERMAP_TRY(apply(options, value, name + "."));
     } else {
-      return Unexpected(value.error(unknown_text(rows, name), ErrorCode::kNotFound));
+      return Unexpected(value.error(unknown_text(options, name), ErrorCode::kNotFound));
     }
   }
   return {};
+}
+
+Result<void> set_option(MapOptions& options, std::string_view name, std::string_view text) {
+  const BoundOptions known = options_of(options);
+  const BoundOption* option = find_option(known, name);
+  if (option == nullptr) {
+    return fail(ErrorCode::kNotFound, unknown_text(known, std::string(name)), "option");
+  }
+  const auto document = parse_yaml(text, SourceName{});
+  const Result<void> assigned =
+      document ? assign_yaml(*option, document->root()) : Unexpected(document.error());
+  if (assigned) return {};
+  return fail(ErrorCode::kInvalidArgument, assigned.error().what, std::string(name));
 }
 
 Result<ObjectPipelineOptions> preset_from(const YamlNode& node) {
@@ -78,8 +87,8 @@ Result<ObjectPipelineOptions> preset_from(const YamlNode& node) {
 }
 
 std::string comment_of(const OptionRow& row) {
-  const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-  return row.effect + " " + row.range + unit + "; " + row.source;
+  const std::string unit = row.unit.empty() ? "" : " " + std::string(row.unit);
+  return std::string(row.effect) + " " + range_text(row) + unit + "; " + std::string(row.source);
 }
 
 /// Parts of a dotted name.
@@ -97,15 +106,26 @@ std::vector<std::string> parts_of(const std::string& name) {
 
 }  // namespace
 
+const OptionTable& option_table(const MapOptions&) {
+  static constexpr OptionTable kTable{kMapRows};
+  return kTable;
+}
+
 Result<void> validate(const MapOptions& options) {
-  HYPERMAP_TRY(validate(options.mapper));
-  return validate(options.layers);
+  return check_options(MapOptions{with_ranges(options.mapper), options.layers});
 }
 
 std::vector<OptionDescription> describe_options(const MapOptions& options) {
+  MapOptions described = options;
   std::vector<OptionDescription> out;
-  for (const OptionRow& row : all_rows()) {
-    out.push_back({row.name, row.text(options), row.unit, row.range, row.source, row.effect});
+  for (const BoundOption& option : options_of(described)) {
+    const OptionRow& row = *option.row;
+    out.push_back({.name = option.name,
+                   .value = yaml_text(option),
+                   .unit = std::string(row.unit),
+                   .range = range_text(row),
+                   .source = std::string(row.source),
+                   .effect = std::string(row.effect)});
   }
   return out;
 }
@@ -113,20 +133,15 @@ std::vector<OptionDescription> describe_options(const MapOptions& options) {
 Result<MapOptions> with_option(const MapOptions& options,
                                std::string_view name,
                                std::string_view text) {
-  const std::vector<OptionRow> rows = all_rows();
-  const OptionRow* row = find_row(rows, name);
-  if (row == nullptr) {
-    return fail(ErrorCode::kNotFound, unknown_text(rows, std::string(name)), "option");
-  }
   MapOptions out = options;
-  const auto document = parse_yaml(text, SourceName{});
-  Result<void> assigned =
-      document ? row->assign(out, document->root()) : Unexpected(document.error());
-  if (!assigned) {
-    return fail(ErrorCode::kInvalidArgument, assigned.error().what, std::string(name));
-  }
+  HYPERMAP_TRY(set_option(out, name, text));
   HYPERMAP_TRY(validate(out));
   return out;
+}
+
+Result<void> check_option(std::string_view name, std::string_view text) {
+  MapOptions scratch;
+  return set_option(scratch, name, text);
 }
 
 Result<MapOptions> read_options(const std::filesystem::path& path, const MapOptions& base) {
@@ -136,7 +151,7 @@ Result<MapOptions> read_options(const std::filesystem::path& path, const MapOpti
   if (const auto node = root.find(kPresetKey)) {
     HYPERMAP_ASSIGN_OR_RETURN(out.mapper.objects, preset_from(*node));
   }
-  HYPERMAP_TRY(apply(all_rows(), root, "", out));
+  HYPERMAP_TRY(apply(options_of(out), root, ""));
   if (auto ok = validate(out); !ok) {
     Error error = std::move(ok).error();
     error.file = path.string();
@@ -148,8 +163,9 @@ Result<MapOptions> read_options(const std::filesystem::path& path, const MapOpti
 std::string write_options(const MapOptions& options) {
   std::string out;
   std::vector<std::string> open;
-  for (const OptionRow& row : all_rows()) {
-    const std::vector<std::string> parts = parts_of(row.name);
+  MapOptions written = options;
+  for (const BoundOption& option : options_of(written)) {
+    const std::vector<std::string> parts = parts_of(option.name);
     const std::size_t depth = parts.size() - 1;
     std::size_t shared = 0;
     while (shared < depth && shared < open.size() && open[shared] == parts[shared]) ++shared;
@@ -160,8 +176,8 @@ std::string write_options(const MapOptions& options) {
     open.assign(parts.begin(), parts.end() - 1);
     const std::string indent(2 * depth, ' ');
     if (depth == 0) out += "\n";
-    out += indent + "# " + comment_of(row) + "\n";
-    out += indent + parts.back() + ": " + row.text(options) + "\n";
+    out += indent + "# " + comment_of(*option.row) + "\n";
+    out += indent + parts.back() + ": " + yaml_text(option) + "\n";
   }
   return out;
 }

@@ -2,24 +2,9 @@
 #include "frame_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace hypermap {
-
-Result<void> validate(const IntegrationOptions& options) {
-  if (!(options.max_range_m > 0.0 && options.max_range_m <= 100'000.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be > 0 and at most 100000, is " + std::to_string(options.max_range_m),
-                "max_range_m");
-  }
-  if (options.num_threads < 1 || options.num_threads > 256) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 1 .. 256, is " + std::to_string(options.num_threads),
-                "num_threads");
-  }
-  return {};
-}
 
 Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor) {
   if (grid.key(PointInMap{sensor.xyz.cast<float>().cast<double>()})) return {};

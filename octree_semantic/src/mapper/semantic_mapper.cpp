@@ -74,20 +74,6 @@ Box label_bounds(const Object& object, double resolution_m) {
 
 }  // namespace
 
-Result<void> validate(const SemanticMapperOptions& options) {
-  HYPERMAP_TRY(validate(options.octree));
-  HYPERMAP_TRY(validate(options.integration));
-  HYPERMAP_TRY(validate(options.objects));
-  HYPERMAP_TRY(validate(options.visibility));
-  HYPERMAP_TRY(validate(options.deadline));
-  if (options.num_threads < 1 || options.num_threads > 256) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 1..256, is " + std::to_string(options.num_threads),
-                "num_threads");
-  }
-  return {};
-}
-
 Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(options.octree));
   return resume(options, std::move(octree), ObjectMap{});
@@ -111,7 +97,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
                                SemanticOctree octree,
                                ObjectMap objects,
                                OcclusionScene occlusion)
-    : options_(std::move(options)),
+    : options_(with_ranges(std::move(options))),
       octree_(std::move(octree)),
       objects_(std::move(objects)),
       occlusion_(std::move(occlusion)) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace hypermap {
 namespace {
@@ -63,6 +62,7 @@ class RayJudge {
   RayJudge(const RgbdFrame& frame, const VisibilityOptions& options)
       : frame_(&frame),
         options_(&options),
+        max_range_m_(options.max_range_m.value_or(kDefaultMaxRangeM)),
         camera_from_map_(frame.map_from_camera.inverse()),
         camera_in_map_(frame.map_from_camera.origin()) {}
 
@@ -70,7 +70,7 @@ class RayJudge {
   [[nodiscard]] Sight judge(const Eigen::Vector3d& point_in_map, const Box& box) {
     const PointInCamera point = camera_from_map_ * PointInMap{point_in_map};
     const auto pixel = frame_->camera.project(point);
-    if (!pixel || !(point.xyz.norm() <= options_->max_range_m)) return Sight::kOutside;
+    if (!pixel || !(point.xyz.norm() <= max_range_m_)) return Sight::kOutside;
     if (!in_picture(*pixel)) return Sight::kOutside;
     const double depth_m = point.xyz.z();
     const double tolerance_m =
@@ -114,6 +114,7 @@ class RayJudge {
 
   const RgbdFrame* frame_;
   const VisibilityOptions* options_;
+  double max_range_m_;
   Transform<frame::Camera, frame::Map> camera_from_map_;
   PointInMap camera_in_map_;
   std::vector<SightLine> lines_;
@@ -203,39 +204,13 @@ Box overlooked(const RgbdFrame& frame, double max_range_m) {
 
 }  // namespace
 
-Result<void> validate(const VisibilityOptions& options) {
-  const auto refuse = [](const std::string& rule, double value, const std::string& field) {
-    return fail(ErrorCode::kInvalidArgument, rule + ", is " + std::to_string(value), field);
-  };
-  if (options.max_rays < 1 || options.max_rays > 65536) {
-    return refuse("must be in 1 .. 65536", options.max_rays, "max_rays");
-  }
-  if (!(options.max_range_m > 0.0) || !std::isfinite(options.max_range_m)) {
-    return refuse("must be finite and > 0", options.max_range_m, "max_range_m");
-  }
-  struct Field {
-    double value;
-    double max;
-    const char* name;
-  };
-  for (const Field& field : {Field{options.depth_tolerance_m, 10.0, "depth_tolerance_m"},
-                             Field{options.depth_tolerance_per_m2, 10.0, "depth_tolerance_per_m2"},
-                             Field{options.min_in_view_share, 1.0, "min_in_view_share"},
-                             Field{options.min_open_share, 1.0, "min_open_share"},
-                             Field{options.absent_share, 1.0, "absent_share"},
-                             Field{options.partly_occluded_share, 1.0, "partly_occluded_share"}}) {
-    if (field.value >= 0.0 && field.value <= field.max) continue;
-    return refuse("must be in 0 .. " + std::to_string(field.max), field.value, field.name);
-  }
-  return {};
-}
-
 Result<std::vector<VisibilityVerdict>> judge_visibility(const ObjectMap& objects,
                                                         const RgbdFrame& frame,
                                                         const AnswerLines& answer,
                                                         const VisibilityOptions& options,
                                                         std::span<const ObjectId> seen_now) {
-  const std::vector<ObjectId> ids = objects.query(overlooked(frame, options.max_range_m));
+  const std::vector<ObjectId> ids =
+      objects.query(overlooked(frame, options.max_range_m.value_or(kDefaultMaxRangeM)));
   HYPERMAP_ASSIGN_OR_RETURN(const Sights sights, look_at(objects, ids, frame, answer, options));
   const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
   std::vector<VisibilityVerdict> verdicts;

@@ -36,21 +36,6 @@ void write_leaf(Brick& brick, std::size_t cell, const StoredLeaf& leaf, const Se
 
 }  // namespace
 
-Result<void> validate(const OctreeOptions& options) {
-  if (!(options.resolution_m >= 0.001 && options.resolution_m <= 10.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0.001 .. 10, is " + std::to_string(options.resolution_m),
-                "resolution_m");
-  }
-  const double limit = options.max_class_log_odds.value();
-  if (!(limit >= 0.1 && limit <= 30.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0.1 .. 30, is " + std::to_string(limit),
-                "max_class_log_odds");
-  }
-  return validate(options.sensor_model);
-}
-
 Result<SemanticOctree> SemanticOctree::create(const OctreeOptions& options) {
   HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(const SensorModel model, SensorModel::create(options.sensor_model));

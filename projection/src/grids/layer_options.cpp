@@ -1,26 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/grids/layer_options.hpp"
 
-#include <cmath>
-#include <string>
+#include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 
 namespace hypermap {
+namespace {
+
+constexpr OptionRow kLayerRows[] = {
+    option::number<&LayerOptions::min_height_m>(
+        "min_height_m",
+        {-1000, 1000},
+        {.unit = "m", .effect = "Lower voxels (the floor) are no obstacles."}),
+    option::number<&LayerOptions::max_height_m>(
+        "max_height_m",
+        {-1000, 1000},
+        {.unit = "m", .effect = "Higher voxels are none either, a robot passes under them."}),
+    option::number<&LayerOptions::min_free_share>(
+        "min_free_share",
+        option::above(0, 1),
+        {.effect = "A cell is free when so much of its height was seen free."}),
+};
+
+Result<void> check_band(const LayerOptions& options) {
+  if (options.max_height_m > options.min_height_m) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be above min_height_m (" + number_text(options.min_height_m) + "), is " +
+                  number_text(options.max_height_m),
+              "max_height_m");
+}
+
+}  // namespace
+
+const OptionTable& option_table(const LayerOptions&) {
+  static constexpr OptionTable kTable{kLayerRows, kRule<check_band>};
+  return kTable;
+}
 
 Result<void> validate(const LayerOptions& options) {
-  if (!std::isfinite(options.min_height_m)) {
-    return fail(ErrorCode::kInvalidArgument, "must be finite", "min_height_m");
-  }
-  if (!std::isfinite(options.max_height_m) || options.max_height_m <= options.min_height_m) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be finite and above min_height_m, is " + std::to_string(options.max_height_m),
-                "max_height_m");
-  }
-  if (!(options.min_free_share > 0.0 && options.min_free_share <= 1.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be above 0 and at most 1, is " + std::to_string(options.min_free_share),
-                "min_free_share");
-  }
-  return {};
+  return check_options(options);
 }
 
 }  // namespace hypermap

@@ -29,7 +29,7 @@ TEST(Deadline, TimesThatAreNoneAreRefused) {
     const auto refused =
         validate(DeadlineOptions{.rule = DeadlineRule::kFixed, .frame_s = frame_s});
     ASSERT_FALSE(refused) << frame_s;
-    EXPECT_EQ(refused.error().field, "deadline.frame_s");
+    EXPECT_EQ(refused.error().field, "frame_s");
   }
 }
 

@@ -11,7 +11,7 @@ TEST(Presets, SmapIsItsTables) {
   // [smap] table D.1
   EXPECT_EQ(o.segmentation.policy, SegmentationPolicy::kCluster);
   EXPECT_DOUBLE_EQ(o.segmentation.min_range_m, 0.2);
-  EXPECT_DOUBLE_EQ(o.segmentation.max_range_m, 1.7);
+  EXPECT_EQ(o.segmentation.max_range_m, 1.7);
   EXPECT_DOUBLE_EQ(o.segmentation.leaf_size_m, 0.03);
   EXPECT_EQ(o.segmentation.outlier_neighbours, 8);
   EXPECT_DOUBLE_EQ(o.segmentation.outlier_stddev, 0.3);

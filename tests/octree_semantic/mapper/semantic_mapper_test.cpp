@@ -60,6 +60,27 @@ SemanticMapper mapper_with(const DeadlineOptions& deadline = {}, int num_threads
   return SemanticMapper::create(options).value();
 }
 
+TEST(SemanticMapper, AllRangesFollowTheMapsUnlessSetApart) {
+  SemanticMapperOptions options{.integration = {.max_range_m = 3.0}};
+  options.visibility.max_range_m = 4.0;
+  const auto mapper = SemanticMapper::create(options);
+  ASSERT_TRUE(mapper) << to_string(mapper.error());
+  EXPECT_EQ(mapper->options().visibility.max_range_m, 4.0);
+  EXPECT_EQ(mapper->options().objects.segmentation.max_range_m, 3.0);
+  EXPECT_EQ(mapper->options().objects.binned_depth.max_range_m, 3.0);
+  EXPECT_EQ(with_ranges({.integration = {.max_range_m = 200.0}}).objects.segmentation.max_range_m,
+            kMaxSegmentedRangeM);
+  EXPECT_EQ(with_ranges({}), with_ranges({.visibility = {.max_range_m = kDefaultMaxRangeM}}));
+}
+
+TEST(SemanticMapper, ARangeThatFollowsIsCheckedAsIfItWereSet) {
+  SemanticMapperOptions options;
+  options.objects.segmentation.min_range_m = 6.0;
+  EXPECT_EQ(validate(options).error().field, "segmentation.max_range_m");
+  options.integration.max_range_m = 7.0;
+  EXPECT_TRUE(validate(options));
+}
+
 TEST(SemanticMapper, AnyNumberOfThreadsGivesTheSameMap) {
   SemanticMapper one = mapper_with();
   SemanticMapper four = mapper_with({}, 4);

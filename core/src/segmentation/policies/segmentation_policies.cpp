@@ -34,10 +34,11 @@ PixelCloud crop(const RgbdFrame& frame, const Detection& detection) {
 }
 
 PixelCloud within_range(const PixelCloud& cloud, const GeometricSegmentationOptions& options) {
+  const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < cloud.pixels.size(); ++i) {
     const double depth_m = static_cast<double>(cloud.points_in_camera[i].z());
-    if (depth_m < options.min_range_m || depth_m > options.max_range_m) continue;
+    if (depth_m < options.min_range_m || depth_m > max_range_m) continue;
     kept.push_back(static_cast<std::uint32_t>(i));
   }
   return subset(cloud, kept);
@@ -73,8 +74,10 @@ Segment describe(const RgbdFrame& frame,
   segment.box = bounding_box(segment.points_in_map);
   segment.centroid_in_map = segment.box.centre();
   segment.distance_m = (segment.centroid_in_map - frame.map_from_camera.origin().xyz).norm();
-  segment.box_confidence = box_confidence(
-      farthest_m - closest_m, options.depth_slack_m, options.min_range_m, options.max_range_m);
+  segment.box_confidence = box_confidence(farthest_m - closest_m,
+                                          options.depth_slack_m,
+                                          options.min_range_m,
+                                          options.max_range_m.value_or(kDefaultMaxRangeM));
   return segment;
 }
 

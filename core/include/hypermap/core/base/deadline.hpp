@@ -12,6 +12,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 enum class DeadlineRule {
   kNone,   ///< All detections, however long it takes.
   kFixed,  ///< `frame_s` from the start of the frame.
@@ -27,6 +29,7 @@ struct DeadlineOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const DeadlineOptions& options);
+[[nodiscard]] const OptionTable& option_table(const DeadlineOptions& options);
 
 /// How long a thread that works on one object may live while `num_active` of them are at work.
 ///

@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// A cell of the point grid: floor(p / edge) on each axis. Source: [smap] Eq. (3.8), restored.
 struct PointCell {
   std::int32_t x = 0;
@@ -39,16 +41,17 @@ struct PointVote {
 };
 
 struct PointEvidenceOptions {
-  double edge_m = 0.01;            ///< Edge of a cell to begin with, 0.001 to 1 m.
-  std::uint32_t max_cells = 4096;  ///< More make cells twice as wide; 64 to 65,536.
-  /// A cell counts when it has at least this share of the votes that a typical vote's cell has, in
-  /// [0, 1]. 0 counts all: the hull of all errors.
+  double edge_m = 0.01;            ///< Edge of a cell to begin with.
+  std::uint32_t max_cells = 4096;  ///< More make cells twice as wide.
+  /// A cell counts when it has at least this share of the votes that a typical vote's cell has. 0
+  /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
   friend bool operator==(const PointEvidenceOptions&, const PointEvidenceOptions&) = default;
 };
 
 /// Errors: kInvalidArgument naming the field and its range.
 [[nodiscard]] Result<void> validate(const PointEvidenceOptions& options);
+[[nodiscard]] const OptionTable& option_table(const PointEvidenceOptions& options);
 
 /// Everything that a PointEvidence remembers, for storing it.
 struct PointEvidenceState {

@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What one frame says about the place of one object.
 struct VisibilityVerdict {
   ObjectId object;
@@ -49,27 +51,28 @@ enum class RemovalRule {
 
 struct AbsenceOptions {
   VisibilityPolicy policy = VisibilityPolicy::kRays;
-  /// Taken from the existence when the object is visible and nobody detects it. [hypermap]: 0.2
+  /// Taken from the existence when the object is visible and nobody detects it.
   LogOdds missed_decay{0.2};
-  /// Taken from the existence when the object is not where it should be. Ours.
+  /// Taken from the existence when the object is not where it should be.
   LogOdds absent_decay{1.0};
-  /// Taken from all classes when absent. [smap] figure 3.23, step 8, without a number.
+  /// Taken from all classes when absent.
   LogOdds absent_class_decay{0.5};
   /// Share of the absent decay of classes and histogram that applies when partly occluded; off by
-  /// default, since what is seen there is seen. [smap] figure 3.23, step 8: > 0
+  /// default, since what is seen there is seen. Deviation: in [smap] it is more than 0, without a
+  /// number.
   double partly_occluded_factor = 0.0;
-  /// The same when occluded: "a small decay"; off by default. [smap] 3.5.2: > 0
+  /// The same when occluded: "a small decay"; off by default.
   double occluded_factor = 0.0;
-  /// Objects that this frame did detect lose nothing. [hypermap] 3.4.5: false
+  /// Objects that this frame did detect lose nothing.
   bool spare_seen = true;
   /// Farther than this times the farthest distance at which it was ever detected, nobody expects
-  /// to detect it; 0 expects it everywhere. Ours.
+  /// to detect it; 0 expects it everywhere.
   double expected_range_factor = 1.1;
   RemovalRule removal = RemovalRule::kExistence;
-  LogOdds min_existence{-2.0};              ///< Public implementation of [hypermap]: -5
-  Probability min_confidence{0.5};          ///< [smap] table D.2, o_valid: 0.5
+  LogOdds min_existence{-2.0};              ///< For rule existence.
+  Probability min_confidence{0.5};          ///< For rule confidence, o_valid.
   ObjectConfidenceOptions confidence = {};  ///< For rule confidence.
-  double panel_tolerance_m = 0.1;           ///< Widens the box against panels. [smap] figure 3.24
+  double panel_tolerance_m = 0.1;           ///< Widens the box against panels.
   double absent_share = 0.5;                ///< Share of panels after the box that means absent.
   double occluded_share = 0.5;              ///< Share of panels before the box that means occluded.
 
@@ -78,6 +81,7 @@ struct AbsenceOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const AbsenceOptions& options);
+[[nodiscard]] const OptionTable& option_table(const AbsenceOptions& options);
 
 struct AbsenceReport {
   std::size_t num_visible = 0;

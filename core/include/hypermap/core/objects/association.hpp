@@ -23,6 +23,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// One detected and segmented thing of one frame.
 struct Observation {
   Segment segment;
@@ -65,9 +67,9 @@ enum class AssociationPolicy {
 /// `near_m` of the other, the share of the smaller box that lies in the other, the distance of the
 /// centres in mean box diagonals, and the agreement of the class vectors.
 struct AssignmentOptions {
-  /// Points and boxes this near touch. Unit: metre. > 0
+  /// Points and boxes this near touch. Unit: metre.
   double near_m = 0.025;
-  /// Class vectors that agree at least so much count as the same class, in [0, 1].
+  /// Class vectors that agree at least so much count as the same class.
   double same_class_agreement = 0.3;
   /// Same class: share of the points of one that must lie in the other, ...
   double same_class_share = 0.25;
@@ -84,29 +86,30 @@ struct AssignmentOptions {
   /// ... and it was not seen more than this many times as often: a false alarm around a keyboard
   /// does not swallow it.
   double part_maturity = 3.0;
-  /// Objects are merged when the shares above are exceeded by this factor. >= 1
+  /// Objects are merged when the shares above are exceeded by this factor.
   double merge_factor = 1.15;
   friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const AssignmentOptions& options);
 
 struct AssociationOptions {
   AssociationPolicy policy = AssociationPolicy::kAssignment;
   AssignmentOptions assignment = {};
-  double min_jaccard = 0.2;       ///< Policy overlap. No unit.            [hypermap] 3.4.5: 0.2
-  double radius_m = 0.5;          ///< Policy radius: half side. Metre.    [hypermap] 3.4.5: 0.5
-  double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.      [smap] table D.2: 0.2
-  double tracking_factor = 0.5;   ///< Policy smap, o_t. No unit.    [smap] table D.2: 0.5
-  /// Which shape of an object policy overlap compares with.           [hypermap] 3.4.5
+  double min_jaccard = 0.2;       ///< Policy overlap. No unit.
+  double radius_m = 0.5;          ///< Policy radius: half side. Metre.
+  double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.
+  double tracking_factor = 0.5;   ///< Policy smap, o_t. No unit.
+  /// Which shape of an object policy overlap compares with.
   ShapePolicy shape = ShapePolicy::kBest;
-  double shape_leaf_m = 0.03;  ///< Thins projected points. Metre. [hypermap] 3.4.4
+  double shape_leaf_m = 0.03;  ///< Thins projected points. Metre.
   /// The box follows the agreed points (ours) instead of the filter of [smap] Eq. (3.20).
   bool box_from_points = true;
-  double max_box_confidence = 0.85;  ///< A certain box would freeze the object; equations.md.
+  double max_box_confidence = 0.85;  ///< A certain box would freeze the object.
   double min_gain = 0.05;          ///< Smallest gain of the box filter: a moved object can follow.
-  LogOdds max_box_log_odds{10.0};  ///< Clamp of l_c.               [smap] table D.2: 10
-  LogOdds new_existence{1.0};      ///< Of a new object.            [hypermap] 3.4.5: 1
-  LogOdds seen_existence{1.0};     ///< Added by each observation.  [hypermap] 3.4.5: 1
-  LogOdds max_existence{20.0};     ///< Cap.                        public implementation: 20
+  LogOdds max_box_log_odds{10.0};  ///< Clamp of l_c.
+  LogOdds new_existence{1.0};      ///< Of a new object.
+  LogOdds seen_existence{1.0};     ///< Added by each observation.
+  LogOdds max_existence{20.0};     ///< Cap.
   /// Bounds of 30 instead of 10: two confident errors shall not overturn sixty observations.
   ClassBeliefOptions belief = {.max_log_odds = LogOdds{30.0}, .min_log_odds = LogOdds{-30.0}};
   VisibilityHistogramOptions histogram = {};
@@ -119,6 +122,7 @@ struct AssociationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const AssociationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const AssociationOptions& options);
 
 /// What limits the candidates of policy smap. Source: [smap] 3.5.4, steps 1 and C.2.2.
 struct AssociationScope {

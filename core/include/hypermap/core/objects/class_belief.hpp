@@ -18,6 +18,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What happens to a class whose log-odds would pass the upper bound.
 enum class Saturation {
   /// Each class stops at the bound. Source: [smap] 3.5.3. A class that is often a little likely
@@ -28,9 +30,9 @@ enum class Saturation {
 };
 
 struct ClassBeliefOptions {
-  /// Evidence saturates here, so a wrong belief can still be overturned. [smap] table D.2: 10.
+  /// Evidence saturates here, so a wrong belief can still be overturned.
   LogOdds max_log_odds{10.0};
-  /// Lower bound. [smap] table D.2: -10.
+  /// Lower bound.
   LogOdds min_log_odds{-10.0};
   /// Deviation: the sources clamp; test ASimilarClassNeverCatchesUpWhenTheBeliefShifts.
   Saturation saturation = Saturation::kShift;
@@ -40,6 +42,7 @@ struct ClassBeliefOptions {
 
 /// Errors: kInvalidArgument when min_log_odds >= max_log_odds or one is not finite.
 [[nodiscard]] Result<void> validate(const ClassBeliefOptions& options);
+[[nodiscard]] const OptionTable& option_table(const ClassBeliefOptions& options);
 
 /// One class and the belief in it.
 struct ClassLogOdds {

@@ -24,6 +24,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// One object serves the models of both sources. A value: all of its state is here, so that it can
 /// be copied, compared, stored and restored bit by bit. Frame: Map.
 struct Object {
@@ -62,6 +64,7 @@ struct ObjectConfidenceOptions {
   ConfidenceRule rule = ConfidenceRule::kMultiplied;
   friend bool operator==(const ObjectConfidenceOptions&, const ObjectConfidenceOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const ObjectConfidenceOptions& options);
 
 /// How sure the map is of an object: tp1 = probability of the best class, tp2 = that of the box,
 /// tp3 = confidence of the visibility histogram.

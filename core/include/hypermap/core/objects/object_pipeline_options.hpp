@@ -6,6 +6,7 @@
 /// hypermap). `data/options/*.yaml` are the same sets as files.
 #pragma once
 
+#include "hypermap/core/base/preset_name.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/association.hpp"
@@ -22,6 +23,8 @@
 #include <vector>
 
 namespace hypermap {
+
+struct OptionTable;
 
 /// Options of each stage, in the order of the stages.
 struct ObjectPipelineOptions {
@@ -40,16 +43,7 @@ struct ObjectPipelineOptions {
 
 /// Errors: those of each stage, the field prefixed with the stage's name.
 [[nodiscard]] Result<void> validate(const ObjectPipelineOptions& options);
-
-enum class PresetName {
-  kDefault,   ///< Ours: what the evaluation shows to be best.
-  kSmap,      ///< The configuration of [smap], tables D.1 and D.2.
-  kHypermap,  ///< The configuration of [hypermap], best shape and overlap.
-};
+[[nodiscard]] const OptionTable& option_table(const ObjectPipelineOptions& options);
 
 [[nodiscard]] ObjectPipelineOptions preset(PresetName name);
-/// "default", "smap", "hypermap". None for other names.
-[[nodiscard]] std::optional<PresetName> preset_of(std::string_view name);
-[[nodiscard]] std::string_view to_string(PresetName name);
-
 }  // namespace hypermap

@@ -14,14 +14,16 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct PublicationOptions {
-  /// Existence must be above; ours: 3. [hypermap] 3.4.5: 2. None: not asked (preset smap).
+  /// Existence must be above. None: not asked.
   std::optional<LogOdds> min_existence = LogOdds(3.0);
-  /// Object confidence must not be below. [smap] table D.2, o_valid: 0.5. None: not asked.
+  /// Object confidence must not be below, o_valid. None: not asked.
   std::optional<Probability> min_confidence = std::nullopt;
   ObjectConfidenceOptions confidence = {};
-  std::uint32_t min_observations = 3;  ///< Seen less often is not enough. Ours.
-  /// Of two objects on the same points only the stronger one is published. Ours.
+  std::uint32_t min_observations = 3;  ///< Seen less often is not enough.
+  /// Of two objects on the same points only the stronger one is published.
   bool one_per_place = true;
   double same_place_share = 0.5;  ///< Share of the points of the smaller that lie in the other ...
   double same_place_diagonal = 0.4;  ///< ... whose diagonal it has at least this share of.
@@ -30,6 +32,7 @@ struct PublicationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const PublicationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const PublicationOptions& options);
 
 /// In ascending order of ids.
 [[nodiscard]] std::vector<ObjectId> published(const ObjectMap& objects,

@@ -15,16 +15,18 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct VisibilityHistogramOptions {
-  int num_bins = 18;            ///< Bins of a full turn, 4 to 360; 20 degrees each. [smap] 5.1
-  double base_increment = 2.0;  ///< Log-odds that a near observation adds. [smap] table D.2, d_base
-  /// Share of the bins around the observed one. [smap] table D.2, w; l_f = 5.
+  int num_bins = 18;            ///< Bins of a full turn: 20 degrees each.
+  double base_increment = 2.0;  ///< Log-odds that a near observation adds.
+  /// Share of the bins around the observed one, w; l_f = 5.
   /// Deviation: the length of the filter is fixed, since an even one has no centre.
   std::array<double, 5> weights = {0.5, 1.5, 6.0, 1.5, 0.5};
-  LogOdds max_log_odds{10.0};   ///< [smap] table D.2, l_max
-  LogOdds min_log_odds{-10.0};  ///< [smap] table D.2, l_min
-  double visible_above = 0.7;   ///< A bin above this probability says "visible". [smap] table D.2
-  double hidden_below = 0.4;    ///< A bin below this probability says "not". [smap] table D.2
+  LogOdds max_log_odds{10.0};   ///< Upper bound of a bin.
+  LogOdds min_log_odds{-10.0};  ///< Lower bound of a bin.
+  double visible_above = 0.7;   ///< A bin above this probability says "visible".
+  double hidden_below = 0.4;    ///< A bin below this probability says "not".
 
   friend bool operator==(const VisibilityHistogramOptions&,
                          const VisibilityHistogramOptions&) = default;
@@ -33,6 +35,7 @@ struct VisibilityHistogramOptions {
 /// Errors: kInvalidArgument naming the field: bins in 4..360, weights finite, >= 0 and not all 0,
 /// increment finite and > 0, bounds in order, hidden_below <= visible_above, both in [0, 1].
 [[nodiscard]] Result<void> validate(const VisibilityHistogramOptions& options);
+[[nodiscard]] const OptionTable& option_table(const VisibilityHistogramOptions& options);
 
 /// Log-odds of "the object can be seen from there", per bearing of the camera as seen from the
 /// object's centre, in the map frame. A value.

@@ -5,31 +5,37 @@
 /// Source: [smap] 3.4, table D.1.
 #pragma once
 
+#include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct BinnedDepthMapOptions {
-  /// Panels across. [smap] table D.1, BDM dimensions: 24. Unit: panel.
+  /// Panels across.
   int columns = 24;
-  /// Panels down. [smap] table D.1, BDM dimensions: 16. Unit: panel.
+  /// Panels down.
   int rows = 16;
-  /// Nearer depth is dropped. [smap] table D.1, R_min: 0.2. Unit: metre.
+  /// Nearer depth is dropped. Unit: metre.
   double min_range_m = 0.2;
-  /// Farther depth is dropped; a panel without a nearer point is empty. Ours: 5. Unit: metre.
-  double max_range_m = 5.0;
+  /// Farther depth is dropped; a panel without a nearer point is empty. None: as the map's range in
+  /// a mapper, kDefaultMaxRangeM alone. Unit: metre.
+  std::optional<double> max_range_m = std::nullopt;
 
   friend bool operator==(const BinnedDepthMapOptions&, const BinnedDepthMapOptions&) = default;
 };
 
-/// Errors: kInvalidArgument naming the field: sides in 1..4096, 0 <= min_range_m < max_range_m.
+/// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const BinnedDepthMapOptions& options);
+[[nodiscard]] const OptionTable& option_table(const BinnedDepthMapOptions& options);
 
 /// One panel: the box of its points, which may overlap its neighbours' ([smap] figure 3.17).
 struct DepthPanel {

@@ -5,15 +5,19 @@
 /// Source: [smap] 3.3, table D.1; [hypermap] 3.4.4, 5.2.2.
 #pragma once
 
+#include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/core/segmentation/segment.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace hypermap {
+
+struct OptionTable;
 
 /// How the thing is told from what else the box shows.
 enum class SegmentationPolicy {
@@ -66,48 +70,52 @@ struct ForegroundOptions {
 
   friend bool operator==(const ForegroundOptions&, const ForegroundOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const ForegroundOptions& options);
 
 /// Policy `kRegionGrowing`.
 struct RegionGrowingOptions {
-  /// Largest angle between normals of neighbours of one region. [hypermap] 5.2.2, theta_th: 20.
-  /// Unit: degree.
+  /// Largest angle between normals of neighbours of one region, theta_th. Unit: degree.
   double angle_threshold_deg = 20.0;
-  /// Points of less curvature hand the region on. [hypermap] 5.2.2, c_th: 1.0. No unit.
+  /// Points of less curvature hand the region on, c_th. No unit.
   double curvature_threshold = 1.0;
-  /// Points around a point that its normal is fitted to. Not in the source: 50.
+  /// Points around a point that its normal is fitted to. Not in the source.
   int normal_neighbours = 50;
-  /// Points around a point that its region may grow to. Not in the source: 30.
+  /// Points around a point that its region may grow to. Not in the source.
   int region_neighbours = 30;
-  /// Smaller regions are no thing. Not in the source: 50.
+  /// Smaller regions are no thing. Not in the source.
   int region_min_points = 50;
 
   friend bool operator==(const RegionGrowingOptions&, const RegionGrowingOptions&) = default;
 };
+[[nodiscard]] const OptionTable& option_table(const RegionGrowingOptions& options);
+
+/// Farther things are not segmented: finer grids would exhaust the voxel keys. Unit: metre.
+inline constexpr double kMaxSegmentedRangeM = 100.0;
 
 /// The defaults are ours; `smap_segmentation()` and `hypermap_segmentation()` are the sources'.
 struct GeometricSegmentationOptions {
-  /// How the thing is found. Default: ours.
+  /// How the thing is found.
   SegmentationPolicy policy = SegmentationPolicy::kForeground;
-  /// Nearer depth is dropped. [smap] table D.1, R_min: 0.2. Unit: metre.
+  /// Nearer depth is dropped, R_min. Unit: metre.
   double min_range_m = 0.2;
-  /// Farther depth is dropped. [smap] table D.1, R_max: 1.7 for a stereo camera; structured light
-  /// sees a room. Unit: metre.
-  double max_range_m = 5.0;
-  /// Edge of the voxel grid of both sources' policies; 0 disables. [smap] table D.1, S_leaf: 0.03.
+  /// Farther depth is dropped. None: as the map's range in a mapper, kDefaultMaxRangeM alone.
+  /// Unit: metre.
+  std::optional<double> max_range_m = std::nullopt;
+  /// Edge of the voxel grid of both sources' policies; 0 disables; S_leaf.
   /// Unit: metre.
   double leaf_size_m = 0.03;
-  /// Neighbours of the statistical outlier removal; 0 disables. [smap] table D.1, mean_k: 8.
+  /// Neighbours of the statistical outlier removal; 0 disables; mean_k.
   int outlier_neighbours = 8;
-  /// Larger keeps more points. [smap] table D.1, std_multiplier: 0.3. Unit: standard deviation.
+  /// Larger keeps more points, std_multiplier. Unit: standard deviation.
   double outlier_stddev = 0.3;
-  /// Points farther apart separate clusters; 0 disables clustering. [smap] table D.1, cluster_tol:
-  /// 0.065. Unit: metre.
+  /// Points farther apart separate clusters; 0 disables clustering; cluster_tol.
+  /// Unit: metre.
   double cluster_gap_m = 0.065;
-  /// Smaller clusters are no thing. [smap] table D.1, cluster_min: 50.
+  /// Smaller clusters are no thing, cluster_min.
   int cluster_min_points = 50;
-  /// Larger clusters are no thing. [smap] table D.1, cluster_max: 10000.
+  /// Larger clusters are no thing, cluster_max.
   int cluster_max_points = 10000;
-  /// Depth extent without loss of confidence. [smap] table D.1, obj_ths: 0.2. Unit: metre.
+  /// Depth extent without loss of confidence, obj_ths. Unit: metre.
   double depth_slack_m = 0.2;
   /// Read by policy kForeground only.
   ForegroundOptions foreground = {};
@@ -120,6 +128,7 @@ struct GeometricSegmentationOptions {
 
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const GeometricSegmentationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const GeometricSegmentationOptions& options);
 
 /// Table D.1 of [smap] as printed.
 [[nodiscard]] GeometricSegmentationOptions smap_segmentation();

@@ -14,6 +14,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// How the values of a class that several detectors know become one.
 enum class StackingRule {
   kSum,       ///< Their sum: says what any detector says.
@@ -22,19 +24,20 @@ enum class StackingRule {
 };
 
 struct StackingOptions {
-  /// The operation on the shared cells. Default: sum. [smap] 3.5.3.
+  /// The operation on the shared cells.
   StackingRule rule = StackingRule::kSum;
-  /// Weight of each detector for kWeighted; one not named has weight 1. No unit. [smap] 3.5.3.
+  /// Weight of each detector for kWeighted; one not named has weight 1. No unit.
   std::map<DetectorId, double> weights = {};
-  /// Boxes of different detectors that overlap at least so much show the same thing. Default: 0.5,
+  /// Boxes of different detectors that overlap at least so much show the same thing:
   /// intersection over union in the picture. No unit.
   double min_overlap = 0.5;
 
   friend bool operator==(const StackingOptions&, const StackingOptions&) = default;
 };
 
-/// Errors: kInvalidArgument: a weight that is not finite and >= 0, min_overlap outside (0, 1].
+/// Errors: kInvalidArgument naming the field, or the weight that is not finite and >= 0.
 [[nodiscard]] Result<void> validate(const StackingOptions& options);
+[[nodiscard]] const OptionTable& option_table(const StackingOptions& options);
 
 /// One class vector over the combined set: each class once, sorted by id, summing to 1.
 ///

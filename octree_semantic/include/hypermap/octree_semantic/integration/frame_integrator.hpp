@@ -8,6 +8,7 @@
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
@@ -23,6 +24,8 @@
 #include <vector>
 
 namespace hypermap {
+
+struct OptionTable;
 
 /// What frees space. Measurements occupy the voxel in which they end in every mode.
 ///
@@ -49,15 +52,16 @@ enum class IntegrationMode : std::uint8_t { kExact, kDiscretize, kProjective };
 
 struct IntegrationOptions {
   IntegrationMode mode = IntegrationMode::kProjective;
-  /// Farther measurements free the way up to here and occupy nothing; > 0, at most 100,000.
-  /// Distance from the sensor, not depth.
-  double max_range_m = 5.0;
-  /// Threads that share the work of a frame, 1 .. 256. The result does not depend on it.
+  /// Farther measurements free the way up to here and occupy nothing. Distance from the sensor, not
+  /// depth. In a mapper it is the range of the whole map.
+  double max_range_m = kDefaultMaxRangeM;
+  /// Threads that share the work of a frame. The result does not depend on it.
   int num_threads = 1;
   friend bool operator==(const IntegrationOptions&, const IntegrationOptions&) = default;
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const IntegrationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const IntegrationOptions& options);
 
 /// What is known of some measurements of a frame: they belong together.
 struct PixelLabels {

@@ -27,6 +27,10 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
+/// `integration.max_range_m` is the range of the whole map: `visibility`, `objects.segmentation`
+/// (up to kMaxSegmentedRangeM) and `objects.binned_depth` follow it where they say no other.
 struct SemanticMapperOptions {
   OctreeOptions octree;
   IntegrationOptions integration;
@@ -37,13 +41,16 @@ struct SemanticMapperOptions {
   /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
   /// The ids of `objects.transient_class_names`.
   std::set<ClassId> transient_classes;
-  /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on
-  /// it.
+  /// Threads for the detections of a frame and for rays. The result does not depend on it.
   int num_threads = 1;
   friend bool operator==(const SemanticMapperOptions&, const SemanticMapperOptions&) = default;
 };
-/// Errors: kInvalidArgument naming the field.
+/// The same with every range set: those that follow are the map's.
+[[nodiscard]] SemanticMapperOptions with_ranges(SemanticMapperOptions options);
+
+/// Errors: kInvalidArgument naming the field, ranges that follow included.
 [[nodiscard]] Result<void> validate(const SemanticMapperOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SemanticMapperOptions& options);
 
 /// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
 struct StageSeconds {
@@ -98,6 +105,7 @@ class SemanticMapper {
 
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
   [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
+  /// As given, with the ranges that follow filled in.
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
 
  private:

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/object_map.hpp"
@@ -17,28 +18,32 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct VisibilityOptions {
-  int max_rays = 128;        ///< Rays per object at most, 1 .. 65,536, spread evenly over it.
-  double max_range_m = 5.0;  ///< Farther points are out of view, > 0.
-  double depth_tolerance_m = 0.08;  ///< Measured and expected depth agree within this, >= 0,
-  double depth_tolerance_per_m2 =
-      0.005;                        ///< plus this times the depth squared, >= 0. Kinect: 0.003
-  double min_in_view_share = 0.25;  ///< Less of the object in the picture: out of view, [0, 1].
-  /// Less of what can be told is open to the camera: occluded, [0, 1].
+  int max_rays = 128;  ///< Rays per object at most, spread evenly over it.
+  /// Farther points are out of view. None: as the map's range in a mapper, kDefaultMaxRangeM alone.
+  std::optional<double> max_range_m = std::nullopt;
+  double depth_tolerance_m = 0.08;        ///< Measured and expected depth agree within this,
+  double depth_tolerance_per_m2 = 0.005;  ///< plus this times the depth squared. Kinect: 0.003
+  double min_in_view_share = 0.25;        ///< Less of the object in the picture: out of view.
+  /// Less of what can be told is open to the camera: occluded.
   double min_open_share = 0.1;
-  /// At least so much of what is open shows what lies behind: absent, (0, 1].
+  /// At least so much of what is open shows what lies behind: absent.
   double absent_share = 0.5;
-  /// At least so much of what can be told is hidden: partly occluded, (0, 1].
+  /// At least so much of what can be told is hidden: partly occluded.
   double partly_occluded_share = 0.3;
   friend bool operator==(const VisibilityOptions&, const VisibilityOptions&) = default;
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const VisibilityOptions& options);
+[[nodiscard]] const OptionTable& option_table(const VisibilityOptions& options);
 
 /// Answers lines of sight, 1 where hidden, in their order; as OcclusionScene::occluded.
 using AnswerLines = std::function<Result<std::vector<std::uint8_t>>(std::span<const SightLine>)>;

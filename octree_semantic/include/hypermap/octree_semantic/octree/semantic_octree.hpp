@@ -28,15 +28,18 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct OctreeOptions {
-  double resolution_m = 0.05;         ///< Edge of a voxel, 0.001 .. 10.
+  double resolution_m = 0.05;         ///< Edge of a voxel.
   SensorModelOptions sensor_model{};  ///< OctoMap's defaults.
-  /// Class evidence of a voxel saturates at +- this, 0.1 .. 30. [smap] table D.2: 10.
+  /// Class evidence of a voxel saturates at +- this.
   LogOdds max_class_log_odds{10.0};
   friend bool operator==(const OctreeOptions&, const OctreeOptions&) = default;
 };
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const OctreeOptions& options);
+[[nodiscard]] const OptionTable& option_table(const OctreeOptions& options);
 
 /// All that the map keeps of one known voxel, exactly: for archives.
 struct StoredLeaf {

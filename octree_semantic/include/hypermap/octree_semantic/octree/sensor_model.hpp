@@ -16,6 +16,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Log-odds in steps of 0.001.
 using MilliLogOdds = std::int16_t;
 
@@ -29,17 +31,18 @@ using MilliLogOdds = std::int16_t;
 
 /// OctoMap's sensor model and its defaults.
 struct SensorModelOptions {
-  Probability hit{0.7};            ///< Occupied, given that a ray ended in the voxel; > 0.5.
-  Probability miss{0.4};           ///< Occupied, given that rays only went through; < 0.5.
+  Probability hit{0.7};            ///< Occupied, given that a ray ended in the voxel.
+  Probability miss{0.4};           ///< Occupied, given that rays only went through.
   Probability clamp_min{0.1192};   ///< A voxel never becomes freer than this; a change is noticed.
   Probability clamp_max{0.971};    ///< Nor more occupied than this.
   Probability occupied_from{0.5};  ///< Occupied when at least this probable.
   friend bool operator==(const SensorModelOptions&, const SensorModelOptions&) = default;
 };
 
-/// Errors: kInvalidArgument naming the field: hit > 0.5 > miss, both inside (0, 1);
-/// clamp_min < 0.5 < clamp_max, both in [0.000001, 0.999999]; occupied_from between the clamps.
+/// Errors: kInvalidArgument naming the field: hits and the upper clamp are above 0.5, misses
+/// and the lower clamp below it, and occupied_from lies between the clamps.
 [[nodiscard]] Result<void> validate(const SensorModelOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SensorModelOptions& options);
 
 /// The same in the units of the voxels.
 struct SensorModel {

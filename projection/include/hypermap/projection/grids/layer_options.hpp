@@ -7,16 +7,19 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct LayerOptions {
-  /// Band of heights over the floor in which things are obstacles. Unit: metre. Default: 0.1 .. 1.8
+  /// Band of heights over the floor in which things are obstacles. Unit: metre.
   double min_height_m = 0.1;
-  double max_height_m = 1.8;  ///< > min_height_m
-  /// Least share of the band's height that must have been seen free for a free cell, in (0, 1].
+  double max_height_m = 1.8;  ///< Above min_height_m.
+  /// Least share of the band's height that must have been seen free for a free cell.
   double min_free_share = 0.5;
   friend bool operator==(const LayerOptions&, const LayerOptions&) = default;
 };
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const LayerOptions& options);
+[[nodiscard]] const OptionTable& option_table(const LayerOptions& options);
 
 }  // namespace hypermap

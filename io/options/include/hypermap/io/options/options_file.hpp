@@ -17,6 +17,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Everything that changes a map, besides the data.
 struct MapOptions {
   SemanticMapperOptions mapper;
@@ -26,6 +28,7 @@ struct MapOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const MapOptions& options);
+[[nodiscard]] const OptionTable& option_table(const MapOptions& options);
 
 /// What `hypermap config` prints of one option.
 struct OptionDescription {
@@ -46,6 +49,10 @@ struct OptionDescription {
 [[nodiscard]] Result<MapOptions> with_option(const MapOptions& options,
                                              std::string_view name,
                                              std::string_view text);
+
+/// Whether the option `name` may have the value that `text` says, whatever the others are.
+/// Errors: as with_option.
+[[nodiscard]] Result<void> check_option(std::string_view name, std::string_view text);
 
 /// A copy of `base` with what the file says. A key `preset` (default, smap, hypermap) replaces the
 /// `mapper.objects` of `base` before all other keys.

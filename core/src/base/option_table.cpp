@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/base/option_table.hpp"
+
+#include "hypermap/core/base/number_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// Without an exponent: 100000, 0.000001.
+std::string plain_text(double value) {
+  std::array<char, 400> buffer{};
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+  return {buffer.data(), error == std::errc{} ? end : buffer.data()};
+}
+
+std::string within(std::string_view section, const std::string& field) {
+  return section.empty() ? field : std::string(section) + "." + field;
+}
+
+Unexpected refused(const std::string& rule, const std::string& value) {
+  return fail(ErrorCode::kInvalidArgument, rule + ", is " + value);
+}
+
+std::string interval_rule(const OptionRange& range) {
+  const bool is_closed = !range.excludes_min && !range.excludes_max;
+  return (is_closed && !range.includes_zero ? "must be in " : "must be ") + to_string(range);
+}
+
+Result<void> check_choice(const OptionRow& row, double position) {
+  if (position >= 0.0 && position < static_cast<double>(row.choices.size())) return {};
+  return refused("must be one of " + range_text(row), "no. " + number_text(position));
+}
+
+Result<void> check_row(const OptionRow& row, const void* options) {
+  const bool is_section = row.kind == OptionKind::kSection;
+  const void* part = is_section ? row.part(options) : nullptr;
+  Result<void> checked =
+      is_section ? check_table(row.table(part), part) : check_value(row, row.get(options));
+  if (checked) return checked;
+  Error error = std::move(checked).error();
+  error.field = is_section ? within(row.name, error.field) : std::string(row.name);
+  return Unexpected(std::move(error));
+}
+
+void append(const OptionTable& table,
+            const std::string& prefix,
+            void* options,
+            std::vector<BoundOption>& out) {
+  for (const OptionRow& row : table.rows) {
+    if (row.kind == OptionKind::kSection) {
+      const std::string inner = row.name.empty() ? prefix : prefix + std::string(row.name) + ".";
+      void* part = row.part_to_set(options);
+      append(row.table(part), inner, part, out);
+    } else if (row.is_listed) {
+      out.push_back({prefix + std::string(row.name), &row, options});
+    }
+  }
+}
+
+}  // namespace
+
+std::string to_string(const OptionRange& range) {
+  const std::string min = plain_text(range.min);
+  const std::string max = plain_text(range.max);
+  std::string text = min + " .. " + max;
+  if (range.excludes_min || range.excludes_max) {
+    text = (range.excludes_min ? "above " : "at least ") + min + " and " +
+           (range.excludes_max ? "below " : "at most ") + max;
+  }
+  return (range.includes_zero ? "0 or " : "") + text;
+}
+
+std::string range_text(const OptionRow& row) {
+  switch (row.kind) {
+    case OptionKind::kFlag:
+      return "true, false";
+    case OptionKind::kNames:
+      return "names";
+    case OptionKind::kChoice: {
+      std::string text;
+      for (const std::string_view name : row.choices) {
+        text += (text.empty() ? "" : ", ") + std::string(name);
+      }
+      return text;
+    }
+    default:
+      return (row.may_be_none ? "none or " : "") + to_string(row.range);
+  }
+}
+
+Result<void> check_value(const OptionRow& row, const OptionValue& value) {
+  if (value.is_none()) {
+    if (row.may_be_none) return {};
+    return refused(interval_rule(row.range), "none");
+  }
+  switch (row.kind) {
+    case OptionKind::kCount:
+    case OptionKind::kNumber:
+      if (row.range.contains(value.scalar())) return {};
+      return refused(interval_rule(row.range), number_text(value.scalar()));
+    case OptionKind::kChoice:
+      return check_choice(row, value.scalar());
+    case OptionKind::kNumbers:
+      for (const double number : value.numbers()) {
+        if (!row.range.contains(number)) {
+          return refused("each " + interval_rule(row.range) + ", one", number_text(number));
+        }
+      }
+      return {};
+    default:
+      return {};
+  }
+}
+
+Result<void> check_table(const OptionTable& table, const void* options) {
+  for (const OptionRow& row : table.rows) HYPERMAP_TRY(check_row(row, options));
+  return table.rule == nullptr ? Result<void>{} : table.rule(options);
+}
+
+void set_preset(const OptionTable& table, PresetName preset, void* options) {
+  if (preset == PresetName::kDefault) return;
+  for (const OptionRow& row : table.rows) {
+    if (row.kind == OptionKind::kSection) {
+      void* part = row.part_to_set(options);
+      set_preset(row.table(part), preset, part);
+    } else if (const auto& value = preset == PresetName::kSmap ? row.smap : row.hypermap) {
+      row.set(options, *value);
+    }
+  }
+}
+
+std::vector<BoundOption> bind_options(const OptionTable& table, void* options) {
+  std::vector<BoundOption> out;
+  append(table, "", options, out);
+  return out;
+}
+
+}  // namespace hypermap
