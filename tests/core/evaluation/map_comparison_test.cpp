@@ -19,7 +19,8 @@ struct Found {
 EvaluationReport report_of(const std::vector<std::optional<Found>>& truths) {
   EvaluationReport report;
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    TruthResult truth{.truth_index = i};
+    TruthResult truth;
+    truth.truth_index = i;
     if (truths[i]) {
       truth.nearest_map_index = i;
       truth.nearest_distance_m = truths[i]->distance_m;
