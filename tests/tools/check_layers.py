@@ -26,7 +26,7 @@ SOURCES_IN = {
     "zlib.h": ("codec",),
     "png.h": ("codec",),
     "nlohmann/": ("exports", "jobs", "apps"),
-    "EGL/": ("viewer_offscreen",),
+    "epoxy/": ("viewer_offscreen",),
     "CLI/": ("apps",),
 }
 

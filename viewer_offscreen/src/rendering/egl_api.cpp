@@ -5,56 +5,29 @@
 
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-constexpr const char* kLibrary = "libEGL.so.1";
-
-template <class Function>
-bool find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  return function != nullptr;
-}
-
-bool find_core(void* library, EglApi& egl) {
-  return find(library, "eglBindAPI", egl.BindAPI) &&
-         find(library, "eglChooseConfig", egl.ChooseConfig) &&
-         find(library, "eglCreateContext", egl.CreateContext) &&
-         find(library, "eglCreatePbufferSurface", egl.CreatePbufferSurface) &&
-         find(library, "eglDestroyContext", egl.DestroyContext) &&
-         find(library, "eglDestroySurface", egl.DestroySurface) &&
-         find(library, "eglGetDisplay", egl.GetDisplay) &&
-         find(library, "eglGetError", egl.GetError) &&
-         find(library, "eglGetProcAddress", egl.GetProcAddress) &&
-         find(library, "eglInitialize", egl.Initialize) &&
-         find(library, "eglMakeCurrent", egl.MakeCurrent) &&
-         find(library, "eglQueryString", egl.QueryString);
-}
-
-template <class Function>
-Function extension(const EglApi& egl, const char* name) {
-  return reinterpret_cast<Function>(egl.GetProcAddress(name));
+/// Opens the first of `names` that there is.
+Result<void> open_one_of(std::initializer_list<const char*> names) {
+  std::string reasons;
+  for (const char* name : names) {
+    if (dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr) return {};
+    const char* reason = dlerror();
+    reasons += (reasons.empty() ? "" : "; ") + std::string(name) +
+               " cannot be opened: " + (reason != nullptr ? reason : "?");
+  }
+  return fail(ErrorCode::kUnavailable, reasons);
 }
 
 }  // namespace
 
-Result<EglApi> load_egl() {
-  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
-    const char* reason = dlerror();
-    return fail(ErrorCode::kUnavailable,
-                std::string(kLibrary) + " cannot be opened: " + (reason != nullptr ? reason : "?"));
-  }
-  EglApi egl;
-  if (!find_core(library, egl)) {
-    return fail(ErrorCode::kUnavailable, std::string(kLibrary) + " lacks functions of EGL 1.4");
-  }
-  egl.GetPlatformDisplayEXT =
-      extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl, "eglGetPlatformDisplayEXT");
-  egl.QueryDevicesEXT = extension<PFNEGLQUERYDEVICESEXTPROC>(egl, "eglQueryDevicesEXT");
-  return egl;
+Result<void> open_gl_libraries() {
+  HYPERMAP_TRY(open_one_of({"libEGL.so.1"}));
+  return open_one_of({"libOpenGL.so.0", "libGL.so.1"});
 }
 
 std::string egl_error_text(EGLint error) {

@@ -11,32 +11,31 @@ namespace {
 
 constexpr GLint kSamples = 4;
 
-void attach_buffer(
-    const GlApi& gl, GLenum format, GLenum place, int samples, int width_px, int height_px) {
+void attach_buffer(GLenum format, GLenum place, int samples, int width_px, int height_px) {
   GLuint buffer = 0;
-  gl.GenRenderbuffers(1, &buffer);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_px, height_px);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+  glGenRenderbuffers(1, &buffer);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_px, height_px);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
 }
 
-GLuint bind_new_framebuffer(const GlApi& gl) {
+GLuint bind_new_framebuffer() {
   GLuint framebuffer = 0;
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   return framebuffer;
 }
 
-GLint integer(const GlApi& gl, GLenum name) {
+GLint integer(GLenum name) {
   GLint value = 0;
-  gl.GetIntegerv(name, &value);
+  glGetIntegerv(name, &value);
   return value;
 }
 
 }  // namespace
 
-Result<GlCanvas> GlCanvas::create(const GlApi& gl, int width_px, int height_px) {
-  const GLint largest = integer(gl, GL_MAX_RENDERBUFFER_SIZE);
+Result<GlCanvas> GlCanvas::create(int width_px, int height_px) {
+  const GLint largest = integer(GL_MAX_RENDERBUFFER_SIZE);
   if (std::max(width_px, height_px) > largest) {
     return fail(ErrorCode::kUnavailable,
                 "OpenGL draws at most " + std::to_string(largest) + " pixels a side here, not " +
@@ -45,30 +44,30 @@ Result<GlCanvas> GlCanvas::create(const GlApi& gl, int width_px, int height_px) 
   GlCanvas canvas;
   canvas.width_px_ = width_px;
   canvas.height_px_ = height_px;
-  canvas.resolved_ = bind_new_framebuffer(gl);
-  attach_buffer(gl, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0, width_px, height_px);
-  canvas.drawn_ = bind_new_framebuffer(gl);
-  const GLint samples = std::min(kSamples, integer(gl, GL_MAX_SAMPLES));
-  attach_buffer(gl, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples, width_px, height_px);
-  attach_buffer(gl, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, samples, width_px, height_px);
-  HYPERMAP_TRY(check_gl(gl, "making room for the picture"));
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+  canvas.resolved_ = bind_new_framebuffer();
+  attach_buffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, 0, width_px, height_px);
+  canvas.drawn_ = bind_new_framebuffer();
+  const GLint samples = std::min(kSamples, integer(GL_MAX_SAMPLES));
+  attach_buffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, samples, width_px, height_px);
+  attach_buffer(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, samples, width_px, height_px);
+  HYPERMAP_TRY(check_gl("making room for the picture"));
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return fail(ErrorCode::kUnavailable, "OpenGL cannot draw into memory here");
   }
-  gl.Viewport(0, 0, width_px, height_px);
+  glViewport(0, 0, width_px, height_px);
   return canvas;
 }
 
-Result<ColorImage> GlCanvas::read(const GlApi& gl) const {
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
-  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-  gl.BlitFramebuffer(
+Result<ColorImage> GlCanvas::read() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+  glBlitFramebuffer(
       0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
   ColorImage upside_down(width_px_, height_px_);
-  gl.ReadPixels(0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels().data());
-  HYPERMAP_TRY(check_gl(gl, "reading the picture"));
+  glReadPixels(0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels().data());
+  HYPERMAP_TRY(check_gl("reading the picture"));
   ColorImage picture(width_px_, height_px_);
   for (int v = 0; v < height_px_; ++v) {
     const auto row = upside_down.pixels().subspan(upside_down.index(0, height_px_ - 1 - v),

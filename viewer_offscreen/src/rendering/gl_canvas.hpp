@@ -9,13 +9,14 @@
 namespace hypermap {
 
 /// Bound for drawing from creation on; its buffers go with the context.
+/// Requires: that EglContext is current in each call.
 class GlCanvas {
  public:
   /// Errors: kUnavailable when the driver cannot draw pictures of this size; kOutOfMemory.
-  [[nodiscard]] static Result<GlCanvas> create(const GlApi& gl, int width_px, int height_px);
+  [[nodiscard]] static Result<GlCanvas> create(int width_px, int height_px);
 
   /// What was drawn, samples averaged. Errors: those of check_gl.
-  [[nodiscard]] Result<ColorImage> read(const GlApi& gl) const;
+  [[nodiscard]] Result<ColorImage> read() const;
 
  private:
   int width_px_ = 0;

@@ -47,13 +47,15 @@ struct LineStyle {
   bool hidden_by_voxels = true;  ///< False: drawn over everything.
 };
 
-/// Draws in the order of the calls. The camera and OpenGL must outlive it.
+/// Draws in the order of the calls, with the current context. The camera must outlive it.
 class ScenePainter {
  public:
   /// `pixel_scale`: drawn pixels per pixel of the finished picture (supersampling).
   /// Errors: those of make_program.
-  [[nodiscard]] static Result<ScenePainter> create(
-      const GlApi& gl, const SnapshotCamera& camera, int width_px, int height_px, int pixel_scale);
+  [[nodiscard]] static Result<ScenePainter> create(const SnapshotCamera& camera,
+                                                   int width_px,
+                                                   int height_px,
+                                                   int pixel_scale);
 
   void draw_backdrop(Rgb8 upper, Rgb8 lower) const;
   /// Draws a grid at the given height.
@@ -74,14 +76,13 @@ class ScenePainter {
     GLuint lines = 0;
   };
 
-  ScenePainter(const GlApi& gl, const SnapshotCamera& camera) : gl_(&gl), camera_(&camera) {}
+  explicit ScenePainter(const SnapshotCamera& camera) : camera_(&camera) {}
   void use(GLuint program) const;
   [[nodiscard]] int largest_texture_side() const;
   /// Stretches a picture of the cells, row 0 first, over the grid.
   void draw_texture(const GridGeometry& geometry, const ColorImage& texture, double height_m) const;
   void draw_triangles(GLenum mode, std::span<const std::array<float, 3>> points) const;
 
-  const GlApi* gl_;
   const SnapshotCamera* camera_;
   Programs programs_;
   GLuint buffer_ = 0;

@@ -92,7 +92,6 @@ Result<void> draw_scene(const SnapshotScene& scene,
 
 Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const EglContext context, EglContext::create());
-  HYPERMAP_ASSIGN_OR_RETURN(const GlApi gl, load_gl(context));
   HYPERMAP_ASSIGN_OR_RETURN(const TextPainter text, TextPainter::create(options.font_file));
 
   const ClassRegistry registry = classes_shown(scene);
@@ -109,12 +108,12 @@ Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& opt
   const int drawn_width_px = options.width_px * options.supersampling;
   const int drawn_height_px = options.height_px * options.supersampling;
   HYPERMAP_ASSIGN_OR_RETURN(const GlCanvas canvas,
-                            GlCanvas::create(gl, drawn_width_px, drawn_height_px));
+                            GlCanvas::create(drawn_width_px, drawn_height_px));
   HYPERMAP_ASSIGN_OR_RETURN(
       const ScenePainter painter,
-      ScenePainter::create(gl, camera, drawn_width_px, drawn_height_px, options.supersampling));
+      ScenePainter::create(camera, drawn_width_px, drawn_height_px, options.supersampling));
   HYPERMAP_TRY(draw_scene(scene, layers, voxels, registry, camera, painter));
-  HYPERMAP_ASSIGN_OR_RETURN(ColorImage picture, canvas.read(gl));
+  HYPERMAP_ASSIGN_OR_RETURN(ColorImage picture, canvas.read());
   if (options.supersampling > 1) picture = averaged(picture, options.supersampling);
   if (!options.annotations) return picture;
   return annotated(std::move(picture), text, annotations, plan, camera);

@@ -14,13 +14,14 @@
 
 namespace hypermap {
 
-/// A current OpenGL core context that draws into memory. Move-only; the context goes with it.
+/// A current OpenGL core context that draws into memory. Move-only; the context goes with it, and
+/// what was current before it was made (through EGL: context, surfaces, bound API) is so again.
 ///
+/// Boundary: contexts end in the reverse order of their making; one that ends earlier leaves the
+/// current one alone.
 /// Threads: made current on the thread that creates it; use it and destroy it there.
 class EglContext {
  public:
-  using Function = void (*)();
-
   /// Tries Mesa's surfaceless platform, then each EGL device, then the default display; on each,
   /// OpenGL 4.5 core, then 3.3 core.
   /// Errors: kUnavailable naming every way tried, what each answered, and what to install.
@@ -32,8 +33,6 @@ class EglContext {
 
   /// The way that worked, version and renderer: "surfaceless, OpenGL 4.5, llvmpipe (LLVM 15)".
   [[nodiscard]] const std::string& description() const;
-  /// A function of OpenGL by its name; null when the driver lacks it.
-  [[nodiscard]] Function function(const char* name) const;
 
  private:
   struct Impl;
