@@ -14,7 +14,6 @@ PUBLIC_EVERYWHERE = ("Eigen/", "tl/expected.hpp")
 # And those that only the named public headers may.
 PUBLIC_IN = {
     "octree_semantic/include/hypermap/octree_semantic/octree/octomap_interchange.hpp": ("octomap/",),
-    "io/codec/include/hypermap/io/codec/atomic_file.hpp": ("sys/types.h",),  # POSIX: a file's mode
 }
 # Third-party headers of the sources of these libraries only.
 SOURCES_IN = {
