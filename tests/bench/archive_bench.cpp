@@ -9,7 +9,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
-#include "hypermap/octree_semantic/octree/octomap_interchange.hpp"
+#include "octree_semantic/support/octomap_trees.hpp"
 #include "support/temp_dir.hpp"
 #include "support/test_data.hpp"
 

@@ -11,15 +11,10 @@ import source_tree
 
 # Third-party headers that any public header may include.
 PUBLIC_EVERYWHERE = ("Eigen/", "tl/expected.hpp")
-# And those that only the named public headers may.
-PUBLIC_IN = {
-    "octree_semantic/include/hypermap/octree_semantic/octree/octomap_interchange.hpp": ("octomap/",),
-    "io/codec/include/hypermap/io/codec/atomic_file.hpp": ("sys/types.h",),  # POSIX: a file's mode
-}
 # Third-party headers of the sources of these libraries only.
 SOURCES_IN = {
     "pcl/": ("core",),
-    "octomap/": ("octree_semantic",),
+    "octomap/": (),  # the oracle of tests only
     "embree3/": ("octree_semantic", "simulator"),
     "opencv2/": ("codec", "detector", "viewer_offscreen"),
     "yaml-cpp/": ("codec",),
@@ -110,11 +105,10 @@ def private_include(library, path, target):
     return room_arrow(library, path, target)
 
 
-def public_problem(name, bracket, target):
+def public_problem(bracket, target):
     if bracket == '"':
         return None if target.startswith("hypermap/") else f"public header includes private {target}"
-    allowed = PUBLIC_EVERYWHERE + PUBLIC_IN.get(name, ())
-    if STANDARD.match(target) or target.startswith(allowed):
+    if STANDARD.match(target) or target.startswith(PUBLIC_EVERYWHERE):
         return None
     return f"third-party header in a public header: {target}"
 
@@ -122,7 +116,7 @@ def public_problem(name, bracket, target):
 def source_problem(library, target):
     for prefix, owners in SOURCES_IN.items():
         if target.startswith(prefix) and library.name not in owners:
-            return f"{target} belongs to {', '.join(owners)} only"
+            return f"{target} belongs to {', '.join(owners) or 'tests'} only"
     return None
 
 
@@ -137,7 +131,7 @@ def check_include(findings, known, library, name, line, match):
     if ".." in target.split("/"):
         found.append(f"relative include {target}")
     if "/include/" in name:
-        found.append(public_problem(name, bracket, target))
+        found.append(public_problem(bracket, target))
     room = None
     if target.startswith("hypermap/"):
         arrow, room, problem = own_include(library, name, target, known)

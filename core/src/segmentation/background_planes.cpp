@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "background_planes.hpp"
 
+#include "hypermap/core/base/random_numbers.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -78,21 +80,6 @@ class Points {
   std::vector<float> y_;
   std::vector<float> z_;
   std::vector<float> noise_m_;
-};
-
-/// Fixed pseudo random numbers (SplitMix64): the same window gives the same planes.
-class Dice {
- public:
-  std::size_t below(std::size_t count) {
-    state_ += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return static_cast<std::size_t>((z ^ (z >> 31U)) % count);
-  }
-
- private:
-  std::uint64_t state_ = 0;
 };
 
 /// Evenly chosen measured points outside the box.
@@ -208,9 +195,9 @@ class Contest {
 Plane best_plane(const Points& points,
                  const Eigen::Vector3f& up_in_camera,
                  const ForegroundOptions& options,
-                 Dice& dice) {
+                 SplitMix64& random) {
   Contest contest(points, options);
-  const auto any_point = [&]() -> Eigen::Vector3f { return points[dice.below(points.size())]; };
+  const auto any_point = [&]() -> Eigen::Vector3f { return points[random() % points.size()]; };
   for (int i = 0; i < kHorizontalTries; ++i) {
     contest.consider({up_in_camera, -up_in_camera.dot(any_point())});
   }
@@ -239,9 +226,9 @@ std::vector<Plane> background_planes(const DepthWindow& window,
       kLeastSupport,
       static_cast<std::size_t>(options.plane_min_share * static_cast<double>(points.size())));
   std::vector<Plane> planes;
-  Dice dice;
+  SplitMix64 random;  // the same window gives the same planes
   while (planes.size() < static_cast<std::size_t>(options.max_planes) && points.size() >= least) {
-    PlaneTest test = test_of(best_plane(points, up_in_camera, options, dice), options);
+    PlaneTest test = test_of(best_plane(points, up_in_camera, options, random), options);
     if (points.count(test, 0, points.size()) < least) break;
     planes.push_back(test.plane);
     // What is left of a plane at twice its thickness is its own noise, not another plane.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/zip_writer.hpp"
 #include "layers/layer_files.hpp"
@@ -108,14 +109,6 @@ Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits
 Result<void> save_archive(const MapArchive& archive,
                           const std::filesystem::path& path,
                           const SaveOptions& options) {
-  FileCalls calls;
-  return save_archive(archive, path, options, calls);
-}
-
-Result<void> save_archive(const MapArchive& archive,
-                          const std::filesystem::path& path,
-                          const SaveOptions& options,
-                          FileCalls& calls) {
   const auto in_file = [&path](Error error) {
     return tl::make_unexpected(with_source(std::move(error), {.file = path.string()}));
   };
@@ -125,7 +118,7 @@ Result<void> save_archive(const MapArchive& archive,
   if (verify)
     if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options); !same)
       return in_file(std::move(same).error());
-  HYPERMAP_TRY(write_file_atomically(path, *bytes, calls));
+  HYPERMAP_TRY(write_file_atomically(path, *bytes));
   if (verify) return verify_file(path, *bytes);
   return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_drift.hpp"
 
-#include "hypermap/io/simulator/counter_rng.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/sensor_noise.hpp"
 
-#include "hypermap/io/simulator/counter_rng.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 
 #include <array>
 #include <cassert>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/simulated_detector.hpp"
 
+#include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
-#include "hypermap/io/simulator/counter_rng.hpp"
 
 #include <algorithm>
 #include <array>

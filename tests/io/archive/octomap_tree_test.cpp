@@ -2,7 +2,7 @@
 #include "hypermap/io/archive/octomap_tree.hpp"
 
 #include "hypermap/io/archive/octomap_file.hpp"
-#include "hypermap/octree_semantic/octree/octomap_interchange.hpp"
+#include "octree_semantic/support/octomap_trees.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,11 @@
 namespace hypermap {
 namespace {
 
+using test::SemanticOcTree;
+using test::SemanticOcTreeNode;
+using test::to_color_octomap;
+using test::to_octomap;
+using test::to_semantic_octomap;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -152,7 +157,33 @@ TEST(OctomapTree, OctomapOpensOurTypeByItsRegistry) {
   const std::unique_ptr<octomap::AbstractOcTree> read(octomap::AbstractOcTree::read(file));
   const auto* tree = dynamic_cast<SemanticOcTree*>(read.get());
   ASSERT_NE(tree, nullptr);
-  EXPECT_EQ(to_octomap_tree(from_octomap(*tree).value()), to_octomap_tree(octree));
+  EXPECT_TRUE(*tree == *to_semantic_octomap(octree));
+}
+
+TEST(OctomapTree, ANodeIsTwentyFourBytesLittleEndian) {
+  SemanticOcTreeNode node;
+  node.setLogOdds(1.0F);
+  VoxelLabel label;
+  label.object = ObjectId{0x01020304};
+  label.object_votes = 5;
+  label.rest = -2;
+  label.classes[0] = {7, 256};
+  node.set_label(label);
+  std::stringstream stream;
+  node.writeData(stream);
+  const std::string expected(
+      "\x00\x00\x80\x3f"
+      "\x04\x03\x02\x01"
+      "\x05\x00"
+      "\xfe\xff"
+      "\x07\x00\x00\x01"
+      "\xff\xff\x00\x00"
+      "\xff\xff\x00\x00",
+      24);
+  EXPECT_EQ(stream.str(), expected);
+  SemanticOcTreeNode read;
+  read.readData(stream);
+  EXPECT_TRUE(read == node);
 }
 
 TEST(OctomapTree, EightAlikeSiblingsBecomeTheirParentAgainAndAgain) {

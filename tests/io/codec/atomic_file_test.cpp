@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/atomic_file.hpp"
 
+#include "files/file_calls.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "support/temp_dir.hpp"
 
@@ -17,6 +18,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -45,38 +47,41 @@ mode_t mode_of(const fs::path& path) {
 }
 
 /// Lets the n-th of all calls fail with `reason`; counts them.
-class FailingCalls : public FileCalls {
+class FailingCalls {
  public:
   FailingCalls(int failing_call, int reason) : failing_call_(failing_call), reason_(reason) {}
-  int open(const char* path, int flags, mode_t mode) override {
-    return fails() ? -1 : FileCalls::open(path, flags, mode);
+  FileCalls calls() {
+    const FileCalls real;
+    return {.open = failing(real.open),
+            .write = [this](int descriptor, const void* bytes, std::size_t num_bytes) -> ssize_t {
+              // Short writes, so that there are several of them.
+              return fails() ? -1 : ::write(descriptor, bytes, std::min<std::size_t>(num_bytes, 3));
+            },
+            .fchmod = failing(real.fchmod),
+            .fchown = failing(real.fchown),
+            .fsync = failing(real.fsync),
+            .close =
+                [this](int descriptor) {
+                  const int result = ::close(descriptor);
+                  return fails() ? -1 : result;
+                },
+            .rename = failing(real.rename)};
   }
-  ssize_t write(int descriptor, const char* bytes, std::size_t num_bytes) override {
-    // Short writes, so that there are several of them.
-    return fails() ? -1 : FileCalls::write(descriptor, bytes, std::min<std::size_t>(num_bytes, 3));
-  }
-  int fchmod(int descriptor, mode_t mode) override {
-    return fails() ? -1 : FileCalls::fchmod(descriptor, mode);
-  }
-  int fsync(int descriptor) override { return fails() ? -1 : FileCalls::fsync(descriptor); }
-  int close(int descriptor) override {
-    const int result = FileCalls::close(descriptor);
-    return fails() ? -1 : result;
-  }
-  int rename(const char* from, const char* to) override {
-    return fails() ? -1 : FileCalls::rename(from, to);
-  }
-  [[nodiscard]] int calls() const { return calls_; }
+  [[nodiscard]] int num_calls() const { return num_calls_; }
 
  private:
+  template <class... Arguments>
+  std::function<int(Arguments...)> failing(std::function<int(Arguments...)> call) {
+    return [this, call](Arguments... arguments) { return fails() ? -1 : call(arguments...); };
+  }
   bool fails() {
-    if (++calls_ != failing_call_) return false;
+    if (++num_calls_ != failing_call_) return false;
     errno = reason_;
     return true;
   }
   int failing_call_;
   int reason_;
-  int calls_ = 0;
+  int num_calls_ = 0;
 };
 
 TEST(AtomicFile, WritesANewFileAndLeavesNothingElse) {
@@ -111,8 +116,8 @@ TEST(AtomicFile, WhicheverCallFailsTheOldFileIsIntactAndNoTemporaryIsLeft) {
       const TempDir dir;
       ASSERT_TRUE(write_file_atomically(dir / "a", "old"));
       FailingCalls calls(failing_call, reason);
-      const auto written = write_file_atomically(dir / "a", "new content", calls);
-      if (calls.calls() < failing_call) break;  // more than there are
+      const auto written = write_file_atomically(dir / "a", "new content", calls.calls());
+      if (calls.num_calls() < failing_call) break;  // more than there are
       EXPECT_EQ(num_files(dir.path()), 1U) << failing_call;
       if (written) continue;  // a close of a folder does not matter
       EXPECT_EQ(written.error().code, ErrorCode::kIo);
@@ -126,16 +131,13 @@ TEST(AtomicFile, WhicheverCallFailsTheOldFileIsIntactAndNoTemporaryIsLeft) {
 
 TEST(AtomicFile, OnlyTheSyncOfTheFolderFailsAfterTheReplacement) {
   const TempDir dir;
-  class Calls : public FileCalls {
-   public:
-    int fsync(int descriptor) override {
-      struct stat status {};
-      ::fstat(descriptor, &status);
-      if (!S_ISDIR(status.st_mode)) return FileCalls::fsync(descriptor);
-      errno = EIO;
-      return -1;
-    }
-  } calls;
+  const FileCalls calls{.fsync = [](int descriptor) {
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    if (!S_ISDIR(status.st_mode)) return ::fsync(descriptor);
+    errno = EIO;
+    return -1;
+  }};
   const auto written = write_file_atomically(dir / "a", "new", calls);
   ASSERT_FALSE(written);
   EXPECT_THAT(written.error().what, HasSubstr("replaced, durability unconfirmed"));
@@ -146,7 +148,7 @@ TEST(AtomicFile, InterruptedCallsAreRepeated) {
   const TempDir dir;
   for (int call = 1; call <= 4; ++call) {  // the opening and the first writes
     FailingCalls calls(call, EINTR);
-    ASSERT_TRUE(write_file_atomically(dir / "a", "new content", calls)) << call;
+    ASSERT_TRUE(write_file_atomically(dir / "a", "new content", calls.calls())) << call;
     EXPECT_EQ(content_of(dir / "a"), "new content");
   }
 }
@@ -265,17 +267,10 @@ TEST(AtomicFile, TemporariesOfDeadProcessesGoThoseOfLivingOnesStay) {
 TEST(AtomicFile, AProcessKilledInTheMiddleLeavesTheOldFile) {
   const TempDir dir;
   ASSERT_TRUE(write_file_atomically(dir / "a", "old"));
-  class Killer : public FileCalls {
-   public:
-    int fsync(int) override {
-      ::kill(::getpid(), SIGKILL);
-      return 0;
-    }
-  };
+  const FileCalls calls{.fsync = [](int) { return ::kill(::getpid(), SIGKILL); }};
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    Killer calls;
     static_cast<void>(write_file_atomically(dir / "a", "new", calls));
     ::_exit(0);
   }

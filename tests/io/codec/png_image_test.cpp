@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -36,13 +37,10 @@ Error refused_png(const std::string& bytes) {
 }
 
 template <class Pixel>
-Image<Pixel> ramp(int width, int height) {
+Image<Pixel> noise(int width, int height) {
   Image<Pixel> image(width, height);
-  unsigned state = 7;
-  for (Pixel& pixel : image.pixels()) {
-    state = state * 1103515245U + 12345U;
-    pixel = static_cast<Pixel>(state >> 12U);
-  }
+  std::mt19937 random(7);
+  for (Pixel& pixel : image.pixels()) pixel = static_cast<Pixel>(random());
   return image;
 }
 
@@ -101,8 +99,8 @@ TEST(PngImage, AnInterlacedPictureIsPutTogether) {
 }
 
 TEST(PngImage, WhatIsWrittenReadsTheSameHereAndInOpenCv) {
-  const auto gray = ramp<std::uint8_t>(37, 23);
-  const auto depth = ramp<std::uint16_t>(37, 23);
+  const auto gray = noise<std::uint8_t>(37, 23);
+  const auto depth = noise<std::uint16_t>(37, 23);
   EXPECT_EQ(*to_gray8(decoded(*encode_png(gray))), gray);
   EXPECT_EQ(*to_gray16(decoded(*encode_png(depth))), depth);
   const std::string bytes = *encode_png(depth);
@@ -143,7 +141,7 @@ TEST(PngImage, GrayAlphaAndColourAreWritten) {
 }
 
 TEST(PngImage, NoCutAndNoFlippedBitIsReadAsAnotherPicture) {
-  const auto image = ramp<std::uint8_t>(9, 7);
+  const auto image = noise<std::uint8_t>(9, 7);
   const std::string bytes = *encode_png(image);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode_png(bytes.substr(0, size), kPngSource)) << "cut at " << size;

@@ -45,7 +45,7 @@ void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// A label as `.ot` files of SemanticOcTree have it; see octree_semantic/octomap_interchange.hpp.
+/// A label as `.ot` files of SemanticOcTree have it; see write_octomap.
 struct StoredLabel {
   std::uint32_t object = 0;
   std::uint16_t object_votes = 0;

@@ -55,7 +55,7 @@ class FileSource final : public ByteSource {
       const ssize_t got =
           ::pread(descriptor_, bytes.data() + done, num_bytes - done, to_off(offset + done));
       if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return tl::make_unexpected(system_error(path_, "read", errno));
+      if (got < 0) return system_error(path_, "read", errno);
       if (got == 0)
         return tl::make_unexpected(in_file(ends_early(offset, num_bytes, offset + done)));
       done += static_cast<std::size_t>(got);
@@ -98,12 +98,12 @@ Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& path,
                                               std::uint64_t max_bytes) {
   // Without O_NONBLOCK the opening of a FIFO would wait for its writer.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (descriptor < 0) return tl::make_unexpected(system_error(path, "open", errno));
+  if (descriptor < 0) return system_error(path, "open", errno);
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) {
     const int reason = errno;
     ::close(descriptor);
-    return tl::make_unexpected(system_error(path, "look at", reason));
+    return system_error(path, "look at", reason);
   }
   auto source =
       std::make_unique<FileSource>(path, descriptor, static_cast<std::uint64_t>(status.st_size));

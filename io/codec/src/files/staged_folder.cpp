@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/staged_folder.hpp"
 
-#include "stale_temporaries.hpp"
+#include "abandoned.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace hypermap {
 namespace {
@@ -45,25 +43,6 @@ fs::path staging_for(const fs::path& target) {
   return target.parent_path() / (staging_prefix(target) + std::to_string(::getpid()));
 }
 
-/// What dead processes left of the same target.
-void remove_stale(const fs::path& target) {
-  const std::string prefix = staging_prefix(target);
-  std::vector<fs::path> stale;
-  std::error_code ignored;
-  for (fs::directory_iterator it(folder_of(target), ignored);
-       !ignored && it != fs::directory_iterator();
-       it.increment(ignored)) {
-    const std::string name = it->path().filename().string();
-    if (!name.starts_with(prefix)) continue;
-    const std::string_view number = std::string_view(name).substr(prefix.size());
-    pid_t process = 0;
-    const auto end = std::from_chars(number.data(), number.data() + number.size(), process);
-    const bool is_number = end.ec == std::errc() && end.ptr == number.data() + number.size();
-    if (is_number && process > 0 && is_abandoned(process, it->path())) stale.push_back(it->path());
-  }
-  for (const fs::path& path : stale) fs::remove_all(path, ignored);
-}
-
 }  // namespace
 
 StagedFolder::StagedFolder(fs::path target, fs::path staging)
@@ -82,7 +61,7 @@ StagedFolder::~StagedFolder() {
 
 Result<StagedFolder> StagedFolder::create(const fs::path& target) {
   const fs::path final_name = plain(target);
-  remove_stale(final_name);
+  remove_abandoned(folder_of(final_name), staging_prefix(final_name));
   StagedFolder folder(final_name, staging_for(final_name));
   std::error_code code;
   fs::remove_all(folder.staging_, code);  // of a dead process with the same number

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/scene.hpp"
 
-#include "hypermap/io/simulator/counter_rng.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/io/simulator/furniture.hpp"
 
 #include <algorithm>

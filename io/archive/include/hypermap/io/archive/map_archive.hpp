@@ -12,7 +12,6 @@
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/archive/provenance.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
@@ -120,9 +119,5 @@ struct SaveOptions {
 [[nodiscard]] Result<void> save_archive(const MapArchive& archive,
                                         const std::filesystem::path& path,
                                         const SaveOptions& options = {});
-[[nodiscard]] Result<void> save_archive(const MapArchive& archive,
-                                        const std::filesystem::path& path,
-                                        const SaveOptions& options,
-                                        FileCalls& calls);
 
 }  // namespace hypermap

@@ -43,7 +43,10 @@ struct OctomapLimits {
                                                        const OctomapLimits& limits = {});
 
 /// The tree as `.ot`, inner nodes with the maximum of their children's log-odds and the mean of
-/// their colours, as OctoMap has them. Errors: those of validate; kOutOfMemory.
+/// their colours, as OctoMap has them. A node of `SemanticOcTree` is the 32-bit log-odds, then 20
+/// bytes, all little-endian: object (32 bits), votes (16), rest (16), and for each of three classes
+/// its id (16) and its log-odds in steps of 0.001 (16). Without a label: object 0, votes 0, rest 0,
+/// and ids 65535 with log-odds 0. Errors: those of validate; kOutOfMemory.
 [[nodiscard]] Result<std::string> write_octomap(const OctomapTree& tree);
 
 /// The tree as `.bt`: only whether each leaf is occupied. Errors: as write_octomap, and

@@ -18,7 +18,7 @@ namespace hypermap {
 enum class OctomapKind : std::uint8_t {
   kOccupancy,  ///< `OcTree`, and every `.bt`.
   kColor,      ///< `ColorOcTree`.
-  kSemantic,   ///< `SemanticOcTree`: our type, see octree_semantic/octomap_interchange.hpp.
+  kSemantic,   ///< `SemanticOcTree`: our type, see write_octomap.
 };
 
 /// A known cube of space: one voxel at depth 16, 2^(16 - depth) voxels along each edge above it.

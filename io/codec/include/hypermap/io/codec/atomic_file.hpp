@@ -5,34 +5,10 @@
 
 #include "hypermap/core/base/result.hpp"
 
-#include <sys/types.h>
-
-#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
 namespace hypermap {
-
-/// The system calls of a save. Virtual so that a test can let any one of them fail; each behaves as
-/// its namesake (a negative result, errno set).
-class FileCalls {
- public:
-  FileCalls() = default;
-  FileCalls(const FileCalls&) = delete;
-  FileCalls& operator=(const FileCalls&) = delete;
-  FileCalls(FileCalls&&) = delete;
-  FileCalls& operator=(FileCalls&&) = delete;
-  virtual ~FileCalls() = default;
-
-  virtual int open(const char* path, int flags, mode_t mode);
-  virtual ssize_t write(int descriptor, const char* bytes, std::size_t num_bytes);
-  virtual int fchmod(int descriptor, mode_t mode);
-  virtual int fchown(int descriptor, uid_t owner, gid_t group);
-  virtual int fsync(int descriptor);
-  virtual int close(int descriptor);
-  virtual int rename(const char* from, const char* to);
-  virtual int unlink(const char* path);
-};
 
 /// Whether a file could be replaced or made at `path`, to be asked before long work.
 /// Errors: kIo when its folder is not there or not writable, or when it is no regular file.
@@ -52,8 +28,5 @@ class FileCalls {
 /// Threads: any number at once; a limit on file sizes (RLIMIT_FSIZE) gives an error, no signal.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);
-[[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
-                                                 std::string_view bytes,
-                                                 FileCalls& calls);
 
 }  // namespace hypermap

@@ -6,9 +6,9 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
-#include "hypermap/io/simulator/counter_rng.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The octomap tree type that carries labels: its registration and its bytes in a file.
-#include "hypermap/octree_semantic/octree/octomap_interchange.hpp"
+#include "octree_semantic/support/octomap_trees.hpp"
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <istream>
 #include <ostream>
 
-namespace hypermap {
+namespace hypermap::test {
 namespace {
 
 constexpr std::size_t kLabelBytes = 20;
@@ -96,4 +96,4 @@ SemanticOcTree::Registration::Registration() {
   octomap::AbstractOcTree::registerTreeType(prototype.release());
 }
 
-}  // namespace hypermap
+}  // namespace hypermap::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/io/simulator/counter_rng.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The map as OctoMap's trees, for every program that knows OctoMap, and back.
-///
-/// The only public header with types of OctoMap. Log-odds here are steps of 0.001, there 32-bit
-/// floats: what comes from OctoMap is rounded, what goes there and comes back is the same.
+/// The map as OctoMap itself would hold it: the oracle for our own files of these types.
 #pragma once
 
-#include "hypermap/core/base/result.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 
@@ -14,12 +10,11 @@
 #include <octomap/OcTree.h>
 #include <octomap/OccupancyOcTreeBase.h>
 
-#include <cstddef>
 #include <iosfwd>
 #include <memory>
 #include <string>
 
-namespace hypermap {
+namespace hypermap::test {
 
 /// A node of OctoMap that also knows class and object.
 ///
@@ -76,23 +71,4 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
 /// Everything.
 [[nodiscard]] std::unique_ptr<SemanticOcTree> to_semantic_octomap(const SemanticOctree& tree);
 
-struct OctomapImportOptions {
-  /// A pruned node stands for up to 2^48 voxels; more than so many in all are refused.
-  std::size_t max_voxels = std::size_t{1} << 28U;
-};
-
-/// Everything that an OctoMap tree knows, with its sensor model. Probabilities of the model are
-/// rounded to 0.000001, log-odds to 0.001 and clamped by that model.
-///
-/// Errors: kInvalidArgument when resolution or sensor model are none that we allow, or a log-odds
-/// is NaN; kLimit when there are more voxels than `max_voxels`; kOutOfMemory.
-[[nodiscard]] Result<SemanticOctree> from_octomap(const octomap::OcTree& tree,
-                                                  const OctomapImportOptions& options = {});
-/// The same; colours are not read, they are no classes.
-[[nodiscard]] Result<SemanticOctree> from_octomap(const octomap::ColorOcTree& tree,
-                                                  const OctomapImportOptions& options = {});
-/// The same with labels. Errors: also kInvalidArgument when a label breaks the rules of VoxelLabel.
-[[nodiscard]] Result<SemanticOctree> from_octomap(const SemanticOcTree& tree,
-                                                  const OctomapImportOptions& options = {});
-
-}  // namespace hypermap
+}  // namespace hypermap::test

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random numbers that depend only on what they are for, never on the order in which they are
-/// drawn.
+/// Random numbers, the same on every machine: all that the libraries draw.
 ///
-/// A stream is named by a seed and up to three counters (frame, object, purpose); its n-th number
-/// is a hash of name and n. So pixels and frames can be computed by any thread in any order and
-/// give the same bytes. The standard library's distributions are avoided: their output is not
-/// specified.
+/// The standard library's distributions are avoided: their output is not specified.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 namespace hypermap {
+
+/// The golden ratio as a fraction of 2^64.
+inline constexpr std::uint64_t kSplitMixIncrement = 0x9E3779B97F4A7C15U;
 
 /// The finaliser of the splitmix64 generator: a bijection of 64-bit words that mixes every bit.
 ///
 /// Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014.
 [[nodiscard]] constexpr std::uint64_t mix_bits(std::uint64_t x) noexcept {
-  x += 0x9E3779B97F4A7C15U;
+  x += kSplitMixIncrement;
   x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
   return x ^ (x >> 31U);
@@ -29,7 +29,22 @@ namespace hypermap {
 /// (PPND16, relative accuracy 1e-16). Requires: 0 < p < 1.
 [[nodiscard]] double normal_quantile(double p) noexcept;
 
-/// Numbers of one named stream. A small value; copies continue independently from where they are.
+/// The splitmix64 generator from state 0, for a sequence that one thread draws in order.
+class SplitMix64 {
+ public:
+  constexpr std::uint64_t operator()() noexcept {
+    return mix_bits(std::exchange(state_, state_ + kSplitMixIncrement));
+  }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+/// Numbers that depend only on what they are for, never on the order in which they are drawn.
+///
+/// A stream is named by a seed and up to three counters (frame, object, purpose); its n-th number
+/// is a hash of name and n. So pixels and frames can be computed by any thread in any order and
+/// give the same bytes. A small value; copies continue independently from where they are.
 class CounterRng {
  public:
   /// The stream of `seed` for (a, b, c), which say what the numbers are for.

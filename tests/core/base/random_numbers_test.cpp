@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/io/simulator/counter_rng.hpp"
+#include "hypermap/core/base/random_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,9 @@ TEST(CounterRng, MixingIsThatOfSplitmix64) {
   // increment, so mix_bits(0) and mix_bits(0x9E3779B97F4A7C15) are outputs one and two.
   EXPECT_EQ(mix_bits(0), 0xE220A8397B1DCDAFU);
   EXPECT_EQ(mix_bits(0x9E3779B97F4A7C15U), 0x6E789E6AA1B965F4U);
+  SplitMix64 generator;
+  EXPECT_EQ(generator(), 0xE220A8397B1DCDAFU);
+  EXPECT_EQ(generator(), 0x6E789E6AA1B965F4U);
 }
 
 TEST(CounterRng, TheQuantileInvertsTheNormalDistribution) {
