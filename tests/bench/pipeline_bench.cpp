@@ -6,10 +6,9 @@
 // `frame_wall_ms` are CPU time of all threads; of each frame the least over the passes counts, so
 // that another program on the machine hardly shows.
 #include "bench/cpu_time.hpp"
+#include "bench/laboratory_frames.hpp"
 #include "bench/run_benchmarks.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
-#include "hypermap/io/simulator/scene_file.hpp"
-#include "hypermap/io/simulator/simulator.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "support/test_data.hpp"
 
@@ -24,29 +23,8 @@
 namespace hypermap::test {
 namespace {
 
-constexpr std::size_t kNumDetections = 10;
 constexpr std::size_t kMaxFrames = 24;
 constexpr int kNumPasses = 5;
-
-/// Frames of the laboratory that show at least ten things, the first ten of them detected.
-std::vector<RgbdFrame> render_laboratory() {
-  std::vector<RgbdFrame> frames;
-  const auto scene = load_scene(source_path("data/scenes/laboratory.yaml"));
-  if (!scene) return frames;
-  SimulationOptions options;
-  options.num_frames = 200;
-  options.detector.min_visible_px = 100;
-  options.detector.miss_rate = 0.0;
-  const auto simulator = Simulator::create(*scene, options);
-  if (!simulator) return frames;
-  for (std::size_t i = 0; i < simulator->size() && frames.size() < kMaxFrames; i += 4) {
-    RgbdFrame frame = simulator->render(i).frame;
-    if (frame.detections.size() < kNumDetections) continue;
-    frame.detections.resize(kNumDetections);
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
 
 std::vector<RgbdFrame> read_kitchen() {
   std::vector<RgbdFrame> frames;
@@ -65,7 +43,7 @@ std::vector<RgbdFrame> read_kitchen() {
 }
 
 const std::vector<RgbdFrame>& laboratory() {
-  static const std::vector<RgbdFrame> kFrames = render_laboratory();
+  static const std::vector<RgbdFrame> kFrames = laboratory_frames(kMaxFrames);
   return kFrames;
 }
 const std::vector<RgbdFrame>& kitchen() {

@@ -5,6 +5,7 @@
 #include "integration/marking/cell_finder.hpp"
 #include "integration/marking/ray_marking.hpp"
 #include "integration/marking/sparse_rays.hpp"
+#include "octree/brick_access.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -185,16 +186,16 @@ void IntegrationWorkspace::count_votes(std::span<const PixelLabels> labels,
 
 void IntegrationWorkspace::stage(SemanticOctree& tree, IntegrationReport& report) {
   staged_.clear();
+  BrickTable& bricks = BrickAccess::writable(tree);
   for (std::size_t group = 0; group < hit().num_groups(); ++group) {
     if ((hit().touched_group(group) | passed().touched_group(group)) == 0) continue;
     for (std::size_t brick = group * 8; brick < group * 8 + 8; ++brick) {
-      if (hit().touched(brick) || passed().touched(brick)) stage_brick(tree, brick, report);
+      if (hit().touched(brick) || passed().touched(brick)) stage_brick(bricks, brick, report);
     }
   }
-  tree.bricks().reserve_changes(staged_.size());
 }
 
-void IntegrationWorkspace::stage_brick(SemanticOctree& tree,
+void IntegrationWorkspace::stage_brick(BrickTable& bricks,
                                        std::size_t window_brick,
                                        IntegrationReport& report) {
   const auto [x, y, z] = window_.brick_corner(window_brick);
@@ -204,13 +205,12 @@ void IntegrationWorkspace::stage_brick(SemanticOctree& tree,
       static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
   const BrickKey key = BrickKey::of(corner);
   const bool is_hit = hit().touched(window_brick);
-  const std::uint32_t position =
-      is_hit ? tree.bricks().prepare(key) : tree.bricks().prepare_to_free(key);
-  if (!is_hit && tree.bricks().is_freest(position)) {
+  const std::uint32_t position = is_hit ? bricks.prepare(key) : bricks.prepare_to_free(key);
+  if (!is_hit && bricks.is_freest(position)) {
     report.num_free_voxels += count_bits(passed().words(window_brick));
     return;
   }
-  stage_labels(tree.bricks().writable(position), window_brick);
+  stage_labels(bricks.writable(position), window_brick);
   staged_.push_back({window_brick, position, false});
 }
 
@@ -227,29 +227,31 @@ void IntegrationWorkspace::stage_labels(Brick& brick, std::size_t window_brick) 
 
 void IntegrationWorkspace::commit(SemanticOctree& tree, IntegrationReport& report) noexcept {
   merge(tree, report);
+  BrickTable& bricks = BrickAccess::sole(tree);
   for (const auto& [window_brick, position, occupancy_changed] : staged_) {
-    Brick& brick = tree.bricks().writable(position);
+    Brick& brick = bricks.writable(position);
     bool changed = occupancy_changed;
     if (brick.labels) changed |= commit_labels(brick, window_brick, tree);
     if (const BrickBits* labelled = votes_.labelled(window_brick)) {
       report.num_labelled_voxels += static_cast<std::size_t>(labelled->count());
     }
-    if (changed) tree.bricks().note_change(position);
-    tree.bricks().share_if_freest(position);
+    bricks.note_written(position, changed);
+    bricks.share_if_freest(position);
   }
-  tree.bricks().commit();
+  bricks.commit();
   clear();
 }
 
 void IntegrationWorkspace::merge(SemanticOctree& tree, IntegrationReport& report) noexcept {
   const kernels::EvidenceSteps steps = steps_of(tree.sensor_model());
+  BrickTable& bricks = BrickAccess::sole(tree);
   const auto merge_brick = kernels::best_kernels().merge_brick;
   const auto merge_chunk = [&](std::size_t slot, std::size_t chunk) {
     kernels::MergeCounts& total = slots_[slot].merged;
     const std::size_t end = std::min(staged_.size(), (chunk + 1) * kBricksPerChunk);
     for (std::size_t i = chunk * kBricksPerChunk; i < end; ++i) {
       Staged& staged = staged_[i];
-      Brick& brick = tree.bricks().writable(staged.position);
+      Brick& brick = bricks.writable(staged.position);
       const kernels::MergeCounts counts = merge_brick(
           {brick.known.words.data(), brick.occupied.words.data(), brick.log_odds.data()},
           hit().words(staged.window_brick),

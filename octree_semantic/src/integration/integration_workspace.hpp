@@ -13,6 +13,7 @@
 #include "integration/marking/free_projection.hpp"
 #include "integration/marking/measured_points.hpp"
 #include "kernels/kernels.hpp"
+#include "octree/brick_table.hpp"
 #include "octree/point_f.hpp"
 #include "workers.hpp"
 
@@ -61,7 +62,7 @@ class IntegrationWorkspace {
                double max_range_m);
   void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
   void stage(SemanticOctree& tree, IntegrationReport& report);
-  void stage_brick(SemanticOctree& tree, std::size_t window_brick, IntegrationReport& report);
+  void stage_brick(BrickTable& bricks, std::size_t window_brick, IntegrationReport& report);
   void stage_labels(Brick& brick, std::size_t window_brick) const;
   void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
   void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;

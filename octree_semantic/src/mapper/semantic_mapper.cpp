@@ -5,6 +5,7 @@
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/snapshot_exchange.hpp"
 
 #include <algorithm>
 #include <new>
@@ -90,19 +91,39 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
                 "octree");
   }
   HYPERMAP_ASSIGN_OR_RETURN(OcclusionScene occlusion, OcclusionScene::create());
-  return SemanticMapper(options, std::move(octree), std::move(objects), std::move(occlusion));
+  try {
+    const bool publishes = options.publish_every_n_frames > 0;
+    auto first = std::make_shared<const MapSnapshot>(
+        MapSnapshot{publishes ? octree : SemanticOctree::create(options.octree).value(),
+                    publishes ? objects : ObjectMap{},
+                    std::make_shared<const ClassRegistry>(),
+                    0,
+                    0,
+                    {}});
+    auto snapshots = std::make_unique<SnapshotExchange>(std::move(first));
+    return SemanticMapper(
+        options, std::move(octree), std::move(objects), std::move(occlusion), std::move(snapshots));
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "no memory for a mapper");
+  }
 }
 
 SemanticMapper::SemanticMapper(SemanticMapperOptions options,
                                SemanticOctree octree,
                                ObjectMap objects,
-                               OcclusionScene occlusion)
+                               OcclusionScene occlusion,
+                               std::unique_ptr<SnapshotExchange> snapshots)
     : options_(with_ranges(std::move(options))),
       octree_(std::move(octree)),
       objects_(std::move(objects)),
-      occlusion_(std::move(occlusion)) {
+      occlusion_(std::move(occlusion)),
+      snapshots_(std::move(snapshots)) {
   options_.integration.num_threads = options_.num_threads;
 }
+
+SemanticMapper::SemanticMapper(SemanticMapper&&) noexcept = default;
+SemanticMapper& SemanticMapper::operator=(SemanticMapper&&) noexcept = default;
+SemanticMapper::~SemanticMapper() = default;
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
   try {
@@ -144,11 +165,44 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   // From here on the frame is in the map.
   objects_ = std::move(objects);
   handovers_ = std::move(merged_voxels);
+  ++num_frames_;
+  frame_index_ = frame.index;
+  stamp_ = frame.stamp;
   report.seconds.integrate = watch.lap();
 
   weaken_unseen(frame, association, report);
+  report.published = publish_if_due();
   report.seconds.visibility = watch.lap();
   return report;
+}
+
+/// Whatever fails here leaves the snapshot before.
+bool SemanticMapper::publish_if_due() {
+  const auto every = static_cast<std::uint64_t>(options_.publish_every_n_frames);
+  if (every == 0 || num_frames_ - num_published_frames_ < every) return false;
+  if (!handovers_.empty()) return false;  // some voxels still name an object that is gone
+  try {
+    snapshots_->publish(std::make_shared<const MapSnapshot>(
+        MapSnapshot{octree_, objects_, classes_, num_frames_, frame_index_, stamp_}));
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  num_published_frames_ = num_frames_;
+  return true;
+}
+
+std::shared_ptr<const MapSnapshot> SemanticMapper::snapshot() const {
+  return snapshots_->newest();
+}
+
+Result<void> SemanticMapper::set_classes(const ClassRegistry& classes) {
+  if (classes == *classes_) return {};
+  try {
+    classes_ = std::make_shared<const ClassRegistry>(classes);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "no memory for the names of classes");
+  }
+  return {};
 }
 
 Result<void> SemanticMapper::check(const RgbdFrame& frame) const {

@@ -19,6 +19,10 @@ constexpr OptionRow kMapperRows[] = {
         "num_threads",
         {1, 256},
         {.effect = "Threads for the detections of a frame and for rays.", .is_listed = false}),
+    option::count<&SemanticMapperOptions::publish_every_n_frames>(
+        "publish_every_n_frames",
+        {0, 1'000'000},
+        {.effect = "Frames between two snapshots for other threads; 0: none.", .is_listed = false}),
 };
 
 /// Gives `range_m` the map's range where it has none.

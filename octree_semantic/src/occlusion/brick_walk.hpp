@@ -3,7 +3,7 @@
 /// Whether a ray meets an occupied voxel of one brick. Unit: voxels, from the origin of the map.
 #pragma once
 
-#include "hypermap/octree_semantic/octree/brick.hpp"
+#include "octree/brick.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
 
 #include "brick_walk.hpp"
+#include "octree/brick_access.hpp"
 #include "sight_packet.hpp"
 
 #include <embree3/rtcore.h>
@@ -196,7 +197,7 @@ Result<OcclusionScene> OcclusionScene::create(std::size_t max_lanes) {
 }
 
 Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
-  const BrickTable& bricks = tree.bricks();
+  const BrickTable& bricks = BrickAccess::bricks(tree);
   try {
     const std::vector<std::uint32_t> changed = bricks.changed_since(scene_->revision);
     if (changed.empty()) return std::size_t{0};

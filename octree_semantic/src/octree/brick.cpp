@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/octree_semantic/octree/brick.hpp"
+#include "octree/brick.hpp"
+
+#include "octree/brick_pool.hpp"
+
+#include <algorithm>
 
 namespace hypermap {
 namespace {
@@ -51,12 +55,12 @@ bool same_unlabelled(const Brick& a, const Brick& b) noexcept {
   return same_occupancy(a, b) && !is_labelled(a) && !is_labelled(b);
 }
 
-Brick& BrickRef::writable() {
-  // Acquire: whoever gave up the brick last has finished reading it.
-  if (brick_->num_owners_.load(std::memory_order_acquire) != 1) {
-    *this = BrickRef(std::make_unique<Brick>(*brick_));
+void Brick::dispose(Brick* brick) noexcept {
+  if (brick->home != nullptr) {
+    brick->home->give_back(brick);
+  } else {
+    const std::unique_ptr<Brick> last(brick);
   }
-  return *brick_;
 }
 
 }  // namespace hypermap

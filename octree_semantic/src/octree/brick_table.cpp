@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/octree_semantic/octree/brick_table.hpp"
+#include "octree/brick_table.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace hypermap {
 namespace {
 
-constexpr std::size_t kFirstNumSlots = 64;
-/// Bricks kept for later, 76 KiB: what a frame's noise takes back of the free space.
-constexpr std::size_t kMaxSpares = 64;
+/// Idle bricks that are always kept, 76 KiB: what a frame's noise takes back of the free space.
+constexpr std::size_t kMinIdle = 64;
 
 /// Fibonacci hashing: neighbours in Morton order are spread over the table.
 std::size_t slot_of(BrickKey key, std::size_t num_slots) noexcept {
@@ -20,11 +19,21 @@ std::size_t slot_of(BrickKey key, std::size_t num_slots) noexcept {
 }  // namespace
 
 std::uint32_t BrickTable::position(BrickKey key) const noexcept {
-  if (slots_.empty()) return kNone;
-  for (std::size_t slot = slot_of(key, slots_.size());; slot = (slot + 1) & (slots_.size() - 1)) {
-    const std::uint32_t candidate = slots_[slot];
-    if (candidate == kNone || keys_[candidate] == key) return candidate;
+  if (num_bricks_ == 0) return kNone;
+  const std::size_t num = num_slots();
+  for (std::size_t slot = slot_of(key, num);; slot = (slot + 1) & (num - 1)) {
+    const std::uint32_t candidate = slots_[slot / kSlotsPerPage].positions[slot % kSlotsPerPage];
+    if (candidate == kNone || this->key(candidate) == key) return candidate;
   }
+}
+
+std::size_t BrickTable::empty_slot(BrickKey key) const noexcept {
+  const std::size_t num = num_slots();
+  std::size_t slot = slot_of(key, num);
+  while (slots_[slot / kSlotsPerPage].positions[slot % kSlotsPerPage] != kNone) {
+    slot = (slot + 1) & (num - 1);
+  }
+  return slot;
 }
 
 std::uint32_t BrickTable::prepare(BrickKey key) {
@@ -42,100 +51,129 @@ std::uint32_t BrickTable::prepare_to_free(BrickKey key) {
 }
 
 std::uint32_t BrickTable::make(BrickKey key) {
+  if (!pool_) pool_ = std::make_shared<BrickPool>();
   if (shares_free_space_ && !freest_) make_freest();
-  if (slots_.size() < 2 * (bricks_.size() + 1)) grow_slots();
-  if (keys_.size() == keys_.capacity()) keys_.reserve(2 * keys_.size() + kFirstNumSlots);
-  if (bricks_.size() == bricks_.capacity()) bricks_.reserve(2 * bricks_.size() + kFirstNumSlots);
-  const auto made = static_cast<std::uint32_t>(bricks_.size());
-  bricks_.push_back(BrickRef::make());
-  keys_.push_back(key);
-  std::size_t slot = slot_of(key, slots_.size());
-  while (slots_[slot] != kNone) slot = (slot + 1) & (slots_.size() - 1);
-  slots_[slot] = made;
+  if (num_slots() < 2 * (num_bricks_ + 1)) grow_slots();
+  const std::size_t page_index = num_bricks_ / kPageSize;
+  if (page_index == pages_.size()) {
+    newest_.resize(page_index / PageTree<BrickPage>::kFanOut + 1);
+    pages_.append(CowRef<BrickPage>::make());
+  }
+  const std::size_t slot = empty_slot(key);
+  BrickRef brick = pool_->make_blank();
+  SlotPage& slots = slots_.unshared(slot / kSlotsPerPage);
+  BrickPage& page = pages_.unshared(page_index);
+  // From here on nothing can fail.
+  const auto made = static_cast<std::uint32_t>(num_bricks_);
+  page.keys[made % kPageSize] = key;
+  page.bricks[made % kPageSize] = std::move(brick);
+  slots.positions[slot % kSlotsPerPage] = made;
+  ++num_bricks_;
   return made;
 }
 
 void BrickTable::make_freest() {
-  spares_.reserve(kMaxSpares);
-  BrickRef made = BrickRef::make();
-  Brick& brick = made.writable();
+  BrickRef made = pool_->make_blank();
+  Brick& brick = made.sole();
   brick.known.words.fill(~std::uint64_t{0});
-  brick.log_odds.fill(freest_log_odds_);
+  brick.log_odds.fill(fully_free_log_odds_);
   freest_ = std::move(made);
 }
 
 void BrickTable::unshare(std::uint32_t position) {
-  if (is_freest(position) && !spares_.empty()) {
-    bricks_[position] = std::move(spares_.back());
-    spares_.pop_back();
-  }
-  static_cast<void>(bricks_[position].writable());
+  BrickRef& brick = pages_.unshared(position / kPageSize).bricks[position % kPageSize];
+  if (brick.is_sole()) return;
+  brick = pool_->make_copy(*brick);
+  ++num_copied_;
 }
 
 void BrickTable::share_if_freest(std::uint32_t position) noexcept {
-  BrickRef& brick = bricks_[position];
-  if (!freest_ || brick.shares(freest_) || !same_unlabelled(*brick, *freest_)) return;
-  if (spares_.size() < spares_.capacity()) spares_.push_back(std::move(brick));
-  brick = freest_;
+  if (!freest_ || is_freest(position) || !same_unlabelled(brick(position), *freest_)) return;
+  sole_ref(position) = freest_;
+}
+
+void BrickTable::note_written(std::uint32_t position, bool changed) noexcept {
+  const std::size_t page_index = position / kPageSize;
+  BrickPage& page = pages_.sole(page_index);
+  Moments& of_directory = newest_[page_index / PageTree<BrickPage>::kFanOut];
+  for (Moments* moments : {&page.moments[position % kPageSize], &page.newest, &of_directory}) {
+    moments->written = revision_ + 1;
+    if (changed) moments->changed = revision_ + 1;
+  }
+}
+
+/// The pool keeps what one revision copies while a copy of the table is alive, and forgets it
+/// slowly when there is none.
+void BrickTable::commit() noexcept {
+  ++revision_;
+  if (!pool_) return;
+  const std::size_t capacity = pool_->capacity();
+  pool_->set_capacity(std::max({kMinIdle, num_copied_, capacity - capacity / 16}));
+  num_copied_ = 0;
 }
 
 void BrickTable::grow_slots() {
-  std::vector<std::uint32_t> grown(std::max(kFirstNumSlots, 2 * slots_.size()), kNone);
-  for (std::uint32_t i = 0; i < keys_.size(); ++i) {
-    std::size_t slot = slot_of(keys_[i], grown.size());
-    while (grown[slot] != kNone) slot = (slot + 1) & (grown.size() - 1);
-    grown[slot] = i;
+  const std::size_t num_pages = std::max<std::size_t>(1, 2 * slots_.size());
+  Slots grown;
+  for (std::size_t i = 0; i < num_pages; ++i) {
+    auto page = CowRef<SlotPage>::make();
+    page.sole().positions.fill(kNone);
+    grown.append(std::move(page));
+  }
+  const std::size_t num = num_pages * kSlotsPerPage;
+  for (std::uint32_t i = 0; i < num_bricks_; ++i) {
+    std::size_t slot = slot_of(key(i), num);
+    while (grown[slot / kSlotsPerPage].positions[slot % kSlotsPerPage] != kNone) {
+      slot = (slot + 1) & (num - 1);
+    }
+    grown.sole(slot / kSlotsPerPage).positions[slot % kSlotsPerPage] = i;
   }
   slots_ = std::move(grown);
 }
 
 std::vector<std::uint32_t> BrickTable::in_morton_order() const {
-  std::vector<std::uint32_t> order(bricks_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return keys_[a] < keys_[b];
-  });
+  std::vector<std::pair<BrickKey, std::uint32_t>> sorted(num_bricks_);
+  for (std::uint32_t i = 0; i < num_bricks_; ++i) sorted[i] = {key(i), i};
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> order(num_bricks_);
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = sorted[i].second;
   return order;
 }
 
-void BrickTable::reserve_changes(std::size_t num_changes) {
-  if (changes_.size() > bricks_.size() + kFirstNumSlots) {
-    const std::size_t dropped = changes_.size() / 2;
-    forgotten_ = changes_[dropped - 1].revision;
-    changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(dropped));
-  }
-  const std::size_t needed = changes_.size() + num_changes;
-  if (needed > changes_.capacity()) changes_.reserve(std::max(needed, 2 * changes_.capacity()));
+std::vector<std::uint32_t> BrickTable::changed_since(Revision since_revision) const {
+  return since(since_revision, &Moments::changed);
 }
 
-std::vector<std::uint32_t> BrickTable::changed_since(Revision since) const {
-  std::vector<std::uint32_t> changed;
-  if (since < forgotten_) {
-    changed.resize(bricks_.size());
-    std::iota(changed.begin(), changed.end(), 0U);
-    return changed;
+std::vector<std::uint32_t> BrickTable::written_since(Revision since_revision) const {
+  return since(since_revision, &Moments::written);
+}
+
+std::vector<std::uint32_t> BrickTable::since(Revision moment, Revision Moments::*kind) const {
+  constexpr std::size_t kFanOut = PageTree<BrickPage>::kFanOut;
+  std::vector<std::uint32_t> positions;
+  for (std::size_t directory = 0; directory < newest_.size(); ++directory) {
+    if (newest_[directory].*kind <= moment) continue;
+    const std::size_t end = std::min(pages_.size(), (directory + 1) * kFanOut);
+    for (std::size_t i = directory * kFanOut; i < end; ++i) {
+      const BrickPage& page = pages_[i];
+      if (page.newest.*kind <= moment) continue;
+      for (std::size_t k = 0; k < kPageSize; ++k) {
+        if (page.moments[k].*kind <= moment) continue;
+        positions.push_back(static_cast<std::uint32_t>(i * kPageSize + k));
+      }
+    }
   }
-  const auto first = std::upper_bound(
-      changes_.begin(), changes_.end(), since, [](Revision revision, const Change& change) {
-        return revision < change.revision;
-      });
-  for (auto change = first; change != changes_.end(); ++change) {
-    changed.push_back(change->position);
-  }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  return changed;
+  return positions;
 }
 
 std::size_t BrickTable::memory_bytes() const {
-  std::size_t total = slots_.capacity() * sizeof(std::uint32_t) +
-                      keys_.capacity() * sizeof(BrickKey) + bricks_.capacity() * sizeof(BrickRef) +
-                      changes_.capacity() * sizeof(Change) + spares_.capacity() * sizeof(BrickRef);
-  for (const BrickRef& brick : bricks_) {
-    if (!freest_ || !brick.shares(freest_)) total += brick->memory_bytes();
+  std::size_t total = sizeof(*this) + pages_.memory_bytes() + slots_.memory_bytes() +
+                      newest_.capacity() * sizeof(Moments);
+  for (std::uint32_t i = 0; i < num_bricks_; ++i) {
+    if (!is_freest(i)) total += brick(i).memory_bytes();
   }
   if (freest_) total += freest_->memory_bytes();
-  for (const BrickRef& spare : spares_) total += spare->memory_bytes();
+  if (pool_) total += pool_->num_idle() * sizeof(Brick);
   return total;
 }
 

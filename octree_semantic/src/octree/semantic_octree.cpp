@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
+#include "octree/brick_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -36,17 +38,33 @@ void write_leaf(Brick& brick, std::size_t cell, const StoredLeaf& leaf, const Se
 
 }  // namespace
 
+SemanticOctree::SemanticOctree(const OctreeOptions& options, const SensorModel& model)
+    : options_(options),
+      grid_(options.resolution_m),
+      model_(model),
+      bricks_(CowRef<BrickTable>::make(model.clamp_min)) {}
+
+SemanticOctree::SemanticOctree(const SemanticOctree& other) noexcept = default;
+SemanticOctree::SemanticOctree(SemanticOctree&& other) noexcept = default;
+SemanticOctree& SemanticOctree::operator=(const SemanticOctree& other) noexcept = default;
+SemanticOctree& SemanticOctree::operator=(SemanticOctree&& other) noexcept = default;
+SemanticOctree::~SemanticOctree() = default;
+
 Result<SemanticOctree> SemanticOctree::create(const OctreeOptions& options) {
   HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(const SensorModel model, SensorModel::create(options.sensor_model));
-  return SemanticOctree(options, model);
+  try {
+    return SemanticOctree(options, model);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "no memory for an octree");
+  }
 }
 
 Result<SemanticOctree> SemanticOctree::from_leaves(const OctreeOptions& options,
                                                    std::span<const StoredLeaf> leaves) {
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree tree, create(options));
   for (const StoredLeaf& leaf : leaves) {
-    const Brick* brick = tree.bricks_.find(BrickKey::of(leaf.key));
+    const Brick* brick = tree.bricks_->find(BrickKey::of(leaf.key));
     if (brick != nullptr && brick->known.test(cell_in_brick(leaf.key))) {
       return fail(ErrorCode::kInvalidArgument,
                   "voxel (" + std::to_string(leaf.key.x) + ", " + std::to_string(leaf.key.y) +
@@ -55,23 +73,24 @@ Result<SemanticOctree> SemanticOctree::from_leaves(const OctreeOptions& options,
     }
     HYPERMAP_TRY(tree.set_leaf(leaf));
   }
-  for (std::uint32_t i = 0; i < tree.bricks_.size(); ++i) tree.bricks_.share_if_freest(i);
+  BrickTable& bricks = tree.bricks_.sole();
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) bricks.share_if_freest(i);
   return tree;
 }
 
 Result<void> SemanticOctree::set_leaf(const StoredLeaf& leaf) {
   HYPERMAP_TRY(check_leaf(leaf, model_, to_milli(options_.max_class_log_odds)));
   try {
-    const std::uint32_t position = bricks_.prepare(BrickKey::of(leaf.key));
-    Brick& brick = bricks_.writable(position);
+    BrickTable& bricks = bricks_.writable();
+    const std::uint32_t position = bricks.prepare(BrickKey::of(leaf.key));
+    Brick& brick = bricks.writable(position);
     if (leaf.label) {
       if (!brick.labels) brick.labels = std::make_unique<LabelTable>();
       brick.labels->reserve_more(1);
     }
-    bricks_.reserve_changes(1);
     write_leaf(brick, cell_in_brick(leaf.key), leaf, model_);
-    bricks_.note_change(position);
-    bricks_.commit();
+    bricks.note_written(position, true);
+    bricks.commit();
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for another voxel");
   }
@@ -79,7 +98,7 @@ Result<void> SemanticOctree::set_leaf(const StoredLeaf& leaf) {
 }
 
 std::optional<StoredLeaf> SemanticOctree::stored_at(const VoxelKey& key) const {
-  const Brick* brick = bricks_.find(BrickKey::of(key));
+  const Brick* brick = bricks_->find(BrickKey::of(key));
   const std::size_t cell = cell_in_brick(key);
   if (brick == nullptr || !brick->known.test(cell)) return std::nullopt;
   StoredLeaf leaf{.key = key, .log_odds = brick->log_odds[cell], .label = std::nullopt};
@@ -103,7 +122,7 @@ LeafSample SemanticOctree::sample(const VoxelKey& key, const Brick& brick, std::
 }
 
 std::optional<LeafSample> SemanticOctree::at(const VoxelKey& key) const {
-  const Brick* brick = bricks_.find(BrickKey::of(key));
+  const Brick* brick = bricks_->find(BrickKey::of(key));
   const std::size_t cell = cell_in_brick(key);
   if (brick == nullptr || !brick->known.test(cell)) return std::nullopt;
   return sample(key, *brick, cell);
@@ -116,8 +135,8 @@ std::optional<LeafSample> SemanticOctree::at(const PointInMap& point) const {
 
 LeafCount SemanticOctree::num_leaves() const {
   LeafCount count;
-  for (std::uint32_t i = 0; i < bricks_.size(); ++i) {
-    const Brick& brick = bricks_.brick(i);
+  for (std::uint32_t i = 0; i < bricks_->size(); ++i) {
+    const Brick& brick = bricks_->brick(i);
     const int occupied = brick.occupied.count();
     count.occupied += static_cast<std::size_t>(occupied);
     count.free += static_cast<std::size_t>(brick.known.count() - occupied);
@@ -125,12 +144,21 @@ LeafCount SemanticOctree::num_leaves() const {
   return count;
 }
 
+std::size_t SemanticOctree::num_bricks() const noexcept {
+  return bricks_->size();
+}
+
 std::size_t SemanticOctree::memory_bytes() const {
-  return sizeof(*this) + bricks_.memory_bytes();
+  return sizeof(*this) + bricks_->memory_bytes();
+}
+
+Revision SemanticOctree::revision() const noexcept {
+  return bricks_->revision();
 }
 
 bool operator==(const SemanticOctree& a, const SemanticOctree& b) {
   if (a.options_ != b.options_) return false;
+  if (a.bricks_.shares(b.bricks_)) return true;
   const auto each_in = [](const BrickTable& some, const BrickTable& others) {
     for (std::uint32_t i = 0; i < some.size(); ++i) {
       const Brick* other = others.find(some.key(i));
@@ -140,7 +168,7 @@ bool operator==(const SemanticOctree& a, const SemanticOctree& b) {
     }
     return true;
   };
-  return each_in(a.bricks_, b.bricks_) && each_in(b.bricks_, a.bricks_);
+  return each_in(*a.bricks_, *b.bricks_) && each_in(*b.bricks_, *a.bricks_);
 }
 
 }  // namespace hypermap

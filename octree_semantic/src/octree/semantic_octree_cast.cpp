@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+#include "octree/brick_table.hpp"
 
 #include <array>
 #include <cmath>
@@ -67,12 +68,12 @@ RayCast SemanticOctree::cast_ray(const PointInMap& origin,
   if (!start || !std::isfinite(length) || !(length > 0.0)) return {};
   VoxelWalk walk(grid_, *start, origin.xyz, direction_in_map / length);
   BrickKey brick_key = BrickKey::of(*start);
-  const Brick* brick = bricks_.find(brick_key);
+  const Brick* brick = bricks_->find(brick_key);
   do {
     const VoxelKey key = walk.key();
     if (const BrickKey entered = BrickKey::of(key); entered != brick_key) {
       brick_key = entered;
-      brick = bricks_.find(entered);
+      brick = bricks_->find(entered);
     }
     const std::size_t cell = cell_in_brick(key);
     if (brick != nullptr && brick->occupied.test(cell)) {

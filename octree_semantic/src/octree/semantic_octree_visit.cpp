@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Visits and queries over many voxels of a SemanticOctree.
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
+#include "octree/brick_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,17 +82,17 @@ std::vector<std::uint32_t> positions_in(const BrickTable& table, const BrickRang
 }  // namespace
 
 void SemanticOctree::for_each_leaf(const LeafVisitor& visit) const {
-  for (const std::uint32_t position : bricks_.in_morton_order()) {
-    const Brick& brick = bricks_.brick(position);
-    const BrickKey key = bricks_.key(position);
+  for (const std::uint32_t position : bricks_->in_morton_order()) {
+    const Brick& brick = bricks_->brick(position);
+    const BrickKey key = bricks_->key(position);
     brick.known.for_each([&](std::size_t cell) { visit(sample(key.voxel(cell), brick, cell)); });
   }
 }
 
 void SemanticOctree::for_each_stored_leaf(const StoredLeafVisitor& visit) const {
-  for (const std::uint32_t position : bricks_.in_morton_order()) {
-    const Brick& brick = bricks_.brick(position);
-    const BrickKey key = bricks_.key(position);
+  for (const std::uint32_t position : bricks_->in_morton_order()) {
+    const Brick& brick = bricks_->brick(position);
+    const BrickKey key = bricks_->key(position);
     brick.known.for_each([&](std::size_t cell) {
       StoredLeaf leaf{
           .key = key.voxel(cell), .log_odds = brick.log_odds[cell], .label = std::nullopt};
@@ -102,9 +103,9 @@ void SemanticOctree::for_each_stored_leaf(const StoredLeafVisitor& visit) const 
 }
 
 void SemanticOctree::for_each_leaf_in(const Box& box_in_map, const LeafVisitor& visit) const {
-  for (const std::uint32_t position : positions_in(bricks_, bricks_around(box_in_map, grid_))) {
-    const Brick& brick = bricks_.brick(position);
-    const BrickKey key = bricks_.key(position);
+  for (const std::uint32_t position : positions_in(*bricks_, bricks_around(box_in_map, grid_))) {
+    const Brick& brick = bricks_->brick(position);
+    const BrickKey key = bricks_->key(position);
     brick.known.for_each([&](std::size_t cell) {
       const LeafSample leaf = sample(key.voxel(cell), brick, cell);
       if (box_in_map.contains(leaf.centre_in_map)) visit(leaf);
@@ -113,10 +114,10 @@ void SemanticOctree::for_each_leaf_in(const Box& box_in_map, const LeafVisitor& 
 }
 
 void SemanticOctree::for_each_leaf_of(ClassId id, const LeafVisitor& visit) const {
-  for (const std::uint32_t position : bricks_.in_morton_order()) {
-    const Brick& brick = bricks_.brick(position);
+  for (const std::uint32_t position : bricks_->in_morton_order()) {
+    const Brick& brick = bricks_->brick(position);
     if (!brick.labels) continue;
-    const BrickKey key = bricks_.key(position);
+    const BrickKey key = bricks_->key(position);
     brick.labels->labelled().for_each([&](std::size_t cell) {
       const LeafSample leaf = sample(key.voxel(cell), brick, cell);
       if (leaf.occupied && leaf.best_class == id) visit(leaf);
@@ -127,10 +128,10 @@ void SemanticOctree::for_each_leaf_of(ClassId id, const LeafVisitor& visit) cons
 void SemanticOctree::for_each_leaf_of(ObjectId id,
                                       const Box& bounds_in_map,
                                       const LeafVisitor& visit) const {
-  for (const std::uint32_t position : positions_in(bricks_, bricks_around(bounds_in_map, grid_))) {
-    const Brick& brick = bricks_.brick(position);
+  for (const std::uint32_t position : positions_in(*bricks_, bricks_around(bounds_in_map, grid_))) {
+    const Brick& brick = bricks_->brick(position);
     if (!brick.labels) continue;
-    const BrickKey key = bricks_.key(position);
+    const BrickKey key = bricks_->key(position);
     brick.labels->labelled().for_each([&](std::size_t cell) {
       const LeafSample leaf = sample(key.voxel(cell), brick, cell);
       const bool wanted = leaf.occupied && leaf.object == id;
@@ -146,31 +147,47 @@ void SemanticOctree::for_each_leaf_of(ObjectId id, const LeafVisitor& visit) con
 std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map) {
   if (from == kNoObject || from == to) return 0;
   std::size_t num_changed = 0;
-  for (const std::uint32_t shared : positions_in(bricks_, bricks_around(bounds_in_map, grid_))) {
-    if (!bricks_.brick(shared).labels) continue;
+  for (const std::uint32_t shared : positions_in(*bricks_, bricks_around(bounds_in_map, grid_))) {
+    if (!bricks_->brick(shared).labels) continue;
     std::vector<std::size_t> cells;
-    const BrickKey key = bricks_.key(shared);
-    bricks_.brick(shared).labels->labelled().for_each([&](std::size_t cell) {
+    const BrickKey key = bricks_->key(shared);
+    bricks_->brick(shared).labels->labelled().for_each([&](std::size_t cell) {
       const bool inside = bounds_in_map.contains(grid_.centre(key.voxel(cell)).xyz);
-      if (inside && bricks_.brick(shared).label(cell)->object == from) cells.push_back(cell);
+      if (inside && bricks_->brick(shared).label(cell)->object == from) cells.push_back(cell);
     });
     if (cells.empty()) continue;
-    bricks_.reserve_changes(1);
-    const std::uint32_t position = bricks_.prepare(key);
+    BrickTable& bricks = bricks_.writable();
+    const std::uint32_t position = bricks.prepare(key);
     for (const std::size_t cell : cells) {
-      VoxelLabel& label = bricks_.writable(position).labels->at(cell);
+      VoxelLabel& label = bricks.writable(position).labels->at(cell);
       label.object = to;
       if (to == kNoObject) label.object_votes = 0;
     }
-    bricks_.note_change(position);
+    bricks.note_written(position, true);
     num_changed += cells.size();
   }
-  if (num_changed != 0) bricks_.commit();
+  if (num_changed != 0) bricks_.sole().commit();
   return num_changed;
 }
 
 std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to) {
   return relabel_object(from, to, everywhere());
+}
+
+std::vector<Box> SemanticOctree::changed_regions(Revision since) const {
+  std::vector<BrickKey> keys;
+  for (const std::uint32_t position : bricks_->written_since(since)) {
+    keys.push_back(bricks_->key(position));
+  }
+  std::sort(keys.begin(), keys.end());
+  const Eigen::Vector3d half_voxel = Eigen::Vector3d::Constant(0.5 * resolution_m());
+  std::vector<Box> regions;
+  regions.reserve(keys.size());
+  for (const BrickKey key : keys) {
+    regions.push_back({grid_.centre(key.corner()).xyz - half_voxel,
+                       grid_.centre(key.voxel(kBrickVolume - 1)).xyz + half_voxel});
+  }
+  return regions;
 }
 
 LeafSource leaf_source(const SemanticOctree& tree) {

@@ -218,7 +218,7 @@ TEST(AssignmentPolicy, ACabinetWithoutANameOfItsOwnIsOneObject) {
     (void)associate(map, std::array{seen(cabinet, id, frame++)}, {});
   }
   ASSERT_EQ(map.size(), 1U);
-  EXPECT_EQ(best_class(map.objects()[0])->id, kOvenClass);
+  EXPECT_EQ(best_class(*map.objects().begin())->id, kOvenClass);
 }
 
 TEST(AssignmentPolicy, CupsTenCentimetresApartStayTwo) {
@@ -283,7 +283,7 @@ TEST(AssignmentPolicy, TwoDetectionsOfOneThingInAFrameTeachOnce) {
   EXPECT_EQ(map.size(), 1U);
   EXPECT_EQ(report.num_repeated, 1U);
   EXPECT_EQ(report.object_of_observation, (std::vector{ObjectId{1}, ObjectId{1}}));
-  EXPECT_EQ(map.objects()[0].num_observations, 2U);
+  EXPECT_EQ(map.objects().begin()->num_observations, 2U);
 }
 
 TEST(AssignmentPolicy, TheOrderOfObservationsDoesNotMatter) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -83,6 +85,54 @@ TEST(ObjectMap, CopiesAreIndependent) {
   EXPECT_TRUE(copy.query(Box{{0, 0, 0}, {1, 1, 1}}).empty());
   const ObjectMap moved = std::move(copy);
   EXPECT_EQ(moved.query(Box{{5, 5, 5}, {6, 6, 6}}).size(), 1U);
+}
+
+TEST(ObjectMap, CopiesOfEveryMomentStayWhatTheyWere) {
+  std::mt19937 random(4);
+  ObjectMap map;
+  std::vector<std::pair<ObjectMap, std::vector<Object>>> moments;
+  for (std::uint32_t i = 1; i <= 400; ++i) {
+    const ObjectId some{static_cast<std::uint32_t>(random() % i + 1)};
+    if (random() % 2 == 0 || !map.contains(some)) {
+      (void)map.add(object_in(random_box(random)));
+    } else if (random() % 3 == 0) {
+      EXPECT_TRUE(map.erase(some));
+    } else {
+      map.modify(some, [&](Object& o) {
+        o.box = random_box(random);
+        ++o.num_observations;
+      });
+    }
+    if (i % 20 == 0) {
+      moments.emplace_back(map, std::vector<Object>(map.objects().begin(), map.objects().end()));
+    }
+  }
+  for (const auto& [then, expected] : moments) {
+    EXPECT_EQ(std::vector<Object>(then.objects().begin(), then.objects().end()), expected);
+    EXPECT_EQ(then.size(), expected.size());
+    const ObjectMap again = ObjectMap::restore(expected, then.next_id()).value();
+    EXPECT_EQ(again, then);
+    const Box box = random_box(random);
+    EXPECT_EQ(then.query(box), again.query(box));
+  }
+}
+
+TEST(ObjectMap, IdsMayLieFarApart) {
+  std::vector<Object> objects(4);
+  std::uint32_t x = 0;
+  for (const std::uint32_t id : {4'000'000'000U, 1U, 2048U, 2047U}) {
+    objects[x].id = ObjectId{id};
+    objects[x].box = {{1.0 * x, 0, 0}, {1.0 * x, 0, 0}};
+    ++x;
+  }
+  ObjectMap map = ObjectMap::restore(objects, ObjectId{4'000'000'001U}).value();
+  std::vector<std::uint32_t> ids;
+  for (const Object& object : map.objects()) ids.push_back(object.id.value);
+  EXPECT_EQ(ids, (std::vector<std::uint32_t>{1, 2047, 2048, 4'000'000'000U}));
+  EXPECT_TRUE(map.erase(ObjectId{2048}));
+  EXPECT_EQ(map.find(ObjectId{2049}), nullptr);
+  EXPECT_EQ(map.at(ObjectId{4'000'000'000U}).id.value, 4'000'000'000U);
+  EXPECT_EQ(map.size(), 3U);
 }
 
 TEST(ObjectMap, WhatIsStoredComesBackAndNonsenseIsRefused) {

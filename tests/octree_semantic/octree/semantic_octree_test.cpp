@@ -221,7 +221,40 @@ TEST(SemanticOctree, MemoryIsCounted) {
   SemanticOctree tree = empty_tree();
   const std::size_t before = tree.memory_bytes();
   ASSERT_TRUE(tree.set_leaf({.key = {1, 2, 3}, .log_odds = 5, .label = label_of(1, 1)}));
-  EXPECT_GE(tree.memory_bytes(), before + sizeof(Brick) + sizeof(VoxelLabel));
+  EXPECT_GE(tree.memory_bytes(), before + kBrickVolume * sizeof(MilliLogOdds) + sizeof(VoxelLabel));
+}
+
+TEST(SemanticOctree, TellsWhichRegionsChanged) {
+  SemanticOctree tree = empty_tree(0.1);
+  EXPECT_EQ(tree.revision(), 0U);
+  ASSERT_TRUE(tree.set_leaf({.key = {32768, 32768, 32768}, .log_odds = 500}));
+  ASSERT_TRUE(tree.set_leaf({.key = {32784, 32768, 32767}, .log_odds = 500}));
+  const Revision first = tree.revision();
+  ASSERT_TRUE(tree.set_leaf({.key = {32769, 32770, 32768}, .log_odds = -400}));
+  // Bricks are cubes of 0.8 m: 16 voxels of 0.1 m along x lie in the third, -1 along z below.
+  const auto is_box = [](const Box& box, const Eigen::Vector3d& min) {
+    return (box.min_in_map - min).norm() < 1e-9 &&
+           (box.max_in_map - min - Eigen::Vector3d::Constant(0.8)).norm() < 1e-9;
+  };
+  const std::vector<Box> all = tree.changed_regions(0);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_TRUE(is_box(all[0], {1.6, 0.0, -0.8})) << "Morton order: the upper half of z is later";
+  EXPECT_TRUE(is_box(all[1], {0.0, 0.0, 0.0}));
+  const std::vector<Box> later = tree.changed_regions(first);
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_TRUE(is_box(later[0], {0.0, 0.0, 0.0}));
+  EXPECT_TRUE(tree.changed_regions(tree.revision()).empty());
+}
+
+TEST(SemanticOctree, ACopyStaysWhatItWas) {
+  SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(2000)).value();
+  const SemanticOctree copy = tree;
+  const std::vector<StoredLeaf> before = stored(tree);
+  EXPECT_GT(tree.relabel_object(ObjectId{1}, ObjectId{3}), 0U);
+  ASSERT_TRUE(tree.set_leaf({.key = {1, 2, 3}, .log_odds = 5}));
+  EXPECT_EQ(stored(copy), before);
+  EXPECT_FALSE(copy == tree);
+  EXPECT_EQ(copy.revision() + 2, tree.revision());
 }
 
 }  // namespace

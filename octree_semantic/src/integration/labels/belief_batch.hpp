@@ -3,9 +3,9 @@
 /// Voxels of a brick that one label is said of, merged together.
 #pragma once
 
-#include "hypermap/octree_semantic/octree/brick.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 #include "kernels/kernels.hpp"
+#include "octree/brick.hpp"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 /// Counts, for each voxel hit in a frame, how many measurements of each label ended in it.
 #pragma once
 
-#include "hypermap/octree_semantic/octree/brick.hpp"
+#include "octree/brick.hpp"
 
 #include <array>
 #include <cstddef>

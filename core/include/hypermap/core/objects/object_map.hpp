@@ -5,6 +5,7 @@
 /// Source: [hypermap] 3.4.5: a map by id and an R-tree over bounding boxes.
 #pragma once
 
+#include "hypermap/core/base/cow_ref.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
@@ -14,19 +15,17 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace hypermap {
+
+class ObjectStore;
 
 /// Objects in ascending order of their ids, as they stand in a map. Lives until that is next
 /// changed.
 class ObjectRange {
  public:
-  using Held = std::shared_ptr<const Object>;
-
   class Iterator {
    public:
     using iterator_category = std::forward_iterator_tag;
@@ -36,44 +35,48 @@ class ObjectRange {
     using reference = const Object&;
 
     Iterator() = default;
-    explicit Iterator(const Held* at) : at_(at) {}
-    reference operator*() const { return **at_; }
-    pointer operator->() const { return at_->get(); }
-    Iterator& operator++() {
-      ++at_;
-      return *this;
-    }
+    Iterator(const ObjectStore* store, const Object* at) : store_(store), at_(at) {}
+    reference operator*() const { return *at_; }
+    pointer operator->() const { return at_; }
+    Iterator& operator++();
     Iterator operator++(int) {
       Iterator before = *this;
-      ++at_;
+      ++*this;
       return before;
     }
-    friend bool operator==(const Iterator&, const Iterator&) = default;
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_; }
 
    private:
-    const Held* at_ = nullptr;
+    const ObjectStore* store_ = nullptr;
+    const Object* at_ = nullptr;  // null at the end
   };
 
-  explicit ObjectRange(std::span<const Held> held) : held_(held) {}
-  [[nodiscard]] Iterator begin() const { return Iterator(held_.data()); }
-  [[nodiscard]] Iterator end() const { return Iterator(held_.data() + held_.size()); }
-  [[nodiscard]] std::size_t size() const noexcept { return held_.size(); }
-  [[nodiscard]] bool empty() const noexcept { return held_.empty(); }
-  [[nodiscard]] const Object& operator[](std::size_t i) const { return *held_[i]; }
+  /// `store`: null when there are none.
+  explicit ObjectRange(const ObjectStore* store) : store_(store) {}
+  [[nodiscard]] Iterator begin() const;
+  [[nodiscard]] Iterator end() const { return {store_, nullptr}; }
+  [[nodiscard]] std::size_t size() const noexcept;
+  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
 
  private:
-  std::span<const Held> held_;
+  const ObjectStore* store_;
 };
 
 /// Objects in ascending order of their ids, with an R-tree over their boxes. A value: copies are
-/// independent, and cheap, since they share objects until one side changes them. Ids are given from
-/// 1 on and never again, also not after erasing.
+/// independent, and share all memory until one side changes something, and then what is not
+/// changed. Ids are given from 1 on and never again, also not after erasing.
+///
+/// When memory ends in a call that changes something, std::bad_alloc is thrown and nothing has
+/// changed.
+/// Cost: a copy is one atomic increment, at any number of objects.
+/// Threads: const functions may run concurrently; a copy made before may be read, copied and
+/// destroyed while the original is changed.
 class ObjectMap {
  public:
-  ObjectMap();
-  ObjectMap(const ObjectMap& other);
+  ObjectMap() noexcept;
+  ObjectMap(const ObjectMap& other) noexcept;
   ObjectMap(ObjectMap&& other) noexcept;
-  ObjectMap& operator=(const ObjectMap& other);
+  ObjectMap& operator=(const ObjectMap& other) noexcept;
   ObjectMap& operator=(ObjectMap&& other) noexcept;
   ~ObjectMap();
 
@@ -98,11 +101,11 @@ class ObjectMap {
   /// Requires: contains(id).
   [[nodiscard]] const Object& at(ObjectId id) const;
   /// In ascending order of ids. The range lives until the map is next changed.
-  [[nodiscard]] ObjectRange objects() const noexcept { return ObjectRange(objects_); }
-  [[nodiscard]] std::size_t size() const noexcept { return objects_.size(); }
-  [[nodiscard]] bool empty() const noexcept { return objects_.empty(); }
+  [[nodiscard]] ObjectRange objects() const noexcept;
+  [[nodiscard]] std::size_t size() const noexcept { return objects().size(); }
+  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
   /// The id that the next object will get.
-  [[nodiscard]] ObjectId next_id() const noexcept { return next_id_; }
+  [[nodiscard]] ObjectId next_id() const noexcept;
 
   /// Objects whose boxes meet `box` (closed), in ascending order of ids. Cost: O(log n + result).
   [[nodiscard]] std::vector<ObjectId> query(const Box& box) const;
@@ -118,18 +121,15 @@ class ObjectMap {
   friend bool operator==(const ObjectMap& a, const ObjectMap& b) {
     const ObjectRange left = a.objects();
     const ObjectRange right = b.objects();
-    return a.next_id_ == b.next_id_ &&
-           std::equal(left.begin(), left.end(), right.begin(), right.end());
+    return a.store_.shares(b.store_) ||
+           (a.next_id() == b.next_id() &&
+            std::equal(left.begin(), left.end(), right.begin(), right.end()));
   }
 
  private:
-  struct Index;  ///< The R-tree.
-  [[nodiscard]] std::size_t position_of(ObjectId id) const;
-  void put(std::size_t position, ObjectRange::Held object);
+  [[nodiscard]] ObjectStore& writable();
 
-  std::vector<ObjectRange::Held> objects_;
-  ObjectId next_id_{1};
-  std::unique_ptr<Index> index_;
+  CowRef<ObjectStore> store_;  ///< Null: as a new one.
 };
 
 }  // namespace hypermap

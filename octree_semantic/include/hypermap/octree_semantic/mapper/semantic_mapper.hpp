@@ -5,6 +5,7 @@
 /// Source: [smap] figure 3.1; [hypermap] 3.4, figure 8.
 #pragma once
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/deadline.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
@@ -15,11 +16,14 @@
 #include "hypermap/core/objects/object_pipeline_options.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+#include "hypermap/octree_semantic/mapper/map_snapshot.hpp"
 #include "hypermap/octree_semantic/occlusion/object_visibility.hpp"
 #include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <set>
 #include <span>
 #include <utility>
@@ -43,6 +47,9 @@ struct SemanticMapperOptions {
   std::set<ClassId> transient_classes;
   /// Threads for the detections of a frame and for rays. The result does not depend on it.
   int num_threads = 1;
+  /// A snapshot for other threads is published when so many frames were integrated since the last
+  /// one, 0 .. 1,000,000; 0: never, and nothing is paid for it.
+  int publish_every_n_frames = 0;
   friend bool operator==(const SemanticMapperOptions&, const SemanticMapperOptions&) = default;
 };
 /// The same with every range set: those that follow are the map's.
@@ -74,18 +81,30 @@ struct FrameReport {
   /// False when nothing was asked about objects that were not seen: detections had been dropped, so
   /// that not to be seen means nothing, or there was no memory or no Embree for it.
   bool judged = false;
+  /// Whether the frame is in a snapshot now. When memory ends before it is, the next frame tries.
+  bool published = false;
   IntegrationReport integration;
   StageSeconds seconds;
 };
 
+class SnapshotExchange;
+
 /// The whole map in the making. Movable, not copyable; `octree()` and `objects()` are values.
 ///
-/// Threads: one `integrate` at a time; const functions may run concurrently between two of them.
+/// Threads: one `integrate` at a time; `snapshot` at any time from any thread; the other const
+/// functions may run concurrently between two calls of `integrate`.
 class SemanticMapper {
  public:
-  /// Errors: those of validate; kUnavailable when Embree cannot start.
+  SemanticMapper(const SemanticMapper&) = delete;
+  SemanticMapper& operator=(const SemanticMapper&) = delete;
+  SemanticMapper(SemanticMapper&&) noexcept;
+  SemanticMapper& operator=(SemanticMapper&&) noexcept;
+  ~SemanticMapper();
+
+  /// Errors: those of validate; kUnavailable when Embree cannot start; kOutOfMemory.
   [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options);
-  /// Goes on from a map that was made before. Errors: those of create; kInvalidArgument when the
+  /// Goes on from a map that was made before, which is the first snapshot when any are published.
+  /// Errors: those of create; kInvalidArgument when the
   /// tree's options are not those of `options.octree`.
   [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
                                                      SemanticOctree octree,
@@ -103,6 +122,21 @@ class SemanticMapper {
   /// empty.
   void set_clock(Clock clock) { clock_ = std::move(clock); }
 
+  /// Which classes the ids of detections stand for: what snapshots say from the next one on. The
+  /// mapper keeps a copy, so the registry of the caller may grow at any other time.
+  ///
+  /// Errors: kOutOfMemory. Cost: a comparison of the names; a copy of them when there are new ones.
+  /// Threads: as `integrate`.
+  [[nodiscard]] Result<void> set_classes(const ClassRegistry& classes);
+
+  /// The newest snapshot that was published: octree, objects and classes between two frames. Never
+  /// null; an empty map before the first.
+  ///
+  /// Cost: a pointer is copied, at any size of the map; no wait for a frame.
+  /// Threads: from any thread, also while `integrate` runs, but not while the mapper is moved from
+  /// or destroyed. The snapshot may outlive the mapper.
+  [[nodiscard]] std::shared_ptr<const MapSnapshot> snapshot() const;
+
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
   [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
   /// As given, with the ranges that follow filled in.
@@ -112,13 +146,15 @@ class SemanticMapper {
   SemanticMapper(SemanticMapperOptions options,
                  SemanticOctree octree,
                  ObjectMap objects,
-                 OcclusionScene occlusion);
+                 OcclusionScene occlusion,
+                 std::unique_ptr<SnapshotExchange> snapshots);
   /// Voxels of one object are to become those of another, or of none.
   struct Handover {
     ObjectId from;
     ObjectId into;
     Box bounds;
   };
+  [[nodiscard]] bool publish_if_due();
   [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
   [[nodiscard]] std::vector<Handover> handovers(const ObjectMap& objects,
@@ -137,6 +173,12 @@ class SemanticMapper {
   FrameIntegrator integrator_;
   Clock clock_ = wall_clock_s;
   std::vector<Handover> handovers_;  ///< Still to be done; mostly none.
+  std::shared_ptr<const ClassRegistry> classes_ = std::make_shared<const ClassRegistry>();
+  std::unique_ptr<SnapshotExchange> snapshots_;
+  std::uint64_t num_frames_ = 0;
+  std::uint64_t num_published_frames_ = 0;  ///< Of `num_frames_`, those in the newest snapshot.
+  std::uint64_t frame_index_ = 0;           ///< Of the newest frame.
+  Stamp stamp_;                             ///< Of the newest frame.
 };
 
 }  // namespace hypermap

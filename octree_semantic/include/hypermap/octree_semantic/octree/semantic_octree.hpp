@@ -7,13 +7,13 @@
 /// Source: A. Hornung et al., "OctoMap", Autonomous Robots 34 (2013).
 #pragma once
 
+#include "hypermap/core/base/cow_ref.hpp"
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
-#include "hypermap/octree_semantic/octree/brick.hpp"
-#include "hypermap/octree_semantic/octree/brick_table.hpp"
+#include "hypermap/octree_semantic/octree/revision.hpp"
 #include "hypermap/octree_semantic/octree/sensor_model.hpp"
 #include "hypermap/octree_semantic/octree/voxel_grid.hpp"
 #include "hypermap/octree_semantic/octree/voxel_key.hpp"
@@ -67,13 +67,25 @@ struct RayCastOptions {
   bool stop_at_unknown = false;  ///< Else unknown space is seen through.
 };
 
-/// The 3D map. A value: a copy shares its bricks until one of the two is written, so it is cheap.
+struct Brick;
+class BrickTable;
+
+/// The 3D map. A value: a copy shares all memory until one of the two is written, and then what is
+/// not written. One that was moved from may only be assigned to or destroyed.
 ///
-/// Threads: const functions may run concurrently; a copy made before may be read while the original
-/// is written.
+/// Cost: a copy is one atomic increment, at any size of the map. A frame that is written while a
+/// copy is alive copies the bricks that it touches, once, and one reference for each 1,024 bricks.
+/// Threads: const functions may run concurrently; a copy made before may be read, copied and
+/// destroyed while the original is written.
 class SemanticOctree {
  public:
-  /// Errors: those of `validate`.
+  SemanticOctree(const SemanticOctree& other) noexcept;
+  SemanticOctree(SemanticOctree&& other) noexcept;
+  SemanticOctree& operator=(const SemanticOctree& other) noexcept;
+  SemanticOctree& operator=(SemanticOctree&& other) noexcept;
+  ~SemanticOctree();
+
+  /// Errors: those of `validate`; kOutOfMemory.
   [[nodiscard]] static Result<SemanticOctree> create(const OctreeOptions& options);
   /// Errors: those of `validate`, of `set_leaf`, and kInvalidArgument when a key occurs twice.
   [[nodiscard]] static Result<SemanticOctree> from_leaves(const OctreeOptions& options,
@@ -112,9 +124,10 @@ class SemanticOctree {
 
   [[nodiscard]] LeafCount num_leaves() const;
   [[nodiscard]] bool empty() const { return num_leaves() == LeafCount{}; }
-  [[nodiscard]] std::size_t num_bricks() const noexcept { return bricks_.size(); }
-  /// Heap and table; bricks shared with a copy counted in full, the one that all free space of this
-  /// tree shares counted once.
+  /// Cubes of 8 x 8 x 8 voxels of which some voxel was written once.
+  [[nodiscard]] std::size_t num_bricks() const noexcept;
+  /// Heap and table; what is shared with a copy counted in full, the one brick that all free space
+  /// of this tree shares counted once.
   [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Replaces one voxel. Errors: kInvalidArgument when the log-odds lie beyond the clamps of the
@@ -125,22 +138,27 @@ class SemanticOctree {
   std::size_t relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map);
   std::size_t relabel_object(ObjectId from, ObjectId to);
 
-  /// Bricks for those who work on whole bricks (integration, occlusion, interchange).
-  [[nodiscard]] const BrickTable& bricks() const noexcept { return bricks_; }
-  [[nodiscard]] BrickTable& bricks() noexcept { return bricks_; }
+  [[nodiscard]] Revision revision() const noexcept;
+  /// Where something was written after the moment `since`: for those who publish what is new. Cubes
+  /// of 8 x 8 x 8 voxels, in Morton order.
+  ///
+  /// Boundary: `since` = 0 gives all that was ever written; a region that was only seen once more
+  /// may be among them; free space that could not become any freer is not.
+  /// Cost: one step for each 1,024 bricks of the map, then what was written.
+  [[nodiscard]] std::vector<Box> changed_regions(Revision since) const;
 
   /// Same options and same known voxels with the same content, however the bricks came to be.
   friend bool operator==(const SemanticOctree& a, const SemanticOctree& b);
 
  private:
-  SemanticOctree(const OctreeOptions& options, const SensorModel& model)
-      : options_(options), grid_(options.resolution_m), model_(model), bricks_(model.clamp_min) {}
+  friend struct BrickAccess;
+  SemanticOctree(const OctreeOptions& options, const SensorModel& model);
   [[nodiscard]] LeafSample sample(const VoxelKey& key, const Brick& brick, std::size_t cell) const;
 
   OctreeOptions options_;
   VoxelGrid grid_;
   SensorModel model_;
-  BrickTable bricks_;
+  CowRef<BrickTable> bricks_;
 };
 
 /// The tree as others see it; `tree` must outlive the result.

@@ -6,12 +6,12 @@
 /// 64 (one word) a cube of 4 x 4 x 4: the lowest three levels of OctoMap's tree.
 #pragma once
 
+#include "hypermap/core/base/cow_ref.hpp"
 #include "hypermap/octree_semantic/octree/sensor_model.hpp"
 #include "hypermap/octree_semantic/octree/voxel_key.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -89,6 +89,8 @@ class LabelTable {
   std::vector<VoxelLabel> labels_;  // one per set bit, in order of the bits
 };
 
+class BrickPool;
+
 /// Occupancy and labels of 512 voxels. Unknown voxels have log-odds 0 and no `known` bit.
 struct Brick {
   BrickBits known;
@@ -96,8 +98,12 @@ struct Brick {
   BrickBits occupied;
   alignas(64) std::array<MilliLogOdds, kBrickVolume> log_odds{};
   std::unique_ptr<LabelTable> labels;  ///< Null where nothing labelled was hit.
+  BrickPool* home = nullptr;           ///< Where it goes when nobody owns it; null: it is freed.
+  Brick* next_idle = nullptr;          ///< Of the bricks that its pool keeps.
+  OwnerCount owners;
 
   Brick() = default;
+  /// The same content, of no pool.
   Brick(const Brick& other);
   Brick& operator=(const Brick&) = delete;
   Brick(Brick&&) = delete;
@@ -110,53 +116,16 @@ struct Brick {
   [[nodiscard]] std::size_t memory_bytes() const noexcept {
     return sizeof(*this) + (labels ? labels->memory_bytes() : 0);
   }
-
- private:
-  friend class BrickRef;
-  std::atomic<std::uint32_t> num_owners_{0};
+  static void dispose(Brick* brick) noexcept;
 };
+
+/// Shared ownership of a brick. Copies of a map share their bricks until one of them is written.
+using BrickRef = CowRef<Brick>;
 
 /// Same voxels known, with the same log-odds and labels.
 [[nodiscard]] bool same_content(const Brick& a, const Brick& b) noexcept;
 
 /// Same voxels known, with the same log-odds, and neither has labels.
 [[nodiscard]] bool same_unlabelled(const Brick& a, const Brick& b) noexcept;
-
-/// Shared ownership of a brick; whoever is the only owner may write. Copies of a map share their
-/// bricks until one of them is written.
-class BrickRef {
- public:
-  BrickRef() noexcept = default;  ///< Null.
-  [[nodiscard]] static BrickRef make() { return BrickRef(std::make_unique<Brick>()); }
-  BrickRef(const BrickRef& other) noexcept : brick_(other.brick_) { retain(); }
-  BrickRef(BrickRef&& other) noexcept : brick_(std::exchange(other.brick_, nullptr)) {}
-  BrickRef& operator=(BrickRef other) noexcept {
-    std::swap(brick_, other.brick_);
-    return *this;
-  }
-  ~BrickRef() { release(); }
-
-  [[nodiscard]] explicit operator bool() const noexcept { return brick_ != nullptr; }
-  /// Whether both own one brick.
-  [[nodiscard]] bool shares(const BrickRef& other) const noexcept { return brick_ == other.brick_; }
-  [[nodiscard]] const Brick& operator*() const noexcept { return *brick_; }
-  [[nodiscard]] const Brick* operator->() const noexcept { return brick_; }
-  /// The brick, to write to. When others own it too, it becomes a copy of its own first.
-  [[nodiscard]] Brick& writable();
-
- private:
-  explicit BrickRef(std::unique_ptr<Brick> brick) noexcept : brick_(brick.release()) { retain(); }
-  void retain() noexcept {
-    if (brick_ != nullptr) brick_->num_owners_.fetch_add(1, std::memory_order_relaxed);
-  }
-  void release() noexcept {
-    if (brick_ == nullptr) return;
-    if (brick_->num_owners_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-      const std::unique_ptr<Brick> last(brick_);
-    }
-  }
-
-  Brick* brick_ = nullptr;
-};
 
 }  // namespace hypermap
