@@ -30,15 +30,26 @@ function(hypermap_unite_by_folder target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# hypermap_add_module(<name> SOURCES ... [ROOMS ...] PUBLIC_LINK ... [PRIVATE_LINK ...])
+# hypermap_find_packages(<package>...): each "name" or "name arguments of find_package".
+macro(hypermap_find_packages)
+  foreach(package ${ARGN})
+    separate_arguments(package)
+    find_package(${package} REQUIRED)
+  endforeach()
+endmacro()
+
+# hypermap_add_module(<name> SOURCES ... [ROOMS ...] [PACKAGES ...] PUBLIC_LINK ... [PRIVATE_LINK ...])
 #
 # One call a library: a top-level folder, or a room of io. Makes the library hypermap_<name>, its alias
-# hypermap::<name>, its header set (everything under include/) and its install rules.
+# hypermap::<name>, its header set (everything under include/), its install rules and the component <name> of the
+# installed package.
+# PACKAGES: third-party packages that it links, as hypermap_find_packages takes them; users of the component get them too.
 # The arrows of ARCHITECTURE.md are written here and nowhere else, and tests/tools/check_layers.py holds every #include
 # against them. PUBLIC_LINK: what its headers may include of ours; PRIVATE_LINK: what only its sources may.
 # ROOMS: the sub-folders of a library, each "room" or "room -> rooms that it may include".
 function(hypermap_add_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PACKAGES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  hypermap_find_packages(${ARG_PACKAGES})
   set(target hypermap_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(hypermap::${name} ALIAS ${target})
@@ -53,7 +64,26 @@ function(hypermap_add_module name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF LINKER_LANGUAGE CXX
                                              POSITION_INDEPENDENT_CODE ON
                                              VERIFY_INTERFACE_HEADER_SETS ON)
-  install(TARGETS ${target} EXPORT hypermap-targets FILE_SET HEADERS)
+  install(TARGETS ${target} EXPORT hypermap-${name}-targets FILE_SET HEADERS)
+  hypermap_add_component(${name} "${ARG_PUBLIC_LINK};${ARG_PRIVATE_LINK}" "${ARG_PACKAGES}")
+endfunction()
+
+# hypermap_add_component(<name> <links> <packages>): notes what the package file has to say of a library. A static
+# library's private links are its users' too. Libraries are added after those that they link, so a list of components in
+# the order of their adding has what each needs before it.
+function(hypermap_add_component name links packages)
+  list(FILTER links INCLUDE REGEX "^hypermap::")
+  list(TRANSFORM links REPLACE "^hypermap::" "")
+  foreach(link IN LISTS links)
+    if(NOT TARGET hypermap_${link})
+      message(FATAL_ERROR "${name} links ${link}, which is added after it")
+    endif()
+  endforeach()
+  install(EXPORT hypermap-${name}-targets NAMESPACE hypermap::
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
+  set_property(GLOBAL APPEND PROPERTY HYPERMAP_COMPONENTS ${name})
+  set_property(GLOBAL APPEND_STRING PROPERTY HYPERMAP_COMPONENT_TABLE
+               "set(_hypermap_links_${name} \"${links}\")\nset(_hypermap_packages_${name} \"${packages}\")\n")
 endfunction()
 
 # hypermap_use_threads(<variable> <source>...): whether tests in these files start threads or ask the libraries to.
@@ -125,8 +155,8 @@ function(hypermap_add_tidy_target)
 endfunction()
 
 function(hypermap_install_package)
-  install(EXPORT hypermap-targets NAMESPACE hypermap::
-          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
+  get_property(HYPERMAP_COMPONENTS GLOBAL PROPERTY HYPERMAP_COMPONENTS)
+  get_property(HYPERMAP_COMPONENT_TABLE GLOBAL PROPERTY HYPERMAP_COMPONENT_TABLE)
   configure_package_config_file(cmake/hypermap-config.cmake.in hypermap-config.cmake
           INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
   write_basic_package_version_file(hypermap-config-version.cmake COMPATIBILITY SameMinorVersion)

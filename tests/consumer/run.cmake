@@ -1,5 +1,5 @@
-# Installs the build into a fresh prefix, builds the consumer against it and runs it.
-# Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... -DCXX=... -DCXX_FLAGS=...
+# Installs the build into a fresh prefix, builds both consumers against it and runs them; asks for a component that does
+# not exist. Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... -DCXX=... -DCXX_FLAGS=...
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -9,7 +9,24 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/consumer)
+set(configure -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+              -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+foreach(consumer all by_components)
+  run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/${consumer} -B ${WORK_DIR}/${consumer} ${configure})
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/${consumer})
+  run(${WORK_DIR}/${consumer}/consumer)
+endforeach()
+
+# Sanitizer builds load libraries that they do not need.
+if(NOT CXX_FLAGS MATCHES "-fsanitize")
+  run(${CMAKE_COMMAND} -DPROGRAM=${WORK_DIR}/by_components/consumer -DFEWER_THAN=30
+      -P ${SOURCE_DIR}/../support/count_libraries.cmake)
+endif()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR}/by_components -B ${WORK_DIR}/unknown ${configure}
+                        "-Dcomponents=core;sonar"
+                RESULT_VARIABLE status ERROR_VARIABLE output OUTPUT_QUIET)
+string(REGEX REPLACE "[ \n]+" " " output "${output}")
+if(status EQUAL 0 OR NOT output MATCHES "there is no component 'sonar', there are: core, ")
+  message(FATAL_ERROR "an unknown component ended with ${status}\n${output}")
+endif()

@@ -16,10 +16,11 @@ SOURCES_IN = {
     "pcl/": ("core",),
     "octomap/": (),  # the oracle of tests only
     "embree3/": ("octree_semantic", "simulator"),
-    "opencv2/": ("codec", "detector", "viewer_offscreen"),
+    "opencv2/": ("detector", "viewer_offscreen"),
     "yaml-cpp/": ("codec",),
     "zlib.h": ("codec",),
     "png.h": ("codec",),
+    "jpeglib.h": ("codec",),
     "nlohmann/": ("exports", "jobs", "apps"),
     "epoxy/": ("viewer_offscreen",),
     "CLI/": ("apps",),
@@ -29,7 +30,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"^[a-z_0-9]+$")
 MODULE = re.compile(r"hypermap_add_module\((\w+)(.*?)\)\s*$", re.MULTILINE | re.DOTALL)
 APPS = re.compile(r"target_link_libraries\(hypermap_cli\s(.*?)\)", re.DOTALL)
-SECTION = re.compile(r"\b(SOURCES|ROOMS|PUBLIC_LINK|PRIVATE_LINK)\b")
+SECTION = re.compile(r"\b(SOURCES|ROOMS|PACKAGES|PUBLIC_LINK|PRIVATE_LINK)\b")
 OURS = re.compile(r"hypermap::(\w+)")
 DRAWN = re.compile(r"^    (\w+) -> ([\w, ]+)$", re.MULTILINE)
 

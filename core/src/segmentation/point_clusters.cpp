@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_clusters.hpp"
 
-#include <pcl/features/normal_3d.h>
-#include <pcl/filters/statistical_outlier_removal.h>
+// The templates themselves: PCL's libraries hold them for every type of point, and loading those
+// takes longer than a short run of a program.
+#include <pcl/features/impl/normal_3d.hpp>
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/filters/impl/statistical_outlier_removal.hpp>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/segmentation/extract_clusters.h>
-#include <pcl/segmentation/region_growing.h>
+#include <pcl/segmentation/impl/extract_clusters.hpp>
+#include <pcl/segmentation/impl/region_growing.hpp>
 
 #include <algorithm>
 #include <numbers>

@@ -40,6 +40,17 @@ TEST(PictureFile, OtherFormatsAreRefusedByName) {
   };
   EXPECT_THAT(refused("P4 3 3\n"), HasSubstr("bitmap (P4)"));
   EXPECT_THAT(refused("GIF89a"), HasSubstr("GIF"));
+  EXPECT_THAT(refused("II*"), HasSubstr("is a TIFF, expected PNG, PGM, JPEG or BMP"));
+  EXPECT_THAT(refused("RIFF....WEBP"), HasSubstr("WebP"));
+  EXPECT_THAT(refused("8BPS"), HasSubstr("PSD"));
+  EXPECT_THAT(refused("#?RADIANCE"), HasSubstr("Radiance HDR"));
+  EXPECT_THAT(refused("\x53\x80\xF6\x34"), HasSubstr("PIC"));
+  EXPECT_THAT(refused(std::string("\0\0\0\x0CjP  ", 8)), HasSubstr("JPEG 2000"));
+  EXPECT_THAT(refused(std::string("\0\0\0\x18"
+                                  "ftypavif",
+                                  12)),
+              HasSubstr("AVIF"));
+  EXPECT_THAT(refused(std::string("..TRUEVISION-XFILE.\0", 20)), HasSubstr("TGA"));
   EXPECT_THAT(refused("hello"), HasSubstr("is no picture"));
   EXPECT_THAT(refused(""), HasSubstr("is empty"));
 }

@@ -44,6 +44,34 @@ Image<Pixel> noise(int width, int height) {
   return image;
 }
 
+/// Filtered rows of the seven passes, each byte another.
+std::vector<std::vector<std::uint8_t>> adam7_rows(std::uint32_t width,
+                                                  std::uint32_t height,
+                                                  int color) {
+  constexpr std::uint32_t kPasses[7][4] = {// x, y, steps
+                                           {0, 0, 8, 8},
+                                           {4, 0, 8, 8},
+                                           {0, 4, 4, 8},
+                                           {2, 0, 4, 4},
+                                           {0, 2, 2, 4},
+                                           {1, 0, 2, 2},
+                                           {0, 1, 1, 2}};
+  const std::size_t channels = color == 0 ? 1 : color == 2 ? 3 : 4;
+  std::vector<std::vector<std::uint8_t>> rows;
+  std::uint8_t next = 1;
+  for (const auto& [x, y, step_x, step_y] : kPasses) {
+    if (x >= width) continue;
+    const std::size_t in_row = (width - x + step_x - 1) / step_x;
+    for (std::uint32_t v = y; v < height; v += step_y) {
+      std::vector<std::uint8_t>& row = rows.emplace_back(1, static_cast<std::uint8_t>(v % 5));
+      for (std::size_t i = 0; i < in_row * channels; ++i) {
+        row.push_back(next = static_cast<std::uint8_t>(next * 5 + 3));
+      }
+    }
+  }
+  return rows;
+}
+
 TEST(PngImage, AOneByOneGrayPictureIsReadByHand) {
   // filter 0, sample 0x2A
   const Picture picture = decoded(png(ihdr(1, 1, 8, 0), {{0, 0x2A}}));
@@ -96,6 +124,48 @@ TEST(PngImage, AnInterlacedPictureIsPutTogether) {
   // 2 x 2, Adam7: pass 1 has (0,0), pass 6 (1,0), pass 7 row 1.
   EXPECT_EQ(decoded(png(ihdr(2, 2, 8, 0, 1), {{0, 1}, {0, 2}, {0, 3, 4}})).samples8,
             (std::vector<std::uint8_t>{1, 2, 3, 4}));
+}
+
+TEST(PngImage, InterlacedPicturesOfEverySizeAreThoseOfOpenCv) {
+  for (const int color : {0, 2, 6}) {
+    for (std::uint32_t width = 1; width <= 9; ++width) {
+      for (std::uint32_t height = 1; height <= 9; ++height) {
+        const std::string bytes =
+            png(ihdr(width, height, 8, color, 1), adam7_rows(width, height, color));
+        const Picture picture = decoded(bytes);
+        const cv::Mat mat = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()),
+                                         color == 0 ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+        const ColorImage image = to_color(picture);
+        for (int v = 0; v < mat.rows; ++v) {
+          for (int u = 0; u < mat.cols; ++u) {
+            const auto bgr =
+                color == 0 ? cv::Vec3b::all(mat.at<std::uint8_t>(v, u)) : mat.at<cv::Vec3b>(v, u);
+            ASSERT_EQ(image.at(u, v), (Rgb8{.r = bgr[2], .g = bgr[1], .b = bgr[0]}));
+          }
+        }
+        auto rows = adam7_rows(width, height, color);
+        rows.pop_back();
+        EXPECT_EQ(refused_png(png(ihdr(width, height, 8, color, 1), rows)).field, "IDAT");
+      }
+    }
+  }
+}
+
+TEST(PngImage, TheStreamMustEndWithItsChecksumAndNothingMore) {
+  const std::string data = deflated(std::string("\0\x05\x06", 3));
+  const auto split = [&](const std::vector<std::string>& parts) {
+    std::string bytes = std::string(test::kSignature) + ihdr(2, 1, 8, 0);
+    for (const std::string& part : parts) bytes += chunk("IDAT", {part.begin(), part.end()});
+    return bytes + chunk("IEND", {});
+  };
+  const std::size_t end = data.size() - 4;
+  EXPECT_TRUE(decode_png(split({data.substr(0, end), data.substr(end)}), kPngSource));
+  EXPECT_EQ(refused_png(split({data.substr(0, end)})).field, "IDAT");
+  EXPECT_EQ(refused_png(split({data.substr(0, end), "abcd"})).field, "IDAT");
+  EXPECT_EQ(refused_png(split({data.substr(0, end + 2)})).field, "IDAT");
+  EXPECT_EQ(refused_png(split({data + "x"})).field, "IDAT");
+  EXPECT_EQ(refused_png(split({data, "x"})).field, "IDAT");
+  EXPECT_TRUE(decode_png(split({data, ""}), kPngSource));
 }
 
 TEST(PngImage, WhatIsWrittenReadsTheSameHereAndInOpenCv) {
@@ -158,9 +228,11 @@ TEST(PngImage, FaultsAreNamed) {
   EXPECT_THAT(to_string(refused_png(png(ihdr(0, 1, 8, 0), rows))), HasSubstr("a.png: size"));
   EXPECT_THAT(to_string(refused_png(png(ihdr(1, 1, 3, 0), rows))), HasSubstr("bit depth 3"));
   EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), rows)).field, "PLTE");
-  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{9, 1}})).what, HasSubstr("filter type 9"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{9, 1}})).what,
+              HasSubstr("bad adaptive filter value"));
   EXPECT_THAT(refused_png(png(ihdr(1, 2, 8, 0), rows)).what, HasSubstr("too few"));
-  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{0, 1}, {0, 1}})).what, HasSubstr("more pixels"));
+  EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), {{0, 1}, {0, 1}})).what,
+              HasSubstr("Extra compressed data"));
   EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 3), {{0, 2}}, chunk("PLTE", {1, 2, 3}))).what,
               HasSubstr("palette index 2"));
   EXPECT_THAT(refused_png(png(ihdr(1, 1, 8, 0), rows) + "x").field, "IEND");

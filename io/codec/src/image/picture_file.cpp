@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/picture_file.hpp"
 
-#include "cv_picture.hpp"
+#include "bmp_image.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/pgm_image.hpp"
 #include "hypermap/io/codec/png_image.hpp"
+#include "jpeg_image.hpp"
+#include "pgm_header.hpp"
 #include "picture_limits.hpp"
+#include "png_chunks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +28,8 @@ constexpr std::array<std::pair<std::string_view, PictureFormat>, 5> kRead = {{
     {"\xFF\xD8\xFF", PictureFormat::kJpeg},
     {"BM", PictureFormat::kBmp},
 }};
-constexpr std::array<Signature, 9> kKnownButNotRead = {{
+constexpr std::string_view kJpeg2000File{"\0\0\0\x0CjP  ", 8};
+constexpr std::array<Signature, 20> kKnownButNotRead = {{
     {"P1", "a bitmap (P1)"},
     {"P3", "a colour map (P3)"},
     {"P4", "a bitmap (P4)"},
@@ -33,9 +37,23 @@ constexpr std::array<Signature, 9> kKnownButNotRead = {{
     {"P7", "a PAM picture"},
     {"GIF8", "a GIF"},
     {"II*", "a TIFF"},
+    {"II+", "a TIFF"},
     {"MM", "a TIFF"},
     {"RIFF", "a WebP or other RIFF file"},
+    {"8BPS", "a PSD"},
+    {"#?RADIANCE", "a Radiance HDR"},
+    {"#?RGBE", "a Radiance HDR"},
+    {"\x53\x80\xF6\x34", "a Softimage PIC"},
+    {"\x76\x2F\x31\x01", "an OpenEXR"},
+    {"\xFF\x4F\xFF\x51", "a JPEG 2000"},
+    {kJpeg2000File, "a JPEG 2000"},
+    {"PF", "a float map (PF)"},
+    {"Pf", "a float map (Pf)"},
+    {"\xFF\x0A", "a JPEG XL"},
 }};
+
+/// What ends a TGA of version 2; one of version 1 has no mark.
+constexpr std::string_view kTgaEnd{"TRUEVISION-XFILE.\0", 18};
 
 const char* name_of(PictureFormat format) {
   switch (format) {
@@ -65,17 +83,24 @@ std::optional<PictureFormat> promised_format(const SourceName& source) {
   return std::nullopt;
 }
 
+/// The name of a format that is not read; none for bytes that are no picture at all.
+std::optional<std::string> unread_format(std::string_view bytes) {
+  for (const auto& [signature, name] : kKnownButNotRead) {
+    if (bytes.starts_with(signature)) return name;
+  }
+  if (bytes.size() >= 12 && bytes.substr(4, 4) == "ftyp") return "a HEIF, AVIF or other ISO file";
+  if (bytes.ends_with(kTgaEnd)) return "a TGA";
+  return std::nullopt;
+}
+
 Result<PictureFormat> format_of(std::string_view bytes, const SourceName& source) {
   const auto found = std::find_if(kRead.begin(), kRead.end(), [&](const auto& signature) {
     return bytes.starts_with(signature.first);
   });
   if (found == kRead.end()) {
-    for (const auto& [signature, name] : kKnownButNotRead) {
-      if (bytes.starts_with(signature)) {
-        return fail(ErrorCode::kUnsupported,
-                    std::string("is ") + name + ", expected PNG, PGM, JPEG or BMP",
-                    "format");
-      }
+    if (const auto name = unread_format(bytes)) {
+      return fail(
+          ErrorCode::kUnsupported, "is " + *name + ", expected PNG, PGM, JPEG or BMP", "format");
     }
     return fail(ErrorCode::kMalformedFile,
                 bytes.empty() ? "is empty, expected a picture"
@@ -92,6 +117,28 @@ Result<PictureFormat> format_of(std::string_view bytes, const SourceName& source
   return found->second;
 }
 
+/// Not judged against any limit.
+Result<PictureHeader> read_header(std::string_view bytes, PictureFormat format) {
+  switch (format) {
+    case PictureFormat::kPng: {
+      HYPERMAP_ASSIGN_OR_RETURN(const PngHeader header, read_png_header(bytes));
+      return to_picture_header(header);
+    }
+    case PictureFormat::kPgm: {
+      HYPERMAP_ASSIGN_OR_RETURN(const PgmHeader header, read_pgm_header(bytes));
+      return PictureHeader{.format = PictureFormat::kPgm,
+                           .width_px = header.width_px,
+                           .height_px = header.height_px,
+                           .bits = header.max_value > 255 ? 16 : 8};
+    }
+    case PictureFormat::kJpeg:
+      return read_jpeg_header(bytes);
+    case PictureFormat::kBmp:
+      return read_bmp_header(bytes);
+  }
+  return fail(ErrorCode::kUnsupported, "picture format");
+}
+
 Result<Picture> decode(std::string_view bytes,
                        const SourceName& source,
                        const PictureLimits& limits) {
@@ -102,8 +149,9 @@ Result<Picture> decode(std::string_view bytes,
     case PictureFormat::kPgm:
       return decode_pgm(bytes, source, limits);
     case PictureFormat::kJpeg:
+      return decode_jpeg(bytes, limits);
     case PictureFormat::kBmp:
-      return decode_with_opencv(bytes, format, limits);
+      return decode_bmp(bytes, limits);
   }
   return fail(ErrorCode::kUnsupported, "picture format");
 }

@@ -16,6 +16,7 @@ constexpr std::size_t kHeaderBytes = 13;
 struct Chunk {
   std::string_view type;
   std::string_view content;
+  std::string_view whole;  ///< With length and CRC.
 };
 
 Unexpected malformed_chunk(std::string what, std::string_view field) {
@@ -56,7 +57,7 @@ Result<Chunk> read_chunk(std::string_view bytes) {
       big_endian(bytes, std::size_t{8} + length)) {
     return malformed_chunk("the CRC is wrong", type);
   }
-  return Chunk{type, bytes.substr(8, length)};
+  return Chunk{type, bytes.substr(8, length), bytes.substr(0, kFrameBytes + length)};
 }
 
 bool is_allowed_depth(PngColor color, int bits) {
@@ -103,14 +104,19 @@ Result<PngHeader> parse_header(const Chunk& chunk) {
 /// Keeps what is needed of each chunk and watches their order.
 class Collector {
  public:
-  explicit Collector(const PngHeader& header) { layout_.header = header; }
+  Collector(const PngHeader& header, std::string_view signature, std::string_view header_chunk) {
+    layout_.header = header;
+    layout_.chunks = {signature, header_chunk};
+  }
 
   [[nodiscard]] Result<void> take(const Chunk& chunk) {
     const bool is_data = chunk.type == "IDAT";
     if (is_data && data_is_over_) return malformed_chunk("stands apart from the others", "IDAT");
-    data_is_over_ = !is_data && !layout_.data.empty();
+    data_is_over_ = !is_data && has_data_;
     if (is_data) {
-      layout_.data.push_back(chunk.content);
+      has_data_ = true;
+      layout_.chunks.push_back(chunk.whole);
+      layout_.compressed_bytes += chunk.content.size();
       return {};
     }
     if (chunk.type == "PLTE") return take_palette(chunk);
@@ -122,11 +128,12 @@ class Collector {
     return {};
   }
 
-  [[nodiscard]] Result<PngLayout> finish() {
+  [[nodiscard]] Result<PngLayout> finish(const Chunk& end) {
     if (layout_.header.color == PngColor::kPalette && layout_.palette.empty()) {
       return malformed_chunk("is missing", "PLTE");
     }
-    if (layout_.data.empty()) return malformed_chunk("is missing", "IDAT");
+    if (!has_data_) return malformed_chunk("is missing", "IDAT");
+    layout_.chunks.push_back(end.whole);
     return std::move(layout_);
   }
 
@@ -136,7 +143,7 @@ class Collector {
     if (color == PngColor::kGray || color == PngColor::kGrayAlpha) {
       return malformed_chunk("stands in a grey picture", "PLTE");
     }
-    if (!layout_.palette.empty() || !layout_.data.empty() || !layout_.transparency.empty()) {
+    if (!layout_.palette.empty() || has_data_ || !layout_.transparency.empty()) {
       return malformed_chunk("stands twice or too late", "PLTE");
     }
     const std::size_t most = color == PngColor::kPalette
@@ -150,11 +157,12 @@ class Collector {
                              "PLTE");
     }
     layout_.palette = chunk.content;
+    layout_.chunks.push_back(chunk.whole);
     return {};
   }
 
   [[nodiscard]] Result<void> take_transparency(const Chunk& chunk) {
-    if (!layout_.transparency.empty() || !layout_.data.empty()) {
+    if (!layout_.transparency.empty() || has_data_) {
       return malformed_chunk("stands twice or too late", "tRNS");
     }
     const std::size_t size = chunk.content.size();
@@ -164,10 +172,12 @@ class Collector {
         (color == PngColor::kPalette && size > 0 && size <= layout_.palette.size() / 3);
     if (!fits) return malformed_chunk("does not fit the colour type", "tRNS");
     layout_.transparency = chunk.content;
+    layout_.chunks.push_back(chunk.whole);
     return {};
   }
 
   PngLayout layout_;
+  bool has_data_ = false;
   bool data_is_over_ = false;
 };
 
@@ -206,17 +216,22 @@ Result<PngHeader> read_png_header(std::string_view bytes) {
 
 Result<PngLayout> read_png_layout(std::string_view bytes) {
   HYPERMAP_ASSIGN_OR_RETURN(const PngHeader header, read_png_header(bytes));
-  Collector collector(header);
-  bytes.remove_prefix(kPngSignature.size() + kFrameBytes + kHeaderBytes);
+  constexpr std::size_t kHeaderEnd = kPngSignature.size() + kFrameBytes + kHeaderBytes;
+  Collector collector(header,
+                      bytes.substr(0, kPngSignature.size()),
+                      bytes.substr(kPngSignature.size(), kFrameBytes + kHeaderBytes));
+  bytes.remove_prefix(kHeaderEnd);
   while (true) {
     HYPERMAP_ASSIGN_OR_RETURN(const Chunk chunk, read_chunk(bytes));
-    bytes.remove_prefix(kFrameBytes + chunk.content.size());
-    if (chunk.type == "IEND") break;
-    HYPERMAP_TRY(collector.take(chunk));
+    bytes.remove_prefix(chunk.whole.size());
+    if (chunk.type != "IEND") {
+      HYPERMAP_TRY(collector.take(chunk));
+      continue;
+    }
+    if (!bytes.empty())
+      return malformed_chunk(std::to_string(bytes.size()) + " bytes follow", "IEND");
+    return collector.finish(chunk);
   }
-  if (!bytes.empty())
-    return malformed_chunk(std::to_string(bytes.size()) + " bytes follow", "IEND");
-  return collector.finish();
 }
 
 }  // namespace hypermap

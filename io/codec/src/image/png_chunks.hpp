@@ -33,7 +33,9 @@ struct PngLayout {
   PngHeader header;
   std::string_view palette = {};       ///< RGB triples; empty when there is none.
   std::string_view transparency = {};  ///< tRNS; empty when there is none.
-  std::vector<std::string_view> data;  ///< The IDAT chunks' content, in order.
+  /// The signature, then each whole chunk that the pixels depend on: IHDR, PLTE, tRNS, IDAT, IEND.
+  std::vector<std::string_view> chunks = {};
+  std::uint64_t compressed_bytes = 0;  ///< Of all IDAT together.
 };
 
 /// Samples per pixel as stored (a palette index counts as one).
