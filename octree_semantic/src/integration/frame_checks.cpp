@@ -21,6 +21,28 @@ Result<void> validate(const IntegrationOptions& options) {
   return {};
 }
 
+Result<void> validate(const CloudOptions& options) {
+  if (options.mode == IntegrationMode::kProjective) {
+    return fail(ErrorCode::kInvalidArgument,
+                "a cloud has no picture to project into: use exact or discretize",
+                "mode");
+  }
+  if (!(options.max_range_m > 0.0 && options.max_range_m <= 100'000.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be > 0 and at most 100000, is " + std::to_string(options.max_range_m),
+                "max_range_m");
+  }
+  if (!(options.free_range_m > 0.0 && options.free_range_m <= options.max_range_m)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be > 0 and at most max_range_m, is " + std::to_string(options.free_range_m),
+                "free_range_m");
+  }
+  if (options.max_memory_mb >= 1 && options.max_memory_mb <= 1'048'576) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be in 1 .. 1048576, is " + std::to_string(options.max_memory_mb),
+              "max_memory_mb");
+}
+
 Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor) {
   if (grid.key(PointInMap{sensor.xyz.cast<float>().cast<double>()})) return {};
   return fail(ErrorCode::kInvalidArgument,

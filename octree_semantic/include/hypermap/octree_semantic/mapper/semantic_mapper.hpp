@@ -5,6 +5,7 @@
 /// Source: [smap] figure 3.1; [hypermap] 3.4, figure 8.
 #pragma once
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/deadline.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
@@ -13,6 +14,7 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/segmentation/labelled_cloud.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 #include "hypermap/octree_semantic/occlusion/object_visibility.hpp"
@@ -20,8 +22,9 @@
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
 #include <cstddef>
-#include <set>
 #include <span>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -30,13 +33,14 @@ namespace hypermap {
 struct SemanticMapperOptions {
   OctreeOptions octree;
   IntegrationOptions integration;
+  CloudOptions cloud;  ///< Of integrate_cloud.
   ObjectPipelineOptions objects;
   VisibilityOptions visibility;
   /// Bounds the work on a frame, for live use; off to begin with.
   DeadlineOptions deadline;
-  /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
-  /// The ids of `objects.transient_class_names`.
-  std::set<ClassId> transient_classes;
+  /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
+  /// not stay are named in `objects.transient_class_names`.
+  std::vector<std::string> wanted_class_names;
   /// Threads for the detections of a frame and for rays, 1 .. 256. The result does not depend on
   /// it.
   int num_threads = 1;
@@ -56,8 +60,9 @@ struct StageSeconds {
 /// What became of one frame.
 struct FrameReport {
   std::size_t num_detections = 0;  ///< After stacking.
-  std::size_t num_transient = 0;   ///< Of a class that does not stay.
-  std::size_t num_segments = 0;    ///< Detections that were found in the depth.
+  /// Of a class that does not stay or is not wanted.
+  std::size_t num_transient = 0;
+  std::size_t num_segments = 0;  ///< Detections that were found in the depth.
   /// Detections that nobody looked at because the time was up, those of the lowest scores.
   std::size_t num_deadline_dropped = 0;
   std::size_t num_created = 0;
@@ -76,13 +81,18 @@ struct FrameReport {
 /// Threads: one `integrate` at a time; const functions may run concurrently between two of them.
 class SemanticMapper {
  public:
-  /// Errors: those of validate; kUnavailable when Embree cannot start.
-  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options);
-  /// Goes on from a map that was made before. Errors: those of create; kInvalidArgument when the
-  /// tree's options are not those of `options.octree`.
+  /// `classes`: what the ids of detections mean; it may grow later.
+  /// Errors: those of validate; kNotFound when `classes` does not know a name that the options
+  /// give; kUnavailable when Embree cannot start.
+  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options,
+                                                     const ClassRegistry& classes = {});
+  /// Goes on from a map that was made before. Voxels that bear an id of no object are freed of it.
+  /// Errors: those of create; kInvalidArgument when the tree's options are not those of
+  /// `options.octree`.
   [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
                                                      SemanticOctree octree,
-                                                     ObjectMap objects);
+                                                     ObjectMap objects,
+                                                     const ClassRegistry& classes = {});
 
   /// Puts one frame into the map: whole, or on an error not at all.
   ///
@@ -91,6 +101,13 @@ class SemanticMapper {
   /// their place when the octree has the frame; should memory end after that, what is left of the
   /// frame's work waits for the next one, see `FrameReport::judged`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
+
+  /// Puts one scan into the map: whole, or on an error not at all. Instances meet the objects as
+  /// detections do; points of a class alone label voxels. Nothing is asked about objects that the
+  /// scan does not show: `judged` is false.
+  ///
+  /// Errors: those of validate(cloud) and FrameIntegrator::integrate_far_cloud.
+  [[nodiscard]] Result<FrameReport> integrate_cloud(const LabelledCloud& cloud);
 
   /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
   /// empty.
@@ -101,7 +118,14 @@ class SemanticMapper {
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
 
  private:
+  /// Which classes reach the map.
+  struct ClassFilter {
+    std::vector<ClassId> transient;  ///< Ascending.
+    std::vector<ClassId> wanted;     ///< Ascending; none: all.
+    [[nodiscard]] bool accepts(std::span<const ClassEvidence> class_scores) const;
+  };
   SemanticMapper(SemanticMapperOptions options,
+                 ClassFilter classes,
                  SemanticOctree octree,
                  ObjectMap objects,
                  OcclusionScene occlusion);
@@ -113,8 +137,18 @@ class SemanticMapper {
   };
   [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
-  [[nodiscard]] std::vector<Handover> handovers(const ObjectMap& objects,
-                                                std::span<const ObjectMerge> merges) const;
+  [[nodiscard]] Result<FrameReport> integrate_cloud_or_throw(const LabelledCloud& cloud);
+  /// Makes room for what `adopt` notes. Throws std::bad_alloc.
+  void prepare_to_adopt(std::span<const PixelLabels> labels, std::span<const ObjectMerge> merges);
+  /// The objects that belong to the octree as it was just written.
+  void adopt(ObjectMap objects,
+             std::span<const PixelLabels> labels,
+             std::span<const ObjectMerge> merges) noexcept;
+  void find_voxels_of_objects();
+  /// Of an object that `prepare_to_adopt` made room for; else nothing.
+  void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
+  /// The bounds of an object's voxels, which are forgotten.
+  [[nodiscard]] Box take_voxel_bounds(ObjectId id) noexcept;
   void hand_over_voxels();
   void weaken_unseen(const RgbdFrame& frame,
                      const AssociationReport& association,
@@ -123,11 +157,15 @@ class SemanticMapper {
                                                              std::span<const ObjectId> seen_now);
 
   SemanticMapperOptions options_;
+  ClassFilter classes_;
   SemanticOctree octree_;
   ObjectMap objects_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   Clock clock_ = wall_clock_s;
+  /// A box around all voxels that bear an object's id, perhaps larger: what an id's voxels are
+  /// found by when it ends.
+  std::unordered_map<ObjectId, Box> voxel_bounds_;
   std::vector<Handover> handovers_;  ///< Still to be done; mostly none.
 };
 
