@@ -30,7 +30,6 @@ MAP_OPTIONS = "MapOptions"
 NO_OPTION_OF_A_FILE = {
     "StackingOptions.weights": "detectors by number have no meaning elsewhere",
     "AssociationOptions.transient_classes": "classes by number have no meaning elsewhere",
-    "SemanticMapperOptions.transient_classes": "the ids of transient_class_names",
 }
 ALIAS = re.compile(r"^using (\w+) = (\w+Options);", re.MULTILINE)
 ROW = re.compile(r"option::(\w+)<&(\w+)::(\w+)>\(")

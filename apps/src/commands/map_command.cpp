@@ -145,7 +145,13 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
   command.add_option("--transient", arguments.transient, "class of things that do not stay");
-  command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
+  auto* append =
+      command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
+  command
+      .add_option("--poses",
+                  arguments.job.poses,
+                  "corrected trajectory (TUM's form, or .log by frame) instead of the dataset's")
+      ->excludes(append);
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
@@ -160,7 +166,8 @@ void keep_outputs_apart(const MapArguments& arguments) {
   std::vector<std::filesystem::path> read{dataset.description.value_or(""),
                                           dataset.classes.value_or(""),
                                           arguments.config.value_or(""),
-                                          arguments.job.model.value_or("")};
+                                          arguments.job.model.value_or(""),
+                                          arguments.job.poses.value_or("")};
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");
   keep_apart("--stats", stats, read);

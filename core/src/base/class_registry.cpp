@@ -56,6 +56,41 @@ std::string canonical_class_name(std::string_view name) {
   return alias == kVocNameOf.end() ? out : std::string(alias->second);
 }
 
+Result<ClassRegistry> ClassRegistry::from_names(std::span<const std::string> names) {
+  ClassRegistry registry;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string field = "names[" + std::to_string(i) + "]";
+    auto id = registry.add(names[i]);
+    if (!id) {
+      id.error().field = field;
+      return Unexpected(std::move(id).error());
+    }
+    if (id->value != i) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "must name each class once, " + printable(names[i]) + " is that of names[" +
+                      std::to_string(id->value) + "]",
+                  field);
+    }
+  }
+  return registry;
+}
+
+Result<std::vector<ClassId>> ClassRegistry::find_all(std::span<const std::string> names) const {
+  std::vector<ClassId> ids;
+  for (const std::string& name : names) {
+    const std::optional<ClassId> id = find(name);
+    if (!id) {
+      return fail(ErrorCode::kNotFound,
+                  "no class is called \"" + printable(name) + "\"; " + std::to_string(size()) +
+                      " are known");
+    }
+    ids.push_back(*id);
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
 Result<ClassId> ClassRegistry::add(std::string_view name) {
   HYPERMAP_TRY(check_name(name));
   if (const std::optional<ClassId> known = find(name)) return *known;

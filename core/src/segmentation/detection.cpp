@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace hypermap {
@@ -18,7 +20,55 @@ bool by_probability_then_low_id(const ClassEvidence& a, const ClassEvidence& b) 
   return a.probability != b.probability ? a.probability < b.probability : b.id < a.id;
 }
 
+constexpr std::uint32_t kMaxClassId = 65534;
+constexpr double kMaxSumError = 1e-3;
+
+bool is_probability(Probability p) {
+  return p.value() >= 0.0 && p.value() <= 1.0;  // false for NaN
+}
+
 }  // namespace
+
+Result<void> validate_class_scores(std::span<const ClassEvidence> scores) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const auto& [id, probability] = scores[i];
+    if (!is_probability(probability)) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "must be in 0..1, one is " + number_text(probability.value()),
+                  "class_scores");
+    }
+    if (id.value > kMaxClassId || (i > 0 && !(scores[i - 1].id < id))) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "ids must ascend and be below 65535, one is " + std::to_string(id.value),
+                  "class_scores");
+    }
+    sum += probability.value();
+  }
+  if (std::abs(sum - 1.0) <= kMaxSumError) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must sum to 1 within 0.001, is " + number_text(sum),
+              "class_scores");
+}
+
+Result<void> validate(const Detection& detection) {
+  const PixelBox& box = detection.box_px;
+  const bool is_finite = std::isfinite(box.u_min_px) && std::isfinite(box.v_min_px) &&
+                         std::isfinite(box.u_max_px) && std::isfinite(box.v_max_px);
+  if (!is_finite) return fail(ErrorCode::kInvalidArgument, "must be finite", "box_px");
+  if (box.width_px() < 0.0 || box.height_px() < 0.0) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must have sides >= 0, are " + number_text(box.width_px()) + " and " +
+                    number_text(box.height_px()),
+                "box_px");
+  }
+  if (!is_probability(detection.score)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be in 0..1, is " + number_text(detection.score.value()),
+                "score");
+  }
+  return validate_class_scores(detection.class_scores);
+}
 
 double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept {
   const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 
+#include "frame_index.hpp"
 #include "hypermap/core/base/number_text.hpp"
 
+#include <limits>
 #include <string>
 
 namespace hypermap {
@@ -44,22 +46,38 @@ Result<void> check_pose(const MapFromCamera& map_from_camera) {
   return {};
 }
 
-Result<void> check_masks(const RgbdFrame& frame) {
+Result<void> check_detection(const RgbdFrame& frame, const Detection& detection) {
+  if (detection.mask) HYPERMAP_TRY(check_size(*detection.mask, frame.camera, "mask"));
+  return validate(detection);
+}
+
+Result<void> check_detections(const RgbdFrame& frame) {
   for (std::size_t i = 0; i < frame.detections.size(); ++i) {
-    if (!frame.detections[i].mask) continue;
-    HYPERMAP_TRY(check_size(
-        *frame.detections[i].mask, frame.camera, "detections[" + std::to_string(i) + "].mask"));
+    auto checked = check_detection(frame, frame.detections[i]);
+    if (checked) continue;
+    Error& error = checked.error();
+    error.field = "detections[" + std::to_string(i) + "]." + error.field;
+    return checked;
   }
   return {};
 }
 
 }  // namespace
 
+Result<void> check_frame_index(std::uint64_t index) {
+  constexpr auto kMaxIndex = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (index <= kMaxIndex) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be at most " + std::to_string(kMaxIndex) + ", is " + std::to_string(index),
+              "index");
+}
+
 Result<void> validate(const RgbdFrame& frame) {
+  HYPERMAP_TRY(check_frame_index(frame.index));
   HYPERMAP_TRY(validate(frame.camera));
   HYPERMAP_TRY(check_size(frame.depth_m, frame.camera, "depth_m"));
   if (!frame.color.empty()) HYPERMAP_TRY(check_size(frame.color, frame.camera, "color"));
-  HYPERMAP_TRY(check_masks(frame));
+  HYPERMAP_TRY(check_detections(frame));
   return check_pose(frame.map_from_camera);
 }
 

@@ -4,6 +4,7 @@
 #include "frame_stream.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/upright.hpp"
 #include "hypermap/io/options/options_file.hpp"
 #include "input_fingerprint.hpp"
@@ -31,13 +32,13 @@ struct Run {
   InputFingerprint fingerprint;
 };
 
-Result<std::set<ClassId>> class_ids(const std::vector<std::string>& names, ClassRegistry& classes) {
-  std::set<ClassId> ids;
-  for (const std::string& name : names) {
-    HYPERMAP_ASSIGN_OR_RETURN(const ClassId id, classes.add(name));
-    ids.insert(id);
+/// Classes that the options name are known even when no detection is ever of them.
+Result<void> add_named_classes(const SemanticMapperOptions& options, ClassRegistry& classes) {
+  for (const std::string& name : options.objects.transient_class_names) {
+    HYPERMAP_TRY(classes.add(name));
   }
-  return ids;
+  for (const std::string& name : options.wanted_class_names) HYPERMAP_TRY(classes.add(name));
+  return {};
 }
 
 Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRegistry& classes) {
@@ -52,14 +53,12 @@ Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRe
 Result<SemanticMapper> make_mapper(const MappingJob& job,
                                    ClassRegistry& classes,
                                    const std::optional<MapArchive>& previous) {
-  SemanticMapperOptions options = job.mapper;
-  HYPERMAP_ASSIGN_OR_RETURN(options.transient_classes,
-                            class_ids(options.objects.transient_class_names, classes));
-  if (!previous) return SemanticMapper::create(options);
+  HYPERMAP_TRY(add_named_classes(job.mapper, classes));
+  if (!previous) return SemanticMapper::create(job.mapper, classes);
   if (!previous->octree) {
     return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
   }
-  return SemanticMapper::resume(options, *previous->octree, previous->objects);
+  return SemanticMapper::resume(job.mapper, *previous->octree, previous->objects, classes);
 }
 
 /// With a network at work, detections beside the data are read only when they were asked for.
@@ -78,8 +77,16 @@ Result<void> refuse_deadline(const DeadlineOptions& options) {
               "deadline.rule");
 }
 
+Result<void> refuse_mixed_poses(const MappingJob& job) {
+  if (!job.poses || !job.append) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "a map is built anew with corrected poses, what it holds has the old ones",
+              "append");
+}
+
 Result<Run> open(const MappingJob& job, MappingReport& report) {
   HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
+  HYPERMAP_TRY(refuse_mixed_poses(job));
   Run run;
   if (job.append) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output));
@@ -89,6 +96,10 @@ Result<Run> open(const MappingJob& job, MappingReport& report) {
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
   HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
                             open_dataset(job.input, dataset_options(job), run.classes));
+  if (job.poses) {
+    HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
+                              with_corrected_poses(std::move(run.dataset), *job.poses));
+  }
   report.findings = run.dataset->summary().findings;
   HYPERMAP_ASSIGN_OR_RETURN(const Upright up, turn_upright(*run.dataset, job.up_axis));
   run.dataset->set_map_from_input(up.map_from_input);

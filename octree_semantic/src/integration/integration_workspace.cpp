@@ -5,12 +5,9 @@
 #include "integration/marking/cell_finder.hpp"
 #include "integration/marking/ray_marking.hpp"
 #include "integration/marking/sparse_rays.hpp"
-#include "octree/brick_access.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <new>
-#include <optional>
 
 namespace hypermap {
 namespace {
@@ -21,7 +18,6 @@ constexpr double kEverywhereM = 1e9;
 /// is 32 MiB of bits; else each gets a ray of its own.
 constexpr double kMaxFarCells = 268435456.0;
 constexpr std::size_t kRaysPerChunk = RayMarker::kMaxRays;
-constexpr std::size_t kBricksPerChunk = 32;
 
 std::size_t num_chunks_of(std::size_t size, std::size_t per_chunk) {
   return (size + per_chunk - 1) / per_chunk;
@@ -39,18 +35,6 @@ template <class T>
 void append(std::vector<T>& all, std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
   more.clear();
-}
-
-std::size_t count_bits(const std::uint64_t* words) {
-  std::size_t total = 0;
-  for (std::size_t i = 0; i < kBrickVolume / 64; ++i) {
-    total += static_cast<std::size_t>(std::popcount(words[i]));
-  }
-  return total;
-}
-
-kernels::EvidenceSteps steps_of(const SensorModel& model) {
-  return {model.hit, model.miss, model.clamp_min, model.clamp_max, model.occupied_from};
 }
 
 }  // namespace
@@ -79,16 +63,31 @@ Result<IntegrationReport> IntegrationWorkspace::integrate(SemanticOctree& tree,
       project(*picture, ends, resolution_m, options.max_range_m);  // what they looked through
     }
     cast_rays(resolution_m, points.sensor());  // what rays passed through
-    count_votes(labels, report);               // which labels ended where
-    const std::size_t num_bricks_before = tree.num_bricks();
-    stage(tree, report);  // all memory that the map will need
-    report.num_new_bricks = tree.num_bricks() - num_bricks_before;
+    const auto key_of = [this](std::size_t brick) { return this->key_of(brick); };
+    const MarkedBricks marked{hit(), passed(), window_.num_bricks(), key_of};
+    writer_.count_votes(tree.grid(),
+                        marked,
+                        cell_of_measurement_,
+                        labels,
+                        LabelVotes::Storage::kInPlace,
+                        report);                    // which labels ended where
+    writer_.stage(tree, marked, workers_, report);  // all memory that the map will need
+    writer_.commit(tree, marked, workers_, report);
   } catch (const std::bad_alloc&) {
     clear();
     return fail(ErrorCode::kOutOfMemory, "no memory to integrate the frame");
   }
-  commit(tree, report);
+  clear();
   return report;
+}
+
+std::optional<BrickKey> IntegrationWorkspace::key_of(std::size_t brick) const noexcept {
+  const auto [x, y, z] = window_.brick_corner(brick);
+  // Rounding may carry a ray along the edge of the volume one voxel too far.
+  if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kKeysPerAxis) return std::nullopt;
+  return BrickKey::of({static_cast<std::uint16_t>(x),
+                       static_cast<std::uint16_t>(y),
+                       static_cast<std::uint16_t>(z)});
 }
 
 void IntegrationWorkspace::prepare(const IntegrationOptions& options) {
@@ -100,7 +99,6 @@ void IntegrationWorkspace::prepare(const IntegrationOptions& options) {
     slot.ends.ray_ends.clear();
     slot.ends.dropped.clear();
     slot.ends.report = {};
-    slot.merged = {};
   }
 }
 
@@ -156,162 +154,6 @@ void IntegrationWorkspace::project(const DepthPoints& picture,
   pyramid_.build(frame.depth_m.pixels(), frame.camera.width_px, found.dropped, workers_);
   projection_.mark(frame, pyramid_, resolution_m, max_range_m, window_, workers_, passed());
   add_sparse_rays(picture, pyramid_, ends, cell_of_measurement_, ray_ends());
-}
-
-void IntegrationWorkspace::count_votes(std::span<const PixelLabels> labels,
-                                       IntegrationReport& report) {
-  votes_.start(window_.num_bricks(), labels.size());
-  evidence_.start(labels);
-  for (std::uint32_t label = 0; label < labels.size(); ++label) {
-    // Neighbouring pixels mostly end in one voxel: they vote together.
-    std::uint32_t cell = kNoCell;
-    std::uint32_t count = 0;
-    const auto vote = [&] {
-      if (cell == kNoCell || !hit().test(cell)) return;
-      votes_.add(cell, label, count);
-      report.num_labelled_hits += count;
-    };
-    for (const std::uint32_t index : labels[label].pixel_indices) {
-      if (cell_of_measurement_[index] != cell) {
-        vote();
-        cell = cell_of_measurement_[index];
-        count = 0;
-      }
-      ++count;
-    }
-    vote();
-  }
-  votes_.finish();
-}
-
-void IntegrationWorkspace::stage(SemanticOctree& tree, IntegrationReport& report) {
-  staged_.clear();
-  BrickTable& bricks = BrickAccess::writable(tree);
-  for (std::size_t group = 0; group < hit().num_groups(); ++group) {
-    if ((hit().touched_group(group) | passed().touched_group(group)) == 0) continue;
-    for (std::size_t brick = group * 8; brick < group * 8 + 8; ++brick) {
-      if (hit().touched(brick) || passed().touched(brick)) stage_brick(bricks, brick, report);
-    }
-  }
-}
-
-void IntegrationWorkspace::stage_brick(BrickTable& bricks,
-                                       std::size_t window_brick,
-                                       IntegrationReport& report) {
-  const auto [x, y, z] = window_.brick_corner(window_brick);
-  // Rounding may carry a ray along the edge of the volume one voxel too far.
-  if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kKeysPerAxis) return;
-  const VoxelKey corner{
-      static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
-  const BrickKey key = BrickKey::of(corner);
-  const bool is_hit = hit().touched(window_brick);
-  const std::uint32_t position = is_hit ? bricks.prepare(key) : bricks.prepare_to_free(key);
-  if (!is_hit && bricks.is_freest(position)) {
-    report.num_free_voxels += count_bits(passed().words(window_brick));
-    return;
-  }
-  stage_labels(bricks.writable(position), window_brick);
-  staged_.push_back({window_brick, position, false});
-}
-
-void IntegrationWorkspace::stage_labels(Brick& brick, std::size_t window_brick) const {
-  const BrickBits* labelled = votes_.labelled(window_brick);
-  if (labelled == nullptr) return;
-  if (!brick.labels) brick.labels = std::make_unique<LabelTable>();
-  BrickBits fresh = *labelled;
-  for (std::size_t i = 0; i < fresh.words.size(); ++i) {
-    fresh.words[i] &= ~brick.labels->labelled().words[i];
-  }
-  brick.labels->reserve_more(static_cast<std::size_t>(fresh.count()));
-}
-
-void IntegrationWorkspace::commit(SemanticOctree& tree, IntegrationReport& report) noexcept {
-  merge(tree, report);
-  BrickTable& bricks = BrickAccess::sole(tree);
-  for (const auto& [window_brick, position, occupancy_changed] : staged_) {
-    Brick& brick = bricks.writable(position);
-    bool changed = occupancy_changed;
-    if (brick.labels) changed |= commit_labels(brick, window_brick, tree);
-    if (const BrickBits* labelled = votes_.labelled(window_brick)) {
-      report.num_labelled_voxels += static_cast<std::size_t>(labelled->count());
-    }
-    bricks.note_written(position, changed);
-    bricks.share_if_freest(position);
-  }
-  bricks.commit();
-  clear();
-}
-
-void IntegrationWorkspace::merge(SemanticOctree& tree, IntegrationReport& report) noexcept {
-  const kernels::EvidenceSteps steps = steps_of(tree.sensor_model());
-  BrickTable& bricks = BrickAccess::sole(tree);
-  const auto merge_brick = kernels::best_kernels().merge_brick;
-  const auto merge_chunk = [&](std::size_t slot, std::size_t chunk) {
-    kernels::MergeCounts& total = slots_[slot].merged;
-    const std::size_t end = std::min(staged_.size(), (chunk + 1) * kBricksPerChunk);
-    for (std::size_t i = chunk * kBricksPerChunk; i < end; ++i) {
-      Staged& staged = staged_[i];
-      Brick& brick = bricks.writable(staged.position);
-      const kernels::MergeCounts counts = merge_brick(
-          {brick.known.words.data(), brick.occupied.words.data(), brick.log_odds.data()},
-          hit().words(staged.window_brick),
-          passed().words(staged.window_brick),
-          steps);
-      staged.changed = counts.changed;
-      total.num_hit += counts.num_hit;
-      total.num_passed += counts.num_passed;
-    }
-  };
-  workers_.for_each(num_chunks_of(staged_.size(), kBricksPerChunk), merge_chunk);
-  for (const Slot& slot : slots_) {
-    report.num_occupied_voxels += slot.merged.num_hit;
-    report.num_free_voxels += slot.merged.num_passed;
-  }
-}
-
-bool IntegrationWorkspace::commit_labels(Brick& brick,
-                                         std::size_t window_brick,
-                                         const SemanticOctree& tree) noexcept {
-  const SensorModel& model = tree.sensor_model();
-  const MilliLogOdds limit = to_milli(tree.options().max_class_log_odds);
-  // What was there is gone for good where the voxel is as free as it can be.
-  const BrickBits before = brick.labels->labelled();
-  before.for_each([&](std::size_t cell) {
-    if (brick.log_odds[cell] == model.clamp_min) brick.labels->erase(cell);
-  });
-  bool changed = brick.labels->labelled() != before;
-  if (votes_.labelled(window_brick) != nullptr) {
-    observe_labels(*brick.labels, window_brick, limit);
-    changed = true;
-  }
-  return changed;
-}
-
-void IntegrationWorkspace::observe_labels(LabelTable& labels,
-                                          std::size_t window_brick,
-                                          MilliLogOdds limit) noexcept {
-  const BrickBits& labelled = *votes_.labelled(window_brick);
-  labelled.for_each([&](std::size_t cell) { static_cast<void>(labels.at(cell)); });
-  // From here on no label moves. Voxels of one label are merged together.
-  std::uint32_t of_batch = 0;
-  std::optional<kernels::LabelScores> scores;
-  labelled.for_each([&](std::size_t cell) {
-    VoxelLabel& label = *labels.find(cell);
-    const std::span<const LabelVote> votes = votes_.votes(window_brick, cell);
-    const std::uint32_t named = votes.front().label;
-    if (votes.size() == 1 && (!scores || named != of_batch)) {
-      if (!batch_.empty()) batch_.merge(*scores);
-      of_batch = named;
-      scores = evidence_.scores_of(named, limit);
-    }
-    if (votes.size() == 1 && scores) {
-      label.vote(evidence_.object_of(named));
-      batch_.add(label);
-    } else {
-      observe(label, evidence_.of(votes, label), limit);
-    }
-  });
-  if (!batch_.empty()) batch_.merge(*scores);
 }
 
 void IntegrationWorkspace::clear() noexcept {

@@ -3,22 +3,19 @@
 /// Working memory of an integrator and the steps of one integration.
 #pragma once
 
+#include "frame_writer.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
-#include "integration/labels/belief_batch.hpp"
-#include "integration/labels/label_evidence.hpp"
-#include "integration/labels/label_votes.hpp"
 #include "integration/marking/bit_window.hpp"
 #include "integration/marking/depth_pyramid.hpp"
 #include "integration/marking/end_points.hpp"
 #include "integration/marking/free_projection.hpp"
 #include "integration/marking/measured_points.hpp"
-#include "kernels/kernels.hpp"
-#include "octree/brick_table.hpp"
 #include "octree/point_f.hpp"
 #include "workers.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,19 +31,16 @@ class IntegrationWorkspace {
                                                     const DepthPoints* picture,
                                                     std::span<const PixelLabels> labels,
                                                     const IntegrationOptions& options);
+  /// As FrameIntegrator::label_boxes.
+  [[nodiscard]] std::span<const std::optional<Box>> label_boxes() const noexcept {
+    return writer_.label_boxes();
+  }
 
  private:
-  /// A brick of the map that the frame changes.
-  struct Staged {
-    std::size_t window_brick = 0;
-    std::uint32_t position = 0;
-    bool changed = false;
-  };
   /// What one thread needs of its own.
   struct Slot {
     EndSink ends;
     BitLayer passed;  // voxels that rays went through
-    kernels::MergeCounts merged;
   };
 
   void prepare(const IntegrationOptions& options);
@@ -60,15 +54,7 @@ class IntegrationWorkspace {
                const EndPoints& ends,
                double resolution_m,
                double max_range_m);
-  void count_votes(std::span<const PixelLabels> labels, IntegrationReport& report);
-  void stage(SemanticOctree& tree, IntegrationReport& report);
-  void stage_brick(BrickTable& bricks, std::size_t window_brick, IntegrationReport& report);
-  void stage_labels(Brick& brick, std::size_t window_brick) const;
-  void commit(SemanticOctree& tree, IntegrationReport& report) noexcept;
-  void merge(SemanticOctree& tree, IntegrationReport& report) noexcept;
-  bool commit_labels(Brick& brick, std::size_t window_brick, const SemanticOctree& tree) noexcept;
-  /// Adds what the frame says to the labels of a brick that has votes.
-  void observe_labels(LabelTable& labels, std::size_t window_brick, MilliLogOdds limit) noexcept;
+  [[nodiscard]] std::optional<BrickKey> key_of(std::size_t brick) const noexcept;
   void clear() noexcept;
 
   [[nodiscard]] BitLayer& hit() noexcept { return slots_.front().ends.hit; }
@@ -76,16 +62,13 @@ class IntegrationWorkspace {
   [[nodiscard]] std::vector<PointF>& ray_ends() noexcept { return slots_.front().ends.ray_ends; }
 
   FreeProjection projection_;
-  BeliefBatch batch_;
   Workers workers_;
   WindowGeometry window_;      // around the sensor
   WindowGeometry far_window_;  // over all measurements
   std::vector<Slot> slots_;    // one per worker; united in the first
   std::vector<std::uint32_t> cell_of_measurement_;
   DepthPyramid pyramid_;
-  LabelVotes votes_;
-  LabelEvidence evidence_;
-  std::vector<Staged> staged_;
+  FrameWriter writer_;
 };
 
 }  // namespace hypermap

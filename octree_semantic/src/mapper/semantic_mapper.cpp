@@ -14,16 +14,6 @@
 namespace hypermap {
 namespace {
 
-/// Detections of things that stay.
-std::vector<Detection> lasting(std::vector<Detection> detections,
-                               const std::set<ClassId>& transient) {
-  std::erase_if(detections, [&](const Detection& detection) {
-    const auto best = best_class(detection.class_scores);
-    return best && transient.contains(best->id);
-  });
-  return detections;
-}
-
 /// Those detections that the depth confirms; counts those that nobody looked at.
 std::vector<Observation> observe(const RgbdFrame& frame,
                                  std::span<const Detection> detections,
@@ -59,6 +49,15 @@ std::vector<PixelLabels> pixel_labels(std::vector<Observation> observations,
   return labels;
 }
 
+/// Errors: as ClassRegistry::find_all, naming the field.
+Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
+                                    const ClassRegistry& classes,
+                                    const char* field) {
+  auto ids = classes.find_all(names);
+  if (!ids) ids.error().field = field;
+  return ids;
+}
+
 std::vector<ObjectId> seen_objects(const AssociationReport& association) {
   std::vector<ObjectId> seen = association.object_of_observation;
   std::erase(seen, kNoObject);
@@ -67,22 +66,18 @@ std::vector<ObjectId> seen_objects(const AssociationReport& association) {
   return seen;
 }
 
-/// Where voxels of an object may lie: its box, grown by a voxel and by what segments overhang.
-Box label_bounds(const Object& object, double resolution_m) {
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.5 + resolution_m);
-  return {object.box.min_in_map - margin, object.box.max_in_map + margin};
-}
-
 }  // namespace
 
-Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& options) {
+Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& options,
+                                              const ClassRegistry& classes) {
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(options.octree));
-  return resume(options, std::move(octree), ObjectMap{});
+  return resume(options, std::move(octree), ObjectMap{}, classes);
 }
 
 Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& options,
                                               SemanticOctree octree,
-                                              ObjectMap objects) {
+                                              ObjectMap objects,
+                                              const ClassRegistry& classes) {
   HYPERMAP_TRY(validate(options));
   if (octree.options() != options.octree) {
     return fail(ErrorCode::kInvalidArgument,
@@ -90,33 +85,45 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
                     std::to_string(octree.resolution_m()) + " m)",
                 "octree");
   }
+  ClassFilter filter;
+  HYPERMAP_ASSIGN_OR_RETURN(
+      filter.transient,
+      ids_of(options.objects.transient_class_names, classes, "objects.transient_class_names"));
+  HYPERMAP_ASSIGN_OR_RETURN(filter.wanted,
+                            ids_of(options.wanted_class_names, classes, "wanted_class_names"));
   HYPERMAP_ASSIGN_OR_RETURN(OcclusionScene occlusion, OcclusionScene::create());
   try {
-    const bool publishes = options.publish_every_n_frames > 0;
-    auto first = std::make_shared<const MapSnapshot>(
-        MapSnapshot{publishes ? octree : SemanticOctree::create(options.octree).value(),
-                    publishes ? objects : ObjectMap{},
-                    std::make_shared<const ClassRegistry>(),
-                    0,
-                    0,
-                    {}});
-    auto snapshots = std::make_unique<SnapshotExchange>(std::move(first));
-    return SemanticMapper(
-        options, std::move(octree), std::move(objects), std::move(occlusion), std::move(snapshots));
+    auto known = std::make_shared<const ClassRegistry>(classes);
+    auto empty = std::make_shared<const MapSnapshot>(
+        MapSnapshot{SemanticOctree::create(options.octree).value(), ObjectMap{}, known, 0, 0, {}});
+    SemanticMapper mapper(options,
+                          std::move(filter),
+                          std::move(octree),
+                          std::move(objects),
+                          std::move(occlusion),
+                          std::move(known),
+                          std::make_unique<SnapshotExchange>(std::move(empty)));
+    mapper.find_voxels_of_objects();
+    if (options.publish_every_n_frames > 0) mapper.publish();
+    return mapper;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for a mapper");
   }
 }
 
 SemanticMapper::SemanticMapper(SemanticMapperOptions options,
+                               ClassFilter class_filter,
                                SemanticOctree octree,
                                ObjectMap objects,
                                OcclusionScene occlusion,
+                               std::shared_ptr<const ClassRegistry> classes,
                                std::unique_ptr<SnapshotExchange> snapshots)
     : options_(with_ranges(std::move(options))),
+      class_filter_(std::move(class_filter)),
       octree_(std::move(octree)),
       objects_(std::move(objects)),
       occlusion_(std::move(occlusion)),
+      classes_(std::move(classes)),
       snapshots_(std::move(snapshots)) {
   options_.integration.num_threads = options_.num_threads;
 }
@@ -124,6 +131,15 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
 SemanticMapper::SemanticMapper(SemanticMapper&&) noexcept = default;
 SemanticMapper& SemanticMapper::operator=(SemanticMapper&&) noexcept = default;
 SemanticMapper::~SemanticMapper() = default;
+
+bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_scores) const {
+  const auto best = best_class(class_scores);
+  if (!best) return true;
+  const auto is_in = [&best](const std::vector<ClassId>& ids) {
+    return std::binary_search(ids.begin(), ids.end(), best->id);
+  };
+  return !is_in(transient) && (wanted.empty() || is_in(wanted));
+}
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
   try {
@@ -138,10 +154,11 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(frame));
   hand_over_voxels();  // what an earlier frame left to be done
-  HYPERMAP_ASSIGN_OR_RETURN(auto stacked,
+  HYPERMAP_ASSIGN_OR_RETURN(auto detections,
                             stack_detections(frame.detections, options_.objects.stacking));
-  report.num_detections = stacked.size();
-  const auto detections = lasting(std::move(stacked), options_.transient_classes);
+  report.num_detections = detections.size();
+  std::erase_if(detections,
+                [this](const Detection& d) { return !class_filter_.accepts(d.class_scores); });
   report.num_transient = report.num_detections - detections.size();
 
   const double deadline = deadline_s(options_.deadline, detections.size());
@@ -156,18 +173,15 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
-  std::vector<Handover> merged_voxels = handovers(objects, association.merged);
   report.seconds.associate = watch.lap();
 
   const auto labels = pixel_labels(std::move(observations), association);
+  prepare_to_adopt(labels, association.merged);
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
                             integrator_.integrate(octree_, frame, labels, options_.integration));
   // From here on the frame is in the map.
-  objects_ = std::move(objects);
-  handovers_ = std::move(merged_voxels);
-  ++num_frames_;
-  frame_index_ = frame.index;
-  stamp_ = frame.stamp;
+  adopt(std::move(objects), labels, association.merged);
+  note_frame(frame.index, frame.stamp);
   report.seconds.integrate = watch.lap();
 
   weaken_unseen(frame, association, report);
@@ -176,18 +190,28 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   return report;
 }
 
+void SemanticMapper::note_frame(std::uint64_t index, Stamp stamp) noexcept {
+  ++num_frames_;
+  frame_index_ = index;
+  stamp_ = stamp;
+}
+
+void SemanticMapper::publish() {
+  snapshots_->publish(std::make_shared<const MapSnapshot>(
+      MapSnapshot{octree_, objects_, classes_, num_frames_, frame_index_, stamp_}));
+  num_published_frames_ = num_frames_;
+}
+
 /// Whatever fails here leaves the snapshot before.
 bool SemanticMapper::publish_if_due() {
   const auto every = static_cast<std::uint64_t>(options_.publish_every_n_frames);
   if (every == 0 || num_frames_ - num_published_frames_ < every) return false;
   if (!handovers_.empty()) return false;  // some voxels still name an object that is gone
   try {
-    snapshots_->publish(std::make_shared<const MapSnapshot>(
-        MapSnapshot{octree_, objects_, classes_, num_frames_, frame_index_, stamp_}));
+    publish();
   } catch (const std::bad_alloc&) {
     return false;
   }
-  num_published_frames_ = num_frames_;
   return true;
 }
 
@@ -210,27 +234,6 @@ Result<void> SemanticMapper::check(const RgbdFrame& frame) const {
   return check_sensor(octree_.grid(), frame.map_from_camera.origin());
 }
 
-std::vector<SemanticMapper::Handover> SemanticMapper::handovers(
-    const ObjectMap& objects, std::span<const ObjectMerge> merges) const {
-  std::vector<Handover> out;
-  for (const auto& [from, into] : merges) {
-    const Object* object = objects.find(into);
-    if (object == nullptr) continue;
-    out.push_back({from, into, label_bounds(*object, octree_.resolution_m())});
-  }
-  return out;
-}
-
-/// In their order, for one may take what another gave. One that fails is tried again: it starts
-/// with what is left of its voxels.
-void SemanticMapper::hand_over_voxels() {
-  while (!handovers_.empty()) {
-    const Handover& first = handovers_.front();
-    octree_.relabel_object(first.from, first.into, first.bounds);
-    handovers_.erase(handovers_.begin());
-  }
-}
-
 /// Whatever fails here leaves the frame in the map and objects as they are.
 void SemanticMapper::weaken_unseen(const RgbdFrame& frame,
                                    const AssociationReport& association,
@@ -244,15 +247,13 @@ void SemanticMapper::weaken_unseen(const RgbdFrame& frame,
     ObjectMap objects = objects_;
     const AbsenceReport absences = apply_absences(
         objects, *verdicts, options_.objects.absence, seen_now, frame.index, frame.stamp);
-    std::vector<Handover> freed;
-    for (const ObjectId id : absences.removed) {
-      const Box bounds = label_bounds(objects_.at(id), octree_.resolution_m());
-      freed.push_back({id, kNoObject, bounds});
-    }
+    handovers_.reserve(absences.removed.size());
     report.num_removed = absences.removed.size();
     report.judged = true;
     objects_ = std::move(objects);
-    handovers_ = std::move(freed);
+    for (const ObjectId id : absences.removed) {
+      handovers_.push_back({id, kNoObject, take_voxel_bounds(id)});
+    }
     hand_over_voxels();
   } catch (const std::bad_alloc&) {
     return;  // the next frame goes on with what is left of `handovers_`

@@ -12,9 +12,13 @@ namespace {
 constexpr OptionRow kMapperRows[] = {
     option::section<&SemanticMapperOptions::octree>("octree"),
     option::section<&SemanticMapperOptions::integration>("integration"),
+    option::section<&SemanticMapperOptions::cloud>("cloud"),
     option::section<&SemanticMapperOptions::deadline>("deadline"),
     option::section<&SemanticMapperOptions::visibility>("visibility"),
     option::section<&SemanticMapperOptions::objects>(""),
+    option::names<&SemanticMapperOptions::wanted_class_names>(
+        "wanted_classes",
+        {.effect = "The only classes that reach the map; none: all.", .is_listed = false}),
     option::count<&SemanticMapperOptions::num_threads>(
         "num_threads",
         {1, 256},

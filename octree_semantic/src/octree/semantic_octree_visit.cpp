@@ -144,7 +144,10 @@ void SemanticOctree::for_each_leaf_of(ObjectId id, const LeafVisitor& visit) con
   for_each_leaf_of(id, everywhere(), visit);
 }
 
-std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map) {
+std::size_t SemanticOctree::divide_object(ObjectId from,
+                                          ObjectId to,
+                                          const Box& bounds_in_map,
+                                          const std::function<bool(const VoxelKey&)>& moves) {
   if (from == kNoObject || from == to) return 0;
   std::size_t num_changed = 0;
   for (const std::uint32_t shared : positions_in(*bricks_, bricks_around(bounds_in_map, grid_))) {
@@ -153,7 +156,8 @@ std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box
     const BrickKey key = bricks_->key(shared);
     bricks_->brick(shared).labels->labelled().for_each([&](std::size_t cell) {
       const bool inside = bounds_in_map.contains(grid_.centre(key.voxel(cell)).xyz);
-      if (inside && bricks_->brick(shared).label(cell)->object == from) cells.push_back(cell);
+      if (!inside || bricks_->brick(shared).label(cell)->object != from) return;
+      if (moves(key.voxel(cell))) cells.push_back(cell);
     });
     if (cells.empty()) continue;
     BrickTable& bricks = bricks_.writable();
@@ -168,6 +172,28 @@ std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box
   }
   if (num_changed != 0) bricks_.sole().commit();
   return num_changed;
+}
+
+std::size_t SemanticOctree::divide_object(ObjectId from,
+                                          ObjectId to,
+                                          std::span<const Eigen::Vector3f> of_from,
+                                          std::span<const Eigen::Vector3f> of_to) {
+  const auto squared_distance = [](const Eigen::Vector3d& centre,
+                                   std::span<const Eigen::Vector3f> points) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& point : points) {
+      least = std::min(least, (point.cast<double>() - centre).squaredNorm());
+    }
+    return least;
+  };
+  return divide_object(from, to, everywhere(), [&](const VoxelKey& key) {
+    const Eigen::Vector3d centre = grid_.centre(key).xyz;
+    return squared_distance(centre, of_to) < squared_distance(centre, of_from);
+  });
+}
+
+std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map) {
+  return divide_object(from, to, bounds_in_map, [](const VoxelKey&) { return true; });
 }
 
 std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -51,6 +52,31 @@ TEST(ClassRegistry, RefusesWhatIsNoText) {
   EXPECT_TRUE(registry.add(std::string(256, 'x')).has_value());
   EXPECT_TRUE(registry.add("Stühle").has_value());
   EXPECT_EQ(registry.size(), 2U);
+}
+
+TEST(ClassRegistry, ADetectorsListGivesTheIdsOfItsOrder) {
+  const std::vector<std::string> names{"cup", "chair", "tv"};
+  const ClassRegistry registry = ClassRegistry::from_names(names).value();
+  EXPECT_EQ(registry.find("chair"), ClassId{1});
+  EXPECT_EQ(registry.find("tvmonitor"), ClassId{2});
+}
+
+TEST(ClassRegistry, RefusesAListThatNamesAClassTwice) {
+  const std::vector<std::string> names{"sofa", "cup", "couch"};
+  const auto error = ClassRegistry::from_names(names).error();
+  EXPECT_EQ(error.field, "names[2]");
+  EXPECT_EQ(error.what, "must name each class once, couch is that of names[0]");
+  EXPECT_EQ(ClassRegistry::from_names(std::vector<std::string>{"a", ""}).error().field, "names[1]");
+}
+
+TEST(ClassRegistry, FindsAllNamesOrSaysWhichIsUnknown) {
+  const std::vector<std::string> names{"cup", "chair"};
+  const ClassRegistry registry = ClassRegistry::from_names(names).value();
+  const std::vector<std::string> asked{"Chair", "cup", "chair"};
+  EXPECT_EQ(registry.find_all(asked).value(), (std::vector<ClassId>{{0}, {1}}));
+  const std::vector<std::string> unknown{"cup", "dog"};
+  EXPECT_EQ(registry.find_all(unknown).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(registry.find_all(unknown).error().what, "no class is called \"dog\"; 2 are known");
 }
 
 TEST(ClassRegistry, StopsAtItsLimit) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -14,6 +16,14 @@ RgbdFrame small_frame() {
       .width_px = 4, .height_px = 3, .fx_px = 5, .fy_px = 5, .cx_px = 1.5, .cy_px = 1.0};
   frame.depth_m = DepthImage(4, 3, 1.0F);
   return frame;
+}
+
+Detection sound_detection() {
+  return {.box_px = {0.0, 0.0, 2.0, 2.0},
+          .class_scores = {{ClassId{0}, Probability(0.75)}, {ClassId{3}, Probability(0.25)}},
+          .score = Probability(0.9),
+          .detector = {},
+          .mask = {}};
 }
 
 std::string field_of(const RgbdFrame& frame) {
@@ -35,7 +45,7 @@ TEST(RgbdFrame, NamesThePictureWhoseSizeDisagrees) {
   EXPECT_EQ(field_of(frame), "color");
 
   frame = small_frame();
-  frame.detections.resize(2);
+  frame.detections.assign(2, sound_detection());
   frame.detections[1].mask = MaskImage(2, 2);
   EXPECT_EQ(field_of(frame), "detections[1].mask");
 }
@@ -56,6 +66,37 @@ TEST(RgbdFrame, RefusesAPoseThatIsNoRigidMotion) {
   pose.linear()(2, 2) = -1.0;
   frame.map_from_camera = MapFromCamera(pose);
   EXPECT_EQ(field_of(frame), "map_from_camera");
+}
+
+TEST(RgbdFrame, RefusesAnIndexThatNoArchiveHolds) {
+  RgbdFrame frame = small_frame();
+  frame.index = std::uint64_t{1} << 63U;
+  EXPECT_EQ(field_of(frame), "index");
+  --frame.index;
+  EXPECT_TRUE(validate(frame).has_value());
+}
+
+TEST(RgbdFrame, RefusesDetectionsThatBreakTheirRules) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto field_with = [](const auto& change) {
+    RgbdFrame frame = small_frame();
+    frame.detections.assign(2, sound_detection());
+    change(frame.detections[1]);
+    return validate(frame) ? std::string() : field_of(frame);
+  };
+  EXPECT_EQ(field_with([](Detection&) {}), "");
+  EXPECT_EQ(field_with([](Detection& d) { d.box_px.u_max_px = 0.0; }), "") << "an empty box";
+  EXPECT_EQ(field_with([](Detection& d) { d.box_px.u_max_px = -1.0; }), "detections[1].box_px");
+  EXPECT_EQ(field_with([&](Detection& d) { d.box_px.v_min_px = nan; }), "detections[1].box_px");
+  const auto scores_field = [&](std::vector<ClassEvidence> scores) {
+    return field_with([&](Detection& d) { d.class_scores = scores; });
+  };
+  const std::string expected = "detections[1].class_scores";
+  EXPECT_EQ(scores_field({}), expected);
+  EXPECT_EQ(scores_field({{ClassId{0}, Probability(0.5)}}), expected) << "sum";
+  EXPECT_EQ(scores_field({{ClassId{1}, Probability(0.5)}, {ClassId{1}, Probability(0.5)}}),
+            expected);
+  EXPECT_EQ(scores_field({{ClassId{65535}, Probability(1.0)}}), expected);
 }
 
 TEST(RgbdFrame, HandsOnTheCamerasError) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/mapping_job.hpp"
 
+#include "support/synthetic_dataset.hpp"
+#include "support/temp_dir.hpp"
+
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace hypermap {
 namespace {
@@ -13,6 +18,40 @@ TEST(MappingJob, RefusesADeadline) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(refused.error().field, "deadline.rule");
+}
+
+TEST(MappingJob, CorrectedPosesBuildTheMapAnew) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  std::string moved;
+  for (int i = 0; i < test::kSyntheticFrames; ++i) {
+    // 8 m further along y: whole bricks of 5 cm voxels.
+    moved += std::to_string(100 + i) + ".005 " + std::to_string(i) + " 8 0 0 0 0 1\n";
+  }
+  test::write_text(folder.path() / "closed.txt", moved);
+  MappingJob job{.input = folder.path() / "recorded", .output = folder.path() / "old.hmap"};
+  ASSERT_TRUE(run_mapping(job));
+  job.output = folder.path() / "new.hmap";
+  job.poses = folder.path() / "closed.txt";
+  const auto report = run_mapping(job);
+  ASSERT_TRUE(report) << to_string(report.error());
+  EXPECT_EQ(report->num_frames, 4U);
+  const auto old_map = load_archive(folder.path() / "old.hmap").value().value;
+  const auto new_map = load_archive(folder.path() / "new.hmap").value().value;
+  EXPECT_EQ(new_map.octree->num_leaves(), old_map.octree->num_leaves());
+  old_map.octree->for_each_stored_leaf([&](const StoredLeaf& leaf) {
+    const VoxelKey key{leaf.key.x, static_cast<std::uint16_t>(leaf.key.y + 160), leaf.key.z};
+    const auto there = new_map.octree->stored_at(key);
+    ASSERT_TRUE(there);
+    EXPECT_EQ(there->log_odds, leaf.log_odds);
+  });
+}
+
+TEST(MappingJob, CorrectedPosesAndGoingOnExcludeEachOther) {
+  const auto refused = run_mapping({.output = "map.hmap", .poses = "poses.txt", .append = true});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(refused.error().field, "append");
 }
 
 }  // namespace

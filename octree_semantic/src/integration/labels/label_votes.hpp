@@ -22,10 +22,12 @@ struct LabelVote {
 /// Votes of one frame. The order in which measurements are added does not matter.
 ///
 /// Two labels per voxel are counted in place, further ones (where three things meet) in a list.
+/// Where labelled voxels lie far apart all are counted in the list: places take 8 KiB a brick.
 class LabelVotes {
  public:
-  /// Forgets all and makes room for a window of `num_bricks`. Throws std::bad_alloc.
-  void start(std::size_t num_bricks, std::size_t num_labels);
+  enum class Storage : std::uint8_t { kInPlace, kList };
+  /// Forgets all and makes room for `num_bricks`. Throws std::bad_alloc.
+  void start(std::size_t num_bricks, std::size_t num_labels, Storage storage = Storage::kInPlace);
   /// `count` measurements of `label` ended in `cell`. Throws std::bad_alloc.
   void add(std::uint32_t cell, std::uint32_t label, std::uint32_t count);
   /// Call once after the last `add`.
@@ -40,24 +42,32 @@ class LabelVotes {
   /// Requires: the voxel is labelled.
   [[nodiscard]] std::span<const LabelVote> votes(std::size_t brick, std::size_t cell) noexcept;
 
+  /// What a brick and a vote take at most in storage kList.
+  static constexpr std::size_t kListBytesPerBrick = 256;
+  static constexpr std::size_t kListBytesPerVote = 24;
+
  private:
   static constexpr std::uint32_t kNoSlab = 0xFFFF'FFFF;
   struct Slab {
     BrickBits labelled;
-    std::array<std::array<LabelVote, 2>, kBrickVolume> votes;  // count 0: unused
     std::size_t brick = 0;
   };
+  using Places = std::array<std::array<LabelVote, 2>, kBrickVolume>;  // count 0: unused
   struct FurtherVote {
     std::uint32_t cell = 0;
     std::uint32_t label = 0;
     std::uint32_t count = 0;
     friend auto operator<=>(const FurtherVote&, const FurtherVote&) = default;
   };
-  [[nodiscard]] Slab& slab(std::size_t brick);
+  [[nodiscard]] std::size_t slab(std::size_t brick);
+  /// Whether the vote found a place.
+  [[nodiscard]] bool add_in_place(std::size_t slab, std::size_t cell, const LabelVote& vote);
 
+  Storage storage_ = Storage::kInPlace;
   std::vector<std::uint32_t> slab_of_brick_;
   std::vector<Slab> slabs_;
-  std::size_t num_slabs_ = 0;  // in use; the others keep their memory
+  std::vector<Places> places_;  // one per slab, or none
+  std::size_t num_slabs_ = 0;   // in use; the others keep their memory
   std::vector<FurtherVote> further_;
   std::vector<LabelVote> gathered_;
 };

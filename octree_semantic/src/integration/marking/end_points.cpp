@@ -219,10 +219,14 @@ PointF EndPoints::ray_end(const PointF& point) const noexcept {
 }
 
 PointF EndPoints::shortened(const PointF& point) const noexcept {
-  PointF direction = difference(point, sensor_);
+  return point_at_range(sensor_, point, range_.range_m());
+}
+
+PointF point_at_range(const PointF& sensor, const PointF& point, float range_m) {
+  PointF direction = difference(point, sensor);
   const auto length = static_cast<float>(std::sqrt(static_cast<double>(squared_norm(direction))));
   for (std::size_t i = 0; i < 3; ++i) {
-    direction[i] = sensor_[i] + direction[i] / length * range_.range_m();
+    direction[i] = sensor[i] + direction[i] / length * range_m;
   }
   return direction;
 }

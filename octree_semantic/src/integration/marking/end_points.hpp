@@ -34,6 +34,9 @@ class RangeLimit {
   float max_squared_;
 };
 
+/// The point at `range_m` from the sensor toward `point`, in OctoMap's single precision.
+[[nodiscard]] PointF point_at_range(const PointF& sensor, const PointF& point, float range_m);
+
 /// What one thread found of a frame's measurements, and its working memory.
 struct EndSink {
   BitLayer hit;                        ///< Voxels in which measurements end.

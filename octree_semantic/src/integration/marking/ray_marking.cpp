@@ -2,11 +2,10 @@
 #include "ray_marking.hpp"
 
 #include "cell_finder.hpp"
+#include "ray_steps.hpp"
 
 #include <array>
 #include <cassert>
-#include <cmath>
-#include <limits>
 
 namespace hypermap {
 RayMarker::RayMarker(const WindowGeometry& window, double resolution_m, const PointF& sensor)
@@ -23,8 +22,6 @@ RayMarker::RayMarker(const WindowGeometry& window, double resolution_m, const Po
   from_sensor_.brick = first_cell_ & ~kInBrick;
   for (std::size_t i = 0; i < 3; ++i) {
     from_sensor_.place[i] = first_cell_ & (kernels::kAxisBits << i);
-    from_sensor_.next[i] = std::numeric_limits<double>::max();
-    from_sensor_.per_voxel[i] = std::numeric_limits<double>::max();
   }
 }
 
@@ -38,26 +35,19 @@ std::uint32_t RayMarker::cell_of(const PointF& end) const {
 }
 
 kernels::MarchedRay RayMarker::ray_to(const PointF& end) const {
-  const PointF way = difference(end, sensor_);
-  const auto length_m = static_cast<float>(std::sqrt(static_cast<double>(squared_norm(way))));
+  const RaySteps steps = ray_steps(sensor_, sensor_voxel_, end, resolution_m_);
   kernels::MarchedRay ray = from_sensor_;
-  ray.limit = static_cast<double>(length_m);
+  ray.limit = steps.limit;
   for (std::size_t i = 0; i < 3; ++i) {
-    const float direction = way[i] / length_m;
-    if (!(direction != 0.0F)) continue;
-    const double sign = direction > 0.0F ? 1.0 : -1.0;
-    const auto half_m = static_cast<float>(sign * resolution_m_ * 0.5);
-    const double face_m =
-        (static_cast<double>(sensor_voxel_[i]) + 0.5) * resolution_m_ + static_cast<double>(half_m);
-    const auto along = static_cast<double>(direction);
-    ray.next[i] = (face_m - static_cast<double>(sensor_[i])) / along;
-    ray.per_voxel[i] = resolution_m_ / std::abs(along);
+    ray.next[i] = steps.next[i];
+    ray.per_voxel[i] = steps.per_voxel[i];
+    if (steps.sign[i] == 0) continue;
     // The lowest bit of the axis is added or taken; carries run over the bits of the others.
     const std::int64_t axis_bits = kernels::kAxisBits << i;
     const auto brick_cells = static_cast<std::int64_t>(kBrickVolume * window_->brick_stride(i));
-    ray.step[i] = direction > 0.0F ? -axis_bits : -(std::int64_t{1} << i);
-    ray.behind[i] = direction > 0.0F ? 0 : axis_bits;
-    ray.brick_step[i] = direction > 0.0F ? brick_cells : -brick_cells;
+    ray.step[i] = steps.sign[i] > 0 ? -axis_bits : -(std::int64_t{1} << i);
+    ray.behind[i] = steps.sign[i] > 0 ? 0 : axis_bits;
+    ray.brick_step[i] = steps.sign[i] > 0 ? brick_cells : -brick_cells;
   }
   return ray;
 }

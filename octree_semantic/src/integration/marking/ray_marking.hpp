@@ -25,11 +25,7 @@ class RayMarker {
   static constexpr std::size_t kMaxRays = 256;
 
   /// Marks for each end the voxels from the sensor's up to the one before that in which it lies;
-  /// nothing when both are the same. Requires: ends.size() <= kMaxRays.
-  ///
-  /// Source: A. Hornung et al., "OctoMap": the traversal after J. Amanatides and A. Woo with the
-  /// precision of computeRayKeys (single-precision direction, double-precision distances), so that
-  /// the voxels are the same to the last one.
+  /// nothing when both are the same. Source: as RaySteps. Requires: ends.size() <= kMaxRays.
   void mark(std::span<const PointF> ends, const BitMarker& passed) const;
 
  private:

@@ -23,6 +23,11 @@ namespace hypermap {
 /// `canonical_class_name`; the first spelling is the one that is shown and saved.
 class ClassRegistry {
  public:
+  /// A detector's list: the i-th name has id i.
+  /// Errors: those of `add`, and kInvalidArgument when a name or another spelling of it occurs
+  /// twice; the field is `names[i]`.
+  [[nodiscard]] static Result<ClassRegistry> from_names(std::span<const std::string> names);
+
   /// The id of `name`, which is added when it is new. Names come from detectors and may hold
   /// control characters, slashes or quotes: whoever shows or writes one escapes it.
   /// Errors: kInvalidArgument when the name is empty, no UTF-8 or holds NUL; kLimit when it is
@@ -31,6 +36,10 @@ class ClassRegistry {
 
   /// The id of `name` or of another spelling of it, when known.
   [[nodiscard]] std::optional<ClassId> find(std::string_view name) const;
+
+  /// The ids of all of these names, ascending, each once.
+  /// Errors: kNotFound naming the first that is not known.
+  [[nodiscard]] Result<std::vector<ClassId>> find_all(std::span<const std::string> names) const;
 
   /// Requires: contains(id).
   [[nodiscard]] const std::string& name(ClassId id) const;

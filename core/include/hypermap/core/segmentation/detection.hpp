@@ -52,6 +52,15 @@ struct Detection {
   friend bool operator==(const Detection&, const Detection&) = default;
 };
 
+/// Errors: kInvalidArgument naming the field: a box that is not finite or inside out, a score
+/// outside [0, 1], class scores that are none, outside [0, 1], not ascending by id below 65,535 or
+/// whose sum is off 1 by more than 1e-3. The mask is judged with its picture, see
+/// validate(RgbdFrame).
+[[nodiscard]] Result<void> validate(const Detection& detection);
+
+/// Of class scores alone.
+[[nodiscard]] Result<void> validate_class_scores(std::span<const ClassEvidence> scores);
+
 /// The most probable class; the lowest id of equals. None when there are no scores.
 [[nodiscard]] std::optional<ClassEvidence> best_class(std::span<const ClassEvidence> scores);
 

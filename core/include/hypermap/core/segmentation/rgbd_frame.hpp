@@ -19,18 +19,24 @@ namespace hypermap {
 ///
 /// Depth is registered to colour: both have the camera's size (colour may be empty).
 struct RgbdFrame {
-  std::uint64_t index = 0;  ///< Position in the sequence, skipped frames counted.
-  std::string name;         ///< How the dataset calls it, for messages.
+  /// Position in the sequence, skipped frames counted; at most 2^63 - 1.
+  std::uint64_t index = 0;
+  std::string name;  ///< How the dataset calls it, for messages.
   Stamp stamp;
   PinholeCamera camera;
   MapFromCamera map_from_camera;
-  DepthImage depth_m;
+  DepthImage depth_m;  ///< From a driver's buffer: `depth_image`, depth_view.hpp.
   ColorImage color;
   std::vector<Detection> detections;
 };
 
-/// Errors: kInvalidArgument naming what disagrees: a picture's size with the camera, or a pose that
-/// is no finite rigid motion (rotation off by more than 1e-3).
+/// Whether a frame can be mapped and what is learnt from it be saved: judged here, at the door.
+///
+/// Errors: kInvalidArgument naming the field: `index` beyond its range; a picture's size that is
+/// not the camera's; a pose that is no finite rigid motion (rotation off by more than 1e-3); of a
+/// detection (`detections[i]...`) a box that is not finite or inside out, a score outside [0, 1],
+/// class scores that are none, outside [0, 1], not ascending by id below 65,535 or whose sum is off
+/// 1 by more than 1e-3. Boundary: any stamp is one; what is NaN in the depth is no measurement.
 [[nodiscard]] Result<void> validate(const RgbdFrame& frame);
 
 }  // namespace hypermap

@@ -10,6 +10,7 @@
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +65,22 @@ struct IntegrationOptions {
 [[nodiscard]] Result<void> validate(const IntegrationOptions& options);
 [[nodiscard]] const OptionTable& option_table(const IntegrationOptions& options);
 
+/// How a scan that reaches far is put into the map; see FrameIntegrator::integrate_far_cloud.
+struct CloudOptions {
+  IntegrationMode mode = IntegrationMode::kDiscretize;  ///< Exact or discretize.
+  /// Farther points occupy nothing; > 0, at most 100,000. Distance from the sensor.
+  double max_range_m = 100.0;
+  /// Rays free the way up to here; > 0, at most `max_range_m`. Far rays lie apart: what they free
+  /// there is lines, and costs most of the time.
+  double free_range_m = 15.0;
+  /// A scan whose working memory would be larger is refused whole; 1 .. 1,048,576. Unit: MiB.
+  std::size_t max_memory_mb = 512;
+  friend bool operator==(const CloudOptions&, const CloudOptions&) = default;
+};
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const CloudOptions& options);
+[[nodiscard]] const OptionTable& option_table(const CloudOptions& options);
+
 /// What is known of some measurements of a frame: they belong together.
 struct PixelLabels {
   ObjectId object = kNoObject;                ///< kNoObject: they vote for no object.
@@ -85,6 +103,8 @@ struct IntegrationReport {
   std::size_t num_free_voxels = 0;      ///< Voxels updated as passed through.
   std::size_t num_labelled_voxels = 0;
   std::size_t num_new_bricks = 0;
+  /// What a cloud by CloudOptions took to work on, besides the map; 0 for all else.
+  std::size_t working_bytes = 0;
   friend bool operator==(const IntegrationReport&, const IntegrationReport&) = default;
 };
 
@@ -121,6 +141,23 @@ class FrameIntegrator {
       std::span<const Eigen::Vector3f> points_in_map,
       std::span<const PixelLabels> labels,
       const IntegrationOptions& options);
+
+  /// The same for a scan that reaches far: points occupy up to `max_range_m` and rays free up to
+  /// `free_range_m`. Where both are one range, the voxels are those of the call above.
+  ///
+  /// Errors: as above; kLimit, naming both figures, when the scan touches so many bricks that the
+  /// working memory would be larger than `max_memory_mb`; nothing is written then.
+  /// Cost: one thread; memory follows the bricks that are touched, not the box around them.
+  [[nodiscard]] Result<IntegrationReport> integrate_far_cloud(
+      SemanticOctree& tree,
+      const PointInMap& sensor,
+      std::span<const Eigen::Vector3f> points_in_map,
+      std::span<const PixelLabels> labels,
+      const CloudOptions& options);
+
+  /// For each label of the last call that succeeded a box around the voxels that have its votes, of
+  /// whole bricks; none where no measurement of it hit. Valid until the next call.
+  [[nodiscard]] std::span<const std::optional<Box>> label_boxes() const noexcept;
 
  private:
   struct Workspace;

@@ -14,6 +14,7 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/segmentation/labelled_cloud.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 #include "hypermap/octree_semantic/mapper/map_snapshot.hpp"
@@ -24,8 +25,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <set>
 #include <span>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,13 +40,14 @@ struct OptionTable;
 struct SemanticMapperOptions {
   OctreeOptions octree;
   IntegrationOptions integration;
+  CloudOptions cloud;  ///< Of integrate_cloud.
   ObjectPipelineOptions objects;
   VisibilityOptions visibility;
   /// Bounds the work on a frame, for live use; off to begin with.
   DeadlineOptions deadline;
-  /// Classes of things that do not stay (person): their pixels reach neither voxels nor objects.
-  /// The ids of `objects.transient_class_names`.
-  std::set<ClassId> transient_classes;
+  /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
+  /// not stay are named in `objects.transient_class_names`.
+  std::vector<std::string> wanted_class_names;
   /// Threads for the detections of a frame and for rays. The result does not depend on it.
   int num_threads = 1;
   /// A snapshot for other threads is published when so many frames were integrated since the last
@@ -70,8 +73,9 @@ struct StageSeconds {
 /// What became of one frame.
 struct FrameReport {
   std::size_t num_detections = 0;  ///< After stacking.
-  std::size_t num_transient = 0;   ///< Of a class that does not stay.
-  std::size_t num_segments = 0;    ///< Detections that were found in the depth.
+  /// Of a class that does not stay or is not wanted.
+  std::size_t num_transient = 0;
+  std::size_t num_segments = 0;  ///< Detections that were found in the depth.
   /// Detections that nobody looked at because the time was up, those of the lowest scores.
   std::size_t num_deadline_dropped = 0;
   std::size_t num_created = 0;
@@ -101,14 +105,19 @@ class SemanticMapper {
   SemanticMapper& operator=(SemanticMapper&&) noexcept;
   ~SemanticMapper();
 
-  /// Errors: those of validate; kUnavailable when Embree cannot start; kOutOfMemory.
-  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options);
+  /// `classes`: what the ids of detections mean; it may grow later, see set_classes.
+  /// Errors: those of validate; kNotFound when `classes` does not know a name that the options
+  /// give; kUnavailable when Embree cannot start; kOutOfMemory.
+  [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options,
+                                                     const ClassRegistry& classes = {});
   /// Goes on from a map that was made before, which is the first snapshot when any are published.
-  /// Errors: those of create; kInvalidArgument when the
-  /// tree's options are not those of `options.octree`.
+  /// Voxels that bear an id of no object are freed of it.
+  /// Errors: those of create; kInvalidArgument when the tree's options are not those of
+  /// `options.octree`.
   [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
                                                      SemanticOctree octree,
-                                                     ObjectMap objects);
+                                                     ObjectMap objects,
+                                                     const ClassRegistry& classes = {});
 
   /// Puts one frame into the map: whole, or on an error not at all.
   ///
@@ -117,6 +126,13 @@ class SemanticMapper {
   /// their place when the octree has the frame; should memory end after that, what is left of the
   /// frame's work waits for the next one, see `FrameReport::judged`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
+
+  /// Puts one scan into the map: whole, or on an error not at all. Instances meet the objects as
+  /// detections do; points of a class alone label voxels. Nothing is asked about objects that the
+  /// scan does not show: `judged` is false.
+  ///
+  /// Errors: those of validate(cloud) and FrameIntegrator::integrate_far_cloud.
+  [[nodiscard]] Result<FrameReport> integrate_cloud(const LabelledCloud& cloud);
 
   /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
   /// empty.
@@ -143,10 +159,18 @@ class SemanticMapper {
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
 
  private:
+  /// Which classes reach the map.
+  struct ClassFilter {
+    std::vector<ClassId> transient;  ///< Ascending.
+    std::vector<ClassId> wanted;     ///< Ascending; none: all.
+    [[nodiscard]] bool accepts(std::span<const ClassEvidence> class_scores) const;
+  };
   SemanticMapper(SemanticMapperOptions options,
+                 ClassFilter class_filter,
                  SemanticOctree octree,
                  ObjectMap objects,
                  OcclusionScene occlusion,
+                 std::shared_ptr<const ClassRegistry> classes,
                  std::unique_ptr<SnapshotExchange> snapshots);
   /// Voxels of one object are to become those of another, or of none.
   struct Handover {
@@ -154,11 +178,24 @@ class SemanticMapper {
     ObjectId into;
     Box bounds;
   };
+  /// A frame or scan is in the map: what snapshots say of it.
+  void note_frame(std::uint64_t index, Stamp stamp) noexcept;
   [[nodiscard]] bool publish_if_due();
+  void publish();
   [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
-  [[nodiscard]] std::vector<Handover> handovers(const ObjectMap& objects,
-                                                std::span<const ObjectMerge> merges) const;
+  [[nodiscard]] Result<FrameReport> integrate_cloud_or_throw(const LabelledCloud& cloud);
+  /// Makes room for what `adopt` notes. Throws std::bad_alloc.
+  void prepare_to_adopt(std::span<const PixelLabels> labels, std::span<const ObjectMerge> merges);
+  /// The objects that belong to the octree as it was just written.
+  void adopt(ObjectMap objects,
+             std::span<const PixelLabels> labels,
+             std::span<const ObjectMerge> merges) noexcept;
+  void find_voxels_of_objects();
+  /// Of an object that `prepare_to_adopt` made room for; else nothing.
+  void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
+  /// The bounds of an object's voxels, which are forgotten.
+  [[nodiscard]] Box take_voxel_bounds(ObjectId id) noexcept;
   void hand_over_voxels();
   void weaken_unseen(const RgbdFrame& frame,
                      const AssociationReport& association,
@@ -167,13 +204,17 @@ class SemanticMapper {
                                                              std::span<const ObjectId> seen_now);
 
   SemanticMapperOptions options_;
+  ClassFilter class_filter_;
   SemanticOctree octree_;
   ObjectMap objects_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   Clock clock_ = wall_clock_s;
-  std::vector<Handover> handovers_;  ///< Still to be done; mostly none.
-  std::shared_ptr<const ClassRegistry> classes_ = std::make_shared<const ClassRegistry>();
+  /// A box around all voxels that bear an object's id, perhaps larger: what an id's voxels are
+  /// found by when it ends.
+  std::unordered_map<ObjectId, Box> voxel_bounds_;
+  std::vector<Handover> handovers_;               ///< Still to be done; mostly none.
+  std::shared_ptr<const ClassRegistry> classes_;  ///< For snapshots; never null.
   std::unique_ptr<SnapshotExchange> snapshots_;
   std::uint64_t num_frames_ = 0;
   std::uint64_t num_published_frames_ = 0;  ///< Of `num_frames_`, those in the newest snapshot.

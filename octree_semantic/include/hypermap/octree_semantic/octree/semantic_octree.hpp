@@ -137,6 +137,20 @@ class SemanticOctree {
   /// many. Give the object's box, grown by a voxel.
   std::size_t relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map);
   std::size_t relabel_object(ObjectId from, ObjectId to);
+  /// Divides the voxels of object `from` between it and `to`: those within the box for which
+  /// `moves` says so become voxels of `to`, with their votes. Returns how many.
+  std::size_t divide_object(ObjectId from,
+                            ObjectId to,
+                            const Box& bounds_in_map,
+                            const std::function<bool(const VoxelKey&)>& moves);
+  /// Divides them by two sets of points: a voxel goes to `to` when its centre is nearer to a point
+  /// of `of_to` than to any of `of_from`; of equals it stays. Returns how many went.
+  /// Boundary: all stay when `of_to` is empty, else all go when `of_from` is.
+  /// Cost: voxels of the object times points.
+  std::size_t divide_object(ObjectId from,
+                            ObjectId to,
+                            std::span<const Eigen::Vector3f> of_from,
+                            std::span<const Eigen::Vector3f> of_to);
 
   [[nodiscard]] Revision revision() const noexcept;
   /// Where something was written after the moment `since`: for those who publish what is new. Cubes

@@ -33,6 +33,9 @@ struct MappingJob {
   std::optional<std::string> up_axis;
   /// More skipped frames than this share make the whole job fail. 0 .. 1
   double max_skipped_share = 0.05;
+  /// Corrected poses of the dataset's frames, as a loop closure leaves them: the map is built anew
+  /// with them. See with_corrected_poses.
+  std::optional<std::filesystem::path> poses;
   /// Go on from the archive at `output`.
   bool append = false;
 };
@@ -68,7 +71,8 @@ struct MappingReport {
 };
 
 /// With more than one thread the next frame is read and decoded while one is worked on.
-/// Errors: kInvalidArgument when the mapper has a deadline; those of open_dataset,
+/// Errors: kInvalidArgument when the mapper has a deadline, or when a map is to be gone on from with
+/// corrected poses (what it holds has the old ones); those of open_dataset, with_corrected_poses,
 /// OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when more frames were
 /// skipped than allowed, naming the first. Nothing is written on an error.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scan's way into the map.
+#include "hypermap/core/objects/cloud_observations.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+#include "integration/frame_checks.hpp"
+
+#include <new>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+std::vector<PixelLabels> labels_of(const LabelledCloud& cloud,
+                                   CloudObservations seen,
+                                   const AssociationReport& association) {
+  std::vector<PixelLabels> labels;
+  labels.reserve(seen.instances.size() + seen.classes.size());
+  for (std::size_t i = 0; i < seen.instances.size(); ++i) {
+    Observation& instance = seen.instances[i];
+    labels.push_back({.object = association.object_of_observation[i],
+                      .class_scores = std::move(instance.class_scores),
+                      .pixel_indices = std::move(instance.segment.pixel_indices)});
+  }
+  for (ClassPoints& points : seen.classes) {
+    labels.push_back({.object = kNoObject,
+                      .class_scores = cloud.class_vectors[points.class_vector],
+                      .pixel_indices = std::move(points.point_indices)});
+  }
+  return labels;
+}
+
+}  // namespace
+
+Result<FrameReport> SemanticMapper::integrate_cloud(const LabelledCloud& cloud) {
+  try {
+    return integrate_cloud_or_throw(cloud);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, "out of memory");
+  }
+}
+
+Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud& cloud) {
+  FrameReport report;
+  StopWatch watch(clock_);
+  HYPERMAP_TRY(validate(cloud));
+  HYPERMAP_TRY(check_sensor(octree_.grid(), cloud.sensor));
+  hand_over_voxels();  // what an earlier frame left to be done
+  auto seen = observe_cloud(cloud,
+                            {.max_range_m = options_.cloud.max_range_m,
+                             .leaf_size_m = options_.objects.segmentation.leaf_size_m,
+                             .depth_slack_m = options_.objects.segmentation.depth_slack_m});
+  report.num_detections = seen.instances.size();
+  std::erase_if(seen.instances,
+                [this](const Observation& o) { return !class_filter_.accepts(o.class_scores); });
+  std::erase_if(seen.classes, [&](const ClassPoints& points) {
+    return !class_filter_.accepts(cloud.class_vectors[points.class_vector]);
+  });
+  report.num_segments = seen.instances.size();
+  report.num_transient = report.num_detections - report.num_segments;
+  report.seconds.segment = watch.lap();
+
+  ObjectMap objects = objects_;
+  const auto association = associate(objects, seen.instances, options_.objects.association);
+  report.num_created = association.created.size();
+  report.num_matched = association.matched.size();
+  report.num_merged = association.merged.size();
+  report.seconds.associate = watch.lap();
+
+  const auto labels = labels_of(cloud, std::move(seen), association);
+  prepare_to_adopt(labels, association.merged);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      report.integration,
+      integrator_.integrate_far_cloud(
+          octree_, cloud.sensor, cloud.points_in_map, labels, options_.cloud));
+  adopt(std::move(objects), labels, association.merged);  // from here on the scan is in the map
+  note_frame(cloud.index, cloud.stamp);
+  report.seconds.integrate = watch.lap();
+  try {
+    hand_over_voxels();
+  } catch (const std::bad_alloc&) {
+    return report;  // the next frame goes on with what is left
+  }
+  report.published = publish_if_due();
+  return report;
+}
+
+}  // namespace hypermap
