@@ -20,7 +20,6 @@ struct Id {
 using ClassId = Id<struct ClassTag>;        ///< Index into a ClassRegistry.
 using ObjectId = Id<struct ObjectTag>;      ///< Unique in one map, never reused; 0 is "no object".
 using DetectorId = Id<struct DetectorTag>;  ///< Which detector said it; 0 is the first one.
-using VertexId = Id<struct VertexTag>;      ///< Vertex of the topological graph.
 
 /// "Belongs to no object": the value 0, which no object bears.
 inline constexpr ObjectId kNoObject{0};
