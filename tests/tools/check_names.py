@@ -11,7 +11,7 @@ import source_tree
 # Types of a namespace stand at the beginning of a line; members are indented.
 DEFINITION = re.compile(
     r"^(?:template\s*<[^;{}]*>\s*)?(?:struct|class|enum(?:\s+class)?)\s+(?:alignas\([^)]*\)\s*)?"
-    r"(\w+)(?:\s+final)?\s*(?::[^;{]*)?\{", re.MULTILINE)
+    r"(\w+)(?:\s+final)?\s*(?::(?!:)[^;{]*)?\{", re.MULTILINE)
 
 
 def check(root):
@@ -28,6 +28,7 @@ def check(root):
 GOOD = {
     "core/src/a.hpp": "struct Rect {\n  int a;\n};\nstruct Later;\n",
     "io/src/b.hpp": "// struct Rect {\nclass Later {\n  struct Rect {\n  };\n};\n",
+    "io/src/c.hpp": "struct Rect::Corner {\n};\n",
 }
 BAD = [
     ("two structs", {"core/src/a.hpp": "struct Rect {\n};\n", "io/src/b.hpp": "struct Rect {\n};\n"}),

@@ -2,75 +2,20 @@
 #include "annotations.hpp"
 
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
+#include "page_style.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-constexpr Rgb8 kInk{33, 38, 45};
-constexpr Rgb8 kFaintInk{106, 115, 125};
 constexpr Rgb8 kPlate{255, 255, 255};
 constexpr Rgb8 kRim{198, 204, 212};  ///< Around swatches: a white one must be seen on white.
 constexpr double kPlateOpacity = 0.84;
-constexpr double kMarginPx = 22.0;
-constexpr double kRowPx = 21.0;
-constexpr double kSwatchPx = 12.0;
-constexpr double kColumnGapPx = 16.0;
-constexpr double kMaxNamePx = 190.0;
 constexpr double kLabelPx = 20.0;
 constexpr double kLabelGapPx = 3.0;
-constexpr double kScaleBarPx = 180.0;  ///< At most.
-
-/// Styles and lengths at the size of the page.
-struct Look {
-  double scale = 1.0;
-
-  [[nodiscard]] double px(double length) const { return scale * length; }
-  [[nodiscard]] int font_px(double height) const {
-    return std::max(9, static_cast<int>(std::lround(scale * height)));
-  }
-  [[nodiscard]] TextStyle title() const { return {font_px(21.0), kInk, FontWeight::kBold}; }
-  [[nodiscard]] TextStyle small() const { return {font_px(13.0), kFaintInk, FontWeight::kRegular}; }
-  [[nodiscard]] TextStyle row() const { return {font_px(13.5), kInk, FontWeight::kRegular}; }
-  [[nodiscard]] TextStyle heading() const {
-    return {font_px(11.5), kFaintInk, FontWeight::kRegular};
-  }
-  [[nodiscard]] TextStyle label() const { return {font_px(13.0), kInk, FontWeight::kRegular}; }
-};
-
-/// Widths of the legend's columns: names, then each number.
-struct LegendColumns {
-  double name_px = 0.0;
-  std::vector<double> number_px;
-
-  [[nodiscard]] double total_px(const Look& look) const {
-    const double numbers = std::accumulate(number_px.begin(), number_px.end(), 0.0);
-    return look.px(kSwatchPx + 8.0) + name_px + numbers +
-           look.px(kColumnGapPx) * static_cast<double>(number_px.size());
-  }
-};
-
-LegendColumns measure(const TextPainter& text, const Legend& legend, const Look& look) {
-  LegendColumns columns;
-  columns.number_px.resize(legend.columns.size());
-  for (std::size_t i = 0; i < legend.columns.size(); ++i) {
-    columns.number_px[i] = text.width_px(legend.columns[i], look.heading());
-  }
-  for (const LegendRow& row : legend.rows) {
-    columns.name_px = std::max(columns.name_px, text.width_px(row.name, look.row()));
-    for (std::size_t i = 0; i < std::min(row.numbers.size(), columns.number_px.size()); ++i) {
-      columns.number_px[i] =
-          std::max(columns.number_px[i], text.width_px(row.numbers[i], look.row()));
-    }
-  }
-  columns.name_px = std::min(columns.name_px, look.px(kMaxNamePx));
-  return columns;
-}
 
 /// Paints one page; holds what every part of it needs.
 class Page {
@@ -279,41 +224,6 @@ class Page {
 };
 
 }  // namespace
-
-PagePlan plan_page(const TextPainter& text,
-                   const Annotations& annotations,
-                   const SnapshotOptions& options) {
-  const double width_px = options.width_px;
-  const double height_px = options.height_px;
-  PagePlan plan;
-  plan.scene_fills_page = std::holds_alternative<PoseView>(options.view);
-  plan.scale = std::clamp(std::min(width_px / 1280.0, height_px / 720.0), 0.6, 6.0);
-  const Look look{plan.scale};
-  const double margin = look.px(kMarginPx);
-  plan.canvas = {0.0, 0.0, width_px, height_px};
-  plan.title = {margin, look.px(14.0), 0.0, look.px(50.0)};
-  plan.foot = {margin, height_px - look.px(72.0), look.px(kScaleBarPx + 100.0), look.px(56.0)};
-  const double top = plan.title.y_px + plan.title.height_px;
-  double right = width_px - margin;
-  if (!annotations.legend.rows.empty()) {
-    const LegendColumns columns = measure(text, annotations.legend, look);
-    const double width = columns.total_px(look) + look.px(24.0);
-    const double head_rows = annotations.legend.columns.empty() ? 0.0 : 1.0;
-    const double room = (height_px - 2.0 * margin - look.px(20.0)) / look.px(kRowPx) - head_rows;
-    const auto all = annotations.legend.rows.size();
-    const auto fitting = static_cast<std::size_t>(std::max(1.0, std::floor(room)));
-    plan.num_legend_rows = all <= fitting ? all : fitting - 1;
-    const double rows = static_cast<double>(std::min(all, fitting)) + head_rows;
-    plan.legend = {right - width, margin, width, rows * look.px(kRowPx) + look.px(16.0)};
-    right -= width + look.px(10.0);
-  }
-  plan.title.width_px = std::max(1.0, right - margin);
-  plan.content = {margin,
-                  top + look.px(10.0),
-                  std::max(16.0, right - margin),
-                  std::max(16.0, plan.foot.y_px - top - look.px(14.0))};
-  return plan;
-}
 
 ColorImage annotated(ColorImage picture,
                      const TextPainter& text,

@@ -6,6 +6,7 @@
 #include "rendering/gl_canvas.hpp"
 #include "scene_content.hpp"
 #include "scene_painter.hpp"
+#include "scene_shapes.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -1,253 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/json_fields.hpp"
-#include "hypermap/io/codec/value_limits.hpp"
+#include "object_from_json.hpp"
 
-#include <cmath>
 #include <exception>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace hypermap {
 namespace {
-
-constexpr int kNumVisibilities = 5;
-
-Result<LogOdds> log_odds_at(const JsonNode& object, std::string_view key) {
-  HYPERMAP_ASSIGN_OR_RETURN(const double value, number_at(object, key));
-  return LogOdds(value);
-}
-
-Result<ClassLogOdds> parse_class(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 2));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto id, integer_of<std::uint32_t>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(const double log_odds, node.at(1).number());
-  return ClassLogOdds{.id = ClassId{id}, .log_odds = LogOdds(log_odds)};
-}
-
-Result<ClassBelief> parse_belief(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"max_log_odds", "min_log_odds", "saturation", "classes"}));
-  ClassBeliefOptions options;
-  HYPERMAP_ASSIGN_OR_RETURN(options.max_log_odds, log_odds_at(node, "max_log_odds"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.min_log_odds, log_odds_at(node, "min_log_odds"));
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode saturation, node.require("saturation"));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string_view name, saturation.string());
-  if (name != "clamp" && name != "shift")
-    return saturation.error(ErrorCode::kMalformedFile, "expected clamp or shift");
-  options.saturation = name == "clamp" ? Saturation::kClamp : Saturation::kShift;
-  HYPERMAP_ASSIGN_OR_RETURN(auto entries, list_at(node, "classes", parse_class));
-  return judged(node, ClassBelief::from_entries(options, std::move(entries)));
-}
-
-Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node,
-                           {"base_increment",
-                            "weights",
-                            "max_log_odds",
-                            "min_log_odds",
-                            "visible_above",
-                            "hidden_below",
-                            "bins"}));
-  VisibilityHistogramOptions options;
-  HYPERMAP_ASSIGN_OR_RETURN(options.base_increment, number_at(node, "base_increment"));
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode weights, node.require("weights"));
-  HYPERMAP_TRY(expect_array(weights, options.weights.size()));
-  for (std::size_t i = 0; i < options.weights.size(); ++i) {
-    HYPERMAP_ASSIGN_OR_RETURN(options.weights[i], weights.at(i).number());
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(options.max_log_odds, log_odds_at(node, "max_log_odds"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.min_log_odds, log_odds_at(node, "min_log_odds"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.visible_above, number_at(node, "visible_above"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.hidden_below, number_at(node, "hidden_below"));
-  HYPERMAP_ASSIGN_OR_RETURN(auto bins, list_at(node, "bins", [](const JsonNode& bin) {
-                              return bin.number().map([](double l) { return LogOdds(l); });
-                            }));
-  options.num_bins = static_cast<int>(bins.size());
-  return judged(node, VisibilityHistogram::from_bins(options, std::move(bins)));
-}
-
-Result<Box> parse_box(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 2));
-  Box box;
-  HYPERMAP_ASSIGN_OR_RETURN(box.min_in_map, vector_of<3>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(box.max_in_map, vector_of<3>(node.at(1)));
-  return box;
-}
-
-Result<PointVote> parse_vote(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 4));
-  PointVote vote;
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.x, integer_of<std::int32_t>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.y, integer_of<std::int32_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.z, integer_of<std::int32_t>(node.at(2)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.votes, integer_of<std::uint32_t>(node.at(3)));
-  return vote;
-}
-
-Result<PointEvidence> parse_points(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(
-      node,
-      {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"}));
-  PointEvidenceOptions options;
-  PointEvidenceState state;
-  HYPERMAP_ASSIGN_OR_RETURN(options.edge_m, number_at(node, "first_edge_m"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.max_cells, integer_at<std::uint32_t>(node, "max_cells"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.min_vote_share, number_at(node, "min_vote_share"));
-  HYPERMAP_ASSIGN_OR_RETURN(state.edge_m, number_at(node, "edge_m"));
-  HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
-                            integer_at<std::uint32_t>(node, "num_observations"));
-  HYPERMAP_ASSIGN_OR_RETURN(state.votes, list_at(node, "votes", parse_vote));
-  return judged(node, PointEvidence::from_state(options, std::move(state)));
-}
-
-/// Kind and visibility are stored as their numbers.
-template <class Enum>
-Result<Enum> enum_of(const JsonNode& node, int num_values) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t value, node.integer(0, num_values - 1));
-  return static_cast<Enum>(value);
-}
-
-Result<LedgerEntry> parse_ledger_entry(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 10));
-  LedgerEntry entry;
-  HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index, integer_of<std::uint64_t>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.stamp.ns, integer_of<std::int64_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.kind, enum_of<LedgerKind>(node.at(2), 2));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.visibility, enum_of<Visibility>(node.at(3), kNumVisibilities));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.detector.value, integer_of<std::uint32_t>(node.at(4)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.class_id.value, integer_of<std::uint32_t>(node.at(5)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.score, float_of(node.at(6)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.bearing_rad, float_of(node.at(7)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.distance_m, float_of(node.at(8)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.effect, float_of(node.at(9)));
-  return entry;
-}
-
-Result<LedgerSummary> parse_ledger_summary(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 8));
-  LedgerSummary summary;
-  HYPERMAP_ASSIGN_OR_RETURN(summary.kind, enum_of<LedgerKind>(node.at(0), 2));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.detector.value, integer_of<std::uint32_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.class_id.value, integer_of<std::uint32_t>(node.at(2)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.bearing_bin, integer_of<std::uint8_t>(node.at(3)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.count, integer_of<std::uint32_t>(node.at(4)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.score_sum, float_of(node.at(5)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.effect_sum, float_of(node.at(6)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.last_frame_index, integer_of<std::uint64_t>(node.at(7)));
-  return summary;
-}
-
-Result<ObjectLedger> parse_ledger(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"first", "newest", "summaries", "num_unsummarised"}));
-  ObjectLedgerState state;
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode first, node.require("first"));
-  if (!first.is(JsonKind::kNull)) {
-    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_ledger_entry(first));
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_ledger_entry));
-  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_ledger_summary));
-  HYPERMAP_ASSIGN_OR_RETURN(state.num_unsummarised,
-                            integer_at<std::uint64_t>(node, "num_unsummarised"));
-  return judged(node, ObjectLedger::from_state(std::move(state)));
-}
-
-/// Reads objects; knows the limit on vertices.
-class ObjectReader {
- public:
-  explicit ObjectReader(const ObjectFileLimits& limits) : limits_(limits) {}
-
-  [[nodiscard]] Result<Object> parse(const JsonNode& node) const {
-    HYPERMAP_TRY(expect_keys(node,
-                             {"id",
-                              "belief",
-                              "existence",
-                              "box_confidence",
-                              "box",
-                              "centroid",
-                              "histogram",
-                              "shapes",
-                              "points",
-                              "ledger",
-                              "first_seen_ns",
-                              "last_seen_ns",
-                              "num_observations",
-                              "farthest_detection_m"}));
-    Object object;
-    HYPERMAP_ASSIGN_OR_RETURN(object.id.value, integer_at<std::uint32_t>(node, "id"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.existence, log_odds_at(node, "existence"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.box_confidence, log_odds_at(node, "box_confidence"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.box, part(node, "box", parse_box));
-    HYPERMAP_ASSIGN_OR_RETURN(object.centroid_in_map, part(node, "centroid", vector_of<3>));
-    HYPERMAP_ASSIGN_OR_RETURN(object.belief, part(node, "belief", parse_belief));
-    HYPERMAP_ASSIGN_OR_RETURN(object.histogram, part(node, "histogram", parse_histogram));
-    HYPERMAP_ASSIGN_OR_RETURN(object.shapes, part(node, "shapes", [this](const JsonNode& shapes) {
-                                return parse_shapes(shapes);
-                              }));
-    HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", parse_points));
-    HYPERMAP_ASSIGN_OR_RETURN(object.ledger, part(node, "ledger", parse_ledger));
-    HYPERMAP_ASSIGN_OR_RETURN(object.first_seen.ns,
-                              integer_at<std::int64_t>(node, "first_seen_ns"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.last_seen.ns, integer_at<std::int64_t>(node, "last_seen_ns"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.num_observations,
-                              integer_at<std::uint32_t>(node, "num_observations"));
-    HYPERMAP_ASSIGN_OR_RETURN(object.farthest_detection_m, number_at(node, "farthest_detection_m"));
-    return object;
-  }
-
- private:
-  template <class Parse>
-  static auto part(const JsonNode& object, std::string_view key, const Parse& parse)
-      -> decltype(parse(object)) {
-    HYPERMAP_ASSIGN_OR_RETURN(const JsonNode node, object.require(key));
-    return parse(node);
-  }
-
-  static Result<Eigen::Vector2d> parse_vertex(const JsonNode& node) {
-    HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Vector2d point, vector_of<2>(node));
-    if (point.cwiseAbs().maxCoeff() > kMaxCoordinate)
-      return node.error(ErrorCode::kMalformedFile, "lies beyond 1e6 m");
-    return point;
-  }
-
-  [[nodiscard]] Result<Ring> parse_ring(const JsonNode& node) const {
-    HYPERMAP_ASSIGN_OR_RETURN(Ring ring, list_of(node, parse_vertex));
-    if (ring.size() < 3 || ring.size() > limits_.max_vertices)
-      return node.error(ring.size() < 3 ? ErrorCode::kMalformedFile : ErrorCode::kLimit,
-                        "ring of " + std::to_string(ring.size()) + " points, expected 3 to " +
-                            std::to_string(limits_.max_vertices));
-    return ring;
-  }
-
-  [[nodiscard]] Result<Polygon> parse_polygon(const JsonNode& node) const {
-    HYPERMAP_ASSIGN_OR_RETURN(
-        auto rings, list_of(node, [this](const JsonNode& ring) { return parse_ring(ring); }));
-    if (rings.empty()) return node.error(ErrorCode::kMalformedFile, "polygon without a ring");
-    Polygon polygon;
-    polygon.outer = std::move(rings.front());
-    rings.erase(rings.begin());
-    polygon.holes = std::move(rings);
-    return polygon;
-  }
-
-  [[nodiscard]] Result<ShapeEvidence> parse_shapes(const JsonNode& node) const {
-    HYPERMAP_TRY(expect_keys(node, {"num_seen", "centroid_sum", "hull", "kept"}));
-    ShapeEvidenceState state;
-    HYPERMAP_ASSIGN_OR_RETURN(state.num_seen, integer_at<std::uint64_t>(node, "num_seen"));
-    HYPERMAP_ASSIGN_OR_RETURN(state.centroid_sum, part(node, "centroid_sum", vector_of<2>));
-    HYPERMAP_ASSIGN_OR_RETURN(const JsonNode hull, node.require("hull"));
-    if (!hull.is(JsonKind::kNull)) {
-      HYPERMAP_ASSIGN_OR_RETURN(state.hull, parse_polygon(hull));
-    }
-    HYPERMAP_ASSIGN_OR_RETURN(state.shapes, list_at(node, "kept", [this](const JsonNode& shape) {
-                                return parse_polygon(shape);
-                              }));
-    return judged(node, ShapeEvidence::from_state(std::move(state)));
-  }
-
-  const ObjectFileLimits& limits_;
-};
 
 /// Hands out the lines of a text, each with its end.
 class Lines {
@@ -312,11 +74,10 @@ Result<ObjectMap> parse(std::string_view bytes,
   Lines lines(bytes);
   HYPERMAP_ASSIGN_OR_RETURN(const JsonDocument first, next_document(lines, name, limits));
   HYPERMAP_ASSIGN_OR_RETURN(const Head head, parse_head(first.root(), limits));
-  const ObjectReader reader(limits);
   std::vector<Object> objects;
   while (!lines.done() && objects.size() < head.num_objects) {
     HYPERMAP_ASSIGN_OR_RETURN(const JsonDocument document, next_document(lines, name, limits));
-    HYPERMAP_ASSIGN_OR_RETURN(Object object, reader.parse(document.root()));
+    HYPERMAP_ASSIGN_OR_RETURN(Object object, object_from_json(document.root(), limits));
     objects.push_back(std::move(object));
   }
   if (!lines.done() || objects.size() != head.num_objects)

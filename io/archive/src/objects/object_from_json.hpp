@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One object from its JSON line.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/object.hpp"
+#include "hypermap/io/archive/object_json.hpp"
+#include "hypermap/io/codec/bounded_json.hpp"
+
+namespace hypermap {
+
+/// Errors: those of parse_objects, naming line and path.
+[[nodiscard]] Result<Object> object_from_json(const JsonNode& node, const ObjectFileLimits& limits);
+
+}  // namespace hypermap

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the readers of trajectories share: lines, numbers, and how faults are said.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/dataset/trajectory_file.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// Rotations that are off by more are counted when they are normalised.
+inline constexpr double kNormalisedWorthSaying = 1e-3;
+
+/// `error` with the file, and with the line when it names none.
+[[nodiscard]] Error in_file(Error error, const std::filesystem::path& path, int line);
+[[nodiscard]] Finding warning(const std::filesystem::path& path,
+                              int line,
+                              std::string field,
+                              std::string what);
+/// Errors: kMalformedFile naming `field`.
+[[nodiscard]] Result<double> finite_number(std::string_view word, std::string_view field);
+/// Errors: kLimit.
+[[nodiscard]] Result<void> check_line_length(std::string_view line,
+                                             const TrajectoryOptions& options);
+/// Empty, or behind a `#`.
+[[nodiscard]] bool is_comment(std::string_view line);
+/// Says how many rotations were normalised, when there were any.
+void note_normalised(std::size_t count,
+                     const std::filesystem::path& path,
+                     std::vector<Finding>& findings);
+
+}  // namespace hypermap
