@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Rules that a compiler does not keep: licence lines, no printing or chance in libraries, no flags
-that change results, no leftovers."""
+that change results, no leftovers, no long file without a reason in its head."""
 
 import re
 import sys
@@ -10,6 +10,9 @@ import source_tree
 
 SPDX = "SPDX-License-Identifier: BSD-3-Clause"
 CODE = [".hpp", ".cpp"]
+MAX_LINES = 300
+HEAD_LINES = 12
+REASON = re.compile(r"\bLong because: \S")
 
 # In the code of libraries; comments and strings do not count.
 BANNED_IN_LIBRARIES = [
@@ -35,6 +38,14 @@ def findings(text, rules):
 def spdx_problem(text):
     first_lines = text.splitlines()[:2]
     return [] if any(SPDX in line for line in first_lines) else [(1, "no SPDX line")]
+
+
+def length_problems(text):
+    lines = text.splitlines()
+    if len(lines) <= MAX_LINES or any(REASON.search(line) for line in lines[:HEAD_LINES]):
+        return []
+    return [(1, f"has {len(lines)} lines, over {MAX_LINES}: split it by topic, or say 'Long because: ...' in its "
+                f"first {HEAD_LINES} lines")]
 
 
 def code_problems(root, path, text):
@@ -75,10 +86,10 @@ def check(root):
     folders = [*source_tree.FOLDERS, "tests"]
     for path in source_tree.files(root, folders, CODE):
         text = source_tree.read(path)
-        report(path, code_problems(root, path, text) + text_problems(text))
+        report(path, code_problems(root, path, text) + text_problems(text) + length_problems(text))
     for path in source_tree.files(root, folders, [".py"]):
         text = source_tree.read(path)
-        report(path, spdx_problem(text) + text_problems(text))
+        report(path, spdx_problem(text) + text_problems(text) + length_problems(text))
     build_files = source_tree.files(root, [*folders, "cmake"], ["CMakeLists.txt", ".cmake"])
     top = [root / name for name in ("CMakeLists.txt", "CMakePresets.json")]
     for path in build_files + [path for path in top if path.exists()]:
@@ -93,6 +104,8 @@ GOOD = {
     "core/include/hypermap/core/a.hpp": LINE + "#pragma once\n",
     "apps/src/main.cpp": LINE + "#include <iostream>\nvoid f() { std::cout << 1; }\n",
     "core/CMakeLists.txt": "target_compile_options(core PRIVATE -O2)\n",
+    "core/src/full.cpp": LINE + "int x;\n" * 299,
+    "core/src/long.cpp": LINE + "// Long because: one table of many rows.\n" + "int x;\n" * 299,
 }
 BAD = [
     ("no licence", {"core/src/x.cpp": "int x;\n"}),
@@ -106,6 +119,10 @@ BAD = [
     ("no guard", {"core/include/hypermap/core/x.hpp": LINE + "int x;\n"}),
     ("leftover", {"core/src/x.cpp": LINE + "// TO" + "DO later\n"}),
     ("trailing space", {"core/src/x.cpp": LINE + "int x; \n"}),
+    ("long", {"core/src/x.cpp": LINE + "int x;\n" * 300}),
+    ("long test script", {"tests/x.py": "# " + SPDX + "\n" + "x = 1\n" * 300}),
+    ("long without a reason", {"core/src/x.cpp": LINE + "// Long because:\n" + "int x;\n" * 300}),
+    ("a reason that nobody reads", {"core/src/x.cpp": LINE + "int x;\n" * 300 + "// Long because: so.\n"}),
     ("no final newline", {"tests/core/x_test.cpp": LINE + "int x;"}),
 ]
 

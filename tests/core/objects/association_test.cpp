@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/association.hpp"
 
-#include "support/object_builders.hpp"
+#include "core/objects/association_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,29 +12,18 @@ namespace hypermap {
 namespace {
 
 using testing_support::box_at;
-using testing_support::kNumClasses;
+using testing_support::kChairBox;
+using testing_support::kChairClass;
+using testing_support::kCupClass;
+using testing_support::kFridge;
+using testing_support::kOvenClass;
+using testing_support::kTv;
 using testing_support::observed;
 using testing_support::only;
 using testing_support::scores;
+using testing_support::seen;
 using testing_support::surface_of;
-
-constexpr ClassId kChairClass{0};
-constexpr ClassId kCupClass{1};
-constexpr ClassId kOvenClass{2};
-constexpr ClassId kFridge{3};
-constexpr ClassId kTv{4};
-
-Observation seen(const Box& box, ClassId id, std::uint64_t frame = 0) {
-  return observed(surface_of(box), scores(id, 0.8), frame);
-}
-
-AssociationOptions with(AssociationPolicy policy) {
-  AssociationOptions options;
-  options.policy = policy;
-  return options;
-}
-
-const Box kChairBox = box_at({0, 0, 0.45}, {0.5, 0.5, 0.9});
+using testing_support::with;
 
 TEST(Learning, ANewObjectHasWhatTheSourcesGiveIt) {
   // [hypermap] 3.4.5: existence 1. [smap] Eq. (3.18): ln(0.8/0.2) - ln(0.1/0.9) = 3.5835189 for
@@ -128,86 +117,6 @@ INSTANTIATE_TEST_SUITE_P(Policies,
                                            AssociationPolicy::kOverlap,
                                            AssociationPolicy::kRadius,
                                            AssociationPolicy::kSmap));
-
-TEST(OverlapPolicy, AJaccardIndexOfATwentiethIsTooLittle) {
-  // [hypermap] 3.4.5, 0.2: squares of 0.5 shifted by s share (0.5 - s) 0.5 of 0.5 - that; by 0.3:
-  // 0.1 / 0.4 = 0.25 matches, by 0.4: 0.05 / 0.45 = 0.11 does not.
-  for (const auto& [shift, num_objects] : {std::pair{0.3, 1U}, std::pair{0.4, 2U}}) {
-    ObjectMap map;
-    const auto options = with(AssociationPolicy::kOverlap);
-    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
-    (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
-    EXPECT_EQ(map.size(), num_objects) << shift;
-  }
-}
-
-TEST(OverlapPolicy, SeveralMatchesAreCombined) {
-  // [hypermap] 3.4.5: existences add: 1 + 1, then + 1 for the new evidence.
-  ObjectMap map;
-  const auto options = with(AssociationPolicy::kOverlap);
-  (void)associate(map,
-                  std::array{seen(box_at({-0.2, 0, 0.2}, {0.4, 0.4, 0.4}), kChairClass),
-                             seen(box_at({0.2, 0, 0.2}, {0.36, 0.4, 0.4}), kChairClass)},
-                  options);
-  ASSERT_EQ(map.size(), 2U);
-  const auto report =
-      associate(map, std::array{seen(box_at({0, 0, 0.2}, {0.8, 0.4, 0.4}), kChairClass)}, options);
-  ASSERT_EQ(map.size(), 1U);
-  EXPECT_EQ(report.merged, (std::vector{ObjectMerge{ObjectId{2}, ObjectId{1}}}));
-  EXPECT_DOUBLE_EQ(map.at(ObjectId{1}).existence.value(), 3.0);
-}
-
-TEST(OverlapPolicy, AnotherClassIsAnotherObject) {
-  ObjectMap map;
-  const auto options = with(AssociationPolicy::kOverlap);
-  (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
-  (void)associate(map, std::array{seen(kChairBox, kCupClass)}, options);
-  EXPECT_EQ(map.size(), 2U);
-}
-
-TEST(RadiusPolicy, TheSquareReachesHalfAMetre) {
-  // [hypermap] 5.2.4: boxes that meet the square of half side 0.5 m around the centroid.
-  for (const auto& [shift, num_objects] : {std::pair{0.7, 1U}, std::pair{0.8, 2U}}) {
-    ObjectMap map;
-    const auto options = with(AssociationPolicy::kRadius);
-    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
-    (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
-    EXPECT_EQ(map.size(), num_objects) << shift;
-  }
-}
-
-TEST(SmapPolicy, CandidatesAreNearerThanTheProductOfErrorAndFactor) {
-  // [smap] 3.5.4, C.2.3, table D.2: o_e o_t = 0.2 * 0.5 = 0.1 m.
-  for (const auto& [shift, num_objects] : {std::pair{0.09, 1U}, std::pair{0.11, 2U}}) {
-    ObjectMap map;
-    const auto options = with(AssociationPolicy::kSmap);
-    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options);
-    (void)associate(
-        map, std::array{seen(box_at({shift, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass)}, options);
-    EXPECT_EQ(map.size(), num_objects) << shift;
-  }
-}
-
-TEST(SmapPolicy, ConeAndNeighbourhoodLimitTheCandidates) {
-  const auto options = with(AssociationPolicy::kSmap);
-  const AssociationScope ahead{.apex = PointInMap{{0, -2, 0.45}},
-                               .axis_in_map = Eigen::Vector3d::UnitY(),
-                               .half_angle_rad = 0.5};
-  AssociationScope behind = ahead;
-  behind.axis_in_map = -ahead.axis_in_map;
-  for (const auto& [scope, num_objects] :
-       {std::pair{ahead, 1U},
-        std::pair{behind, 2U},
-        std::pair{AssociationScope{.neighbourhood = std::vector<ObjectId>{}}, 2U},
-        std::pair{AssociationScope{.neighbourhood = std::vector{ObjectId{1}}}, 1U}}) {
-    ObjectMap map;
-    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
-    (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
-    EXPECT_EQ(map.size(), num_objects);
-  }
-}
 
 TEST(AssignmentPolicy, ACabinetWithoutANameOfItsOwnIsOneObject) {
   // What a detector does that has no word for it: another one each time.

@@ -2,7 +2,7 @@
 #include "hypermap/io/archive/map_archive.hpp"
 
 #include "hypermap/io/codec/byte_source.hpp"
-#include "hypermap/io/codec/zip_writer.hpp"
+#include "io/archive/archive_edits.hpp"
 #include "io/archive/sample_archive.hpp"
 #include "support/temp_dir.hpp"
 #include "support/test_data.hpp"
@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -22,58 +21,16 @@ namespace hypermap {
 namespace {
 
 namespace fs = std::filesystem;
+using test::all_findings;
+using test::changed;
+using test::kArchiveSource;
+using test::load_error;
+using test::member_of;
 using test::sample_archive;
 using test::TempDir;
+using test::zip_of;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-const SourceName kArchiveSource{.file = "a.hmap"};
-
-using Files = std::vector<std::pair<std::string, std::string>>;
-
-std::string zip_of(const Files& files) {
-  ZipWriter writer;
-  for (const auto& [name, content] : files) EXPECT_TRUE(writer.add(name, content));
-  return writer.finish().value();
-}
-
-/// The members of an archive, some of them changed or left out (empty content).
-std::string changed(const std::string& bytes, const Files& changes) {
-  const auto zip = ZipReader::create(view_bytes(bytes));
-  Files files;
-  for (const ZipMember& member : zip->members()) {
-    std::string content = zip->read(member.name).value();
-    bool left_out = false;
-    for (const auto& [name, new_content] : changes) {
-      if (name != member.name) continue;
-      content = new_content;
-      left_out = new_content.empty();
-    }
-    if (!left_out) files.emplace_back(member.name, content);
-  }
-  return zip_of(files);
-}
-
-std::string member_of(const std::string& bytes, const std::string& name) {
-  return ZipReader::create(view_bytes(bytes))->read(name).value();
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from << " in " << text;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string load_error(const std::string& bytes) {
-  const auto archive = parse_archive(bytes, kArchiveSource);
-  return archive ? "no error" : to_string(archive.error());
-}
-
-std::string all_findings(const std::vector<Finding>& findings) {
-  std::string text;
-  for (const Finding& finding : findings) text += to_string(finding.error) + "\n";
-  return text;
-}
 
 TEST(MapArchive, LoadSaveLoadIsAFixedPointByteForByte) {
   const MapArchive archive = sample_archive();
@@ -124,84 +81,6 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
   ASSERT_TRUE(loaded) << to_string(loaded.error());
   EXPECT_EQ(all_findings(loaded->findings), "");
   EXPECT_TRUE(loaded->value.hypermap == sample_archive().hypermap);
-}
-
-TEST(MapArchive, ACutAtAnyOffsetIsAnError) {
-  const std::string bytes = write_archive(sample_archive()).value();
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    ASSERT_FALSE(parse_archive(bytes.substr(0, length), kArchiveSource)) << length;
-}
-
-TEST(MapArchive, AFlippedBitGivesTheSameMapOrAnError) {
-  const MapArchive archive = sample_archive();
-  const std::string bytes = write_archive(archive).value();
-  std::mt19937 engine(1);
-  for (int i = 0; i < 2000; ++i) {
-    std::string flipped = bytes;
-    const std::size_t at = engine() % flipped.size();
-    flipped[at] = static_cast<char>(flipped[at] ^ 1 << (engine() % 8));
-    const auto loaded = parse_archive(flipped, kArchiveSource);
-    if (loaded) {
-      EXPECT_TRUE(loaded->value == archive) << "byte " << at;
-    }
-  }
-}
-
-TEST(MapArchive, DamageInsideAMemberNeverBecomesAnotherKindOfFailure) {
-  const std::string bytes = write_archive(sample_archive()).value();
-  const auto zip = ZipReader::create(view_bytes(bytes));
-  std::mt19937 engine(2);
-  for (const ZipMember& member : zip->members()) {
-    const std::string content = zip->read(member.name).value();
-    for (int i = 0; i < 60; ++i) {
-      std::string damaged = content;
-      damaged[engine() % damaged.size()] = static_cast<char>(engine() & 0xff);
-      // Whatever is accepted can be written and read again.
-      const auto loaded = parse_archive(changed(bytes, {{member.name, damaged}}), kArchiveSource);
-      if (!loaded) continue;
-      const auto again = write_archive(loaded->value);
-      ASSERT_TRUE(again) << member.name << ": " << to_string(again.error());
-      EXPECT_TRUE(parse_archive(*again, kArchiveSource)) << member.name;
-    }
-  }
-}
-
-TEST(MapArchive, AMissingMemberIsNamedWithItsLayer) {
-  const std::string bytes = write_archive(sample_archive()).value();
-  EXPECT_THAT(load_error(changed(bytes, {{"hmap_config.yaml", ""}})),
-              HasSubstr("hmap_config.yaml"));
-  EXPECT_THAT(load_error(changed(bytes, {{"semantic", ""}})),
-              HasSubstr("layers[1].file: names 'semantic', which is not there"));
-  EXPECT_THAT(load_error(changed(bytes, {{"occupancy.yaml", ""}})), HasSubstr("layers[0].file"));
-  EXPECT_THAT(load_error(changed(bytes, {{"occupancy.png", ""}})), HasSubstr("occupancy.png"));
-  EXPECT_THAT(load_error(changed(bytes, {{"octree.ot", ""}})), HasSubstr("extensions[0].file"));
-  EXPECT_THAT(load_error(changed(bytes, {{"classes.yaml", ""}})), HasSubstr("classes.yaml"));
-}
-
-TEST(MapArchive, FilesThatLeaveTheArchiveOrAreSharedAreErrorsNamingTheField) {
-  const std::string bytes = write_archive(sample_archive()).value();
-  const std::string config = member_of(bytes, "hmap_config.yaml");
-  EXPECT_THAT(
-      load_error(changed(
-          bytes, {{"hmap_config.yaml", replaced(config, "file: semantic", "file: ../semantic")}})),
-      HasSubstr("layers[1].file"));
-  EXPECT_THAT(load_error(changed(bytes,
-                                 {{"hmap_config.yaml",
-                                   replaced(config, "file: semantic", "file: occupancy.png")}})),
-              HasSubstr("belongs to"));
-  const std::string metadata = member_of(bytes, "occupancy.yaml");
-  EXPECT_THAT(load_error(changed(
-                  bytes, {{"occupancy.yaml", replaced(metadata, "occupancy.png", "/etc/passwd")}})),
-              HasSubstr("image"));
-}
-
-TEST(MapArchive, NewerVersionsAreRefusedByTheirNumber) {
-  const std::string bytes = write_archive(sample_archive()).value();
-  const std::string config = member_of(bytes, "hmap_config.yaml");
-  EXPECT_THAT(load_error(changed(bytes,
-                                 {{"hmap_config.yaml",
-                                   replaced(config, "format_version: 1", "format_version: 2")}})),
-              HasSubstr("written by a newer version 2"));
 }
 
 TEST(MapArchive, WhatIsNotUnderstoodIsKeptAndSaid) {

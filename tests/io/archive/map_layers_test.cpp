@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -79,6 +80,19 @@ TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {
   const MapArchive archive = archive_with_a_false_alarm();
   published_leaves(archive,
                    {})([](const LeafSample& leaf) { EXPECT_EQ(leaf.best_class, std::nullopt); });
+}
+
+TEST(ShownLeaves, AreThoseOfTheOctreeElseOfAnotherProgramsElseNone) {
+  EXPECT_FALSE(shown_leaves(MapArchive{}));
+  MapArchive foreign;
+  foreign.octomaps.emplace_back();
+  EXPECT_TRUE(shown_leaves(foreign));
+  // No layer says otherwise: both objects are shown, and lend their class.
+  const MapArchive ours = archive_with_a_false_alarm();
+  std::size_t num_chairs = 0;
+  shown_leaves(ours)(
+      [&](const LeafSample& leaf) { num_chairs += leaf.best_class == kChair ? 1U : 0U; });
+  EXPECT_EQ(num_chairs, 2U);
 }
 
 TEST(LayerOptions, RefuseABandThatIsNone) {

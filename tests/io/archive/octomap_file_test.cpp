@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: each kind of tree, and each fault of the format, is a file in bytes.
 #include "hypermap/io/archive/octomap_file.hpp"
 
 #include "hypermap/io/codec/byte_source.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: each call to the system fails once, and what is then on the disk is told.
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include "files/file_calls.hpp"

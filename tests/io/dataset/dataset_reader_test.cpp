@@ -3,9 +3,9 @@
 // frame 2.
 #include "hypermap/io/dataset/dataset_reader.hpp"
 
+#include "io/dataset/opened_dataset.hpp"
 #include "support/synthetic_dataset.hpp"
 #include "support/temp_dir.hpp"
-#include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 namespace hypermap {
 namespace {
 
+using test::opened;
 using test::SyntheticDataset;
 using test::TempDir;
 using test::write_text;
@@ -21,20 +22,6 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 using Writer = SyntheticDataset (*)(const std::filesystem::path&);
-
-std::unique_ptr<DatasetReader> opened(const std::filesystem::path& folder,
-                                      ClassRegistry& registry,
-                                      const DatasetOptions& options = {}) {
-  auto reader = open_dataset(folder, options, registry);
-  EXPECT_TRUE(reader) << to_string(reader.error());
-  return reader ? std::move(*reader) : nullptr;
-}
-
-std::string refusal(const std::filesystem::path& folder, const DatasetOptions& options = {}) {
-  ClassRegistry registry;
-  const auto reader = open_dataset(folder, options, registry);
-  return reader ? "was accepted" : to_string(reader.error());
-}
 
 std::string read_error(const DatasetReader& reader, std::size_t index) {
   const auto frame = reader.read(index);
@@ -263,111 +250,6 @@ TEST(DatasetReader, LabelPicturesOfScanNetBecomeDetections) {
   EXPECT_EQ(best_class(frame->detections[0].class_scores)->id, *registry.find("bed"));
   EXPECT_EQ(frame->detections[0].mask->at(9, 19), 1);
   EXPECT_EQ(frame->detections[0].mask->at(10, 19), 0);
-}
-
-TEST(DatasetReader, AFolderOfNoLayoutSaysWhatWasLookedFor) {
-  const TempDir dir;
-  EXPECT_THAT(refusal(dir.path()), HasSubstr("expected dataset.yaml"));
-  EXPECT_THAT(refusal(dir.path()), HasSubstr("--dataset"));
-  EXPECT_THAT(refusal(dir / "absent"), HasSubstr("does not exist"));
-  write_text(dir / "file", "");
-  EXPECT_THAT(refusal(dir / "file"), HasSubstr("is no folder"));
-}
-
-TEST(DatasetReader, IntrinsicsOfAnotherSizeThanThePicturesAreRefused) {
-  const TempDir dir;
-  const SyntheticDataset tum = test::write_tum(dir / "t");
-  write_text(tum.folder / "intrinsics.json",
-             R"({"width": 640, "height": 480, "fx": 500, "fy": 500, "cx": 320, "cy": 240})");
-  EXPECT_THAT(refusal(tum.folder), HasSubstr("must be the pictures' 8 x 6, is 640 x 480"));
-}
-
-TEST(DatasetReader, ADescriptionWithAFaultNamesFileLineAndField) {
-  const TempDir dir;
-  const auto described = [&](const std::string& text) {
-    write_text(dir / "dataset.yaml", text);
-    return refusal(dir.path());
-  };
-  const std::string good =
-      "intrinsics: {fx: 8, fy: 8, cx: 3.5, cy: 2.5}\ndepth: d/*.pgm\ntrajectory: p.txt\n";
-  EXPECT_THAT(described("depth: d/*.pgm\ntrajectory: p\n"), HasSubstr("intrinsics"));
-  EXPECT_THAT(described(good + "depth_scale: 0\n"), HasSubstr("dataset.yaml:4: depth_scale"));
-  EXPECT_THAT(described(good + "pair_by: luck\n"),
-              HasSubstr("must be one of stamp, number, order"));
-  EXPECT_THAT(described(good + "color: ../x/*.png\n"), HasSubstr("inside the dataset's folder"));
-  EXPECT_THAT(described(good + "up_axis: up\n"), HasSubstr("up_axis"));
-  EXPECT_THAT(described(good), HasSubstr("has no depth picture"));
-}
-
-TEST(DatasetReader, ListsThatLeaveTheFolderOrRepeatAStampAreRefused) {
-  const TempDir dir;
-  const SyntheticDataset tum = test::write_tum(dir / "t");
-  write_text(tum.folder / "depth.txt", "100 ../../etc/passwd\n");
-  EXPECT_THAT(refusal(tum.folder), HasSubstr("depth.txt:1: path"));
-  write_text(tum.folder / "depth.txt", "100 a.png\n100 b.png\n");
-  EXPECT_THAT(refusal(tum.folder), HasSubstr("timestamp: must occur once"));
-}
-
-// --- data by others ---
-
-TEST(DatasetReader, TheKitchenIsFoundByLooking) {
-  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  ClassRegistry registry;
-  const auto folder = test::shared_data("rgbd/7scenes_redkitchen");
-  const auto reader =
-      opened(folder, registry, {.detections = {folder / "detections_yolox_nano.jsonl"}});
-  ASSERT_NE(reader, nullptr);
-  EXPECT_EQ(reader->size(), 200U);
-  EXPECT_EQ(reader->summary().layout, "7scenes");
-  EXPECT_EQ(reader->camera(), (PinholeCamera{640, 480, 585, 585, 320, 240}));
-  EXPECT_THAT(reader->summary().unpaired, SizeIs(0));
-  EXPECT_THAT(reader->summary().findings, SizeIs(0));
-  const auto frame = reader->read(1);
-  ASSERT_TRUE(frame) << to_string(frame.error());
-  EXPECT_EQ(frame->name, "frame-000005.color.jpg");
-  EXPECT_THAT(frame->detections, SizeIs(6));
-}
-
-TEST(DatasetReader, TheCabinetIsReadByItsDescription) {
-  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/tum_fr3_cabinet");
-  ClassRegistry registry;
-  const auto folder = test::shared_data("rgbd/tum_fr3_cabinet");
-  const auto reader =
-      opened(folder,
-             registry,
-             {.description = test::source_path("data/datasets/tum_fr3_cabinet.yaml"),
-              .detections = {folder / "detections_yolox_nano.jsonl"}});
-  ASSERT_NE(reader, nullptr);
-  EXPECT_EQ(reader->size(), 58U);
-  EXPECT_THAT(reader->summary().unpaired, SizeIs(0));
-  EXPECT_EQ(reader->summary().up_axis, "z");
-  const auto frame = reader->read(1);
-  ASSERT_TRUE(frame) << to_string(frame.error());
-  EXPECT_EQ(frame->stamp.ns, 1341841279510700000);
-  EXPECT_NEAR(frame->map_from_camera.origin().xyz.z(), 1.0996, 1e-9);
-  EXPECT_THAT(frame->detections, SizeIs(2));
-}
-
-TEST(DatasetReader, TheLivingRoomIsReadByItsDescriptionAndByLooking) {
-  HYPERMAP_REQUIRE_SHARED_DATA("rgbd/icl_nuim_livingroom1");
-  const auto folder = test::shared_data("rgbd/icl_nuim_livingroom1");
-  ClassRegistry registry;
-  const auto described =
-      opened(folder,
-             registry,
-             {.description = test::source_path("data/datasets/icl_nuim_livingroom1.yaml")});
-  const auto found = opened(folder, registry);
-  ASSERT_NE(described, nullptr);
-  ASSERT_NE(found, nullptr);
-  ASSERT_EQ(described->size(), 43U);
-  ASSERT_EQ(found->size(), 43U);
-  EXPECT_EQ(described->camera(), found->camera());
-  EXPECT_EQ(found->summary().layout, "open3d");
-  EXPECT_THAT(found->summary().findings, SizeIs(1));  // intrinsics that the folder lacks
-  // Picture 00005 has record 5, not record 1.
-  EXPECT_NEAR(described->read(1)->map_from_camera.origin().xyz.x(), 0.00679, 0.05);
-  EXPECT_EQ(described->read(1)->map_from_camera.isometry().matrix(),
-            found->read(1)->map_from_camera.isometry().matrix());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 
+#include "octree_semantic/integration/integration_cases.hpp"
 #include "octree_semantic/support/integrate.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 
@@ -9,47 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <random>
-#include <set>
 
 namespace hypermap::test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const IntegrationOptions kExact{IntegrationMode::kExact, 5.0, 1};
-const IntegrationOptions kDiscretize{IntegrationMode::kDiscretize, 5.0, 1};
-const IntegrationOptions kProjective{IntegrationMode::kProjective, 5.0, 1};
-
-/// A camera of 3 x 3 pixels at `origin` that looks along +x of the map; the middle pixel is 4.
-RgbdFrame small_frame(const Eigen::Vector3d& origin, float depth_m) {
-  RgbdFrame frame;
-  frame.camera = {3, 3, 100.0, 100.0, 1.0, 1.0};
-  frame.depth_m = DepthImage(3, 3, depth_m);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear().col(0) = Eigen::Vector3d(0, -1, 0);
-  pose.linear().col(1) = Eigen::Vector3d(0, 0, -1);
-  pose.linear().col(2) = Eigen::Vector3d(1, 0, 0);
-  pose.translation() = origin;
-  frame.map_from_camera = MapFromCamera(pose);
-  return frame;
-}
-
-IntegrationReport integrate_points(SemanticOctree& tree,
-                                   const Eigen::Vector3d& sensor,
-                                   const std::vector<Eigen::Vector3f>& points,
-                                   const IntegrationOptions& options) {
-  const auto report = FrameIntegrator().integrate_cloud(tree, {sensor}, points, {}, options);
-  EXPECT_TRUE(report) << to_string(report.error());
-  return report.value_or(IntegrationReport{});
-}
-
-std::optional<double> occupancy(const SemanticOctree& tree, const Eigen::Vector3d& point) {
-  const auto leaf = tree.at(PointInMap{point});
-  return leaf ? std::optional(leaf->occupancy.value()) : std::nullopt;
-}
-
 TEST(FrameIntegrator, AWallIsHitAndTheWayToItIsFree) {
   for (const IntegrationMode mode : kAllModes) {
     SemanticOctree tree = empty_tree();
@@ -64,78 +30,6 @@ TEST(FrameIntegrator, AWallIsHitAndTheWayToItIsFree) {
     }
     EXPECT_FALSE(occupancy(tree, {1.15, 0.05, 0.05}));
   }
-}
-
-/// A camera of 90 degrees at the origin that looks along +x, everything `depth_m` away.
-RgbdFrame wide_frame(float depth_m) {
-  RgbdFrame frame = small_frame({0.05, 0.05, 0.05}, depth_m);
-  frame.camera = {64, 64, 32.0, 32.0, 31.5, 31.5};
-  frame.depth_m = DepthImage(64, 64, depth_m);
-  return frame;
-}
-
-TEST(FrameIntegrator, ProjectionFreesWhatThePictureLooksThrough) {
-  // A wall at x = 2.05: at 1 m the picture is 2 m wide and high.
-  SemanticOctree tree = empty_tree();
-  integrate(tree, wide_frame(2.0F), kProjective);
-  EXPECT_EQ(occupancy(tree, {1.05, 0.05, 0.05}), -0.405);
-  EXPECT_EQ(occupancy(tree, {1.05, 0.95, -0.85}), -0.405);
-  EXPECT_FALSE(occupancy(tree, {1.05, 1.25, 0.05})) << "outside the picture";
-  EXPECT_FALSE(occupancy(tree, {-0.15, 0.05, 0.05})) << "behind the camera";
-  EXPECT_EQ(occupancy(tree, {2.05, 0.05, 0.05}), 0.847);
-  EXPECT_FALSE(occupancy(tree, {2.25, 0.05, 0.05})) << "behind the wall";
-}
-
-TEST(FrameIntegrator, PixelsWithoutDepthFreeNothing) {
-  for (const float nothing : {0.0F,
-                              -1.0F,
-                              std::numeric_limits<float>::quiet_NaN(),
-                              std::numeric_limits<float>::infinity(),
-                              1e30F}) {
-    SemanticOctree tree = empty_tree();
-    RgbdFrame frame = wide_frame(2.0F);
-    for (int v = 0; v < 64; ++v) {
-      for (int u = 0; u < 32; ++u) frame.depth_m.at(u, v) = nothing;  // the side of +y
-    }
-    integrate(tree, frame, kProjective);
-    EXPECT_EQ(occupancy(tree, {1.05, -0.45, 0.05}), -0.405);
-    EXPECT_FALSE(occupancy(tree, {1.05, 0.45, 0.05})) << nothing;
-    EXPECT_FALSE(occupancy(tree, {2.05, 0.45, 0.05})) << nothing;
-  }
-}
-
-TEST(FrameIntegrator, AHitWinsOverProjection) {
-  // A thin thing at 1 m before a wall at 2 m: its voxel is seen past on both sides.
-  SemanticOctree tree = empty_tree();
-  RgbdFrame frame = wide_frame(2.0F);
-  for (int v = 0; v < 64; ++v) frame.depth_m.at(32, v) = 1.0F;
-  integrate(tree, frame, kProjective);
-  EXPECT_EQ(occupancy(tree, {1.05, 0.03, 0.05}), 0.847);
-  EXPECT_EQ(occupancy(tree, {1.05, 0.25, 0.05}), -0.405);
-}
-
-TEST(FrameIntegrator, SparsePixelsFreeTheirRays) {
-  // One pixel in a tile: hardly a corner falls in it, so its ray is cast.
-  SemanticOctree tree = empty_tree();
-  RgbdFrame frame = wide_frame(0.0F);
-  frame.depth_m.at(21, 37) = 2.0F;
-  integrate(tree, frame, kProjective);
-  SemanticOctree exact = empty_tree();
-  integrate(exact, frame, kExact);
-  EXPECT_GT(exact.num_leaves().free, 15U);
-  exact.for_each_stored_leaf([&](const StoredLeaf& leaf) {
-    const auto ours = tree.stored_at(leaf.key);
-    EXPECT_TRUE(ours && ours->log_odds == leaf.log_odds);
-  });
-}
-
-TEST(FrameIntegrator, ACloudHasNoPictureToProjectInto) {
-  SemanticOctree tree = empty_tree();
-  const auto report = FrameIntegrator().integrate_cloud(
-      tree, {{0, 0, 0}}, std::vector{Eigen::Vector3f(1, 0, 0)}, {}, kProjective);
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().field, "mode");
-  EXPECT_TRUE(tree.empty());
 }
 
 TEST(FrameIntegrator, AHitWinsOverRaysThatPassInTheSameFrame) {
@@ -320,87 +214,6 @@ TEST(FrameIntegrator, RaysRunAlongAxesAndDiagonalsAndOnFaces) {
       }
     }
   }
-}
-
-/// Voxels by the book: sets of keys, rays walked one after the other in double precision.
-class NaiveMapper {
- public:
-  void integrate(const VoxelGrid& grid,
-                 const Eigen::Vector3d& sensor,
-                 const std::vector<Eigen::Vector3f>& points,
-                 double max_range_m) {
-    std::set<VoxelKey> hit;
-    std::set<VoxelKey> passed;
-    for (const Eigen::Vector3f& point : points) {
-      const Eigen::Vector3d way = point.cast<double>() - sensor;
-      const double length = std::min(way.norm(), max_range_m);
-      const Eigen::Vector3d direction = way.normalized();
-      // Crossings of all planes of the grid, in order, give the voxels between them.
-      std::vector<double> crossings{0.0};
-      for (int axis = 0; axis < 3; ++axis) {
-        const double from = sensor[axis] / grid.resolution_m();
-        const double to = (sensor[axis] + direction[axis] * length) / grid.resolution_m();
-        const auto first = static_cast<int>(std::ceil(std::min(from, to)));
-        const auto last = static_cast<int>(std::floor(std::max(from, to)));
-        for (int plane = first; plane <= last; ++plane) {
-          crossings.push_back((plane - from) / (to - from) * length);
-        }
-      }
-      crossings.push_back(length);
-      std::sort(crossings.begin(), crossings.end());
-      for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-        if (crossings[i + 1] - crossings[i] < 1e-7) continue;  // a corner
-        const double middle = 0.5 * (crossings[i] + crossings[i + 1]);
-        const auto key = grid.key(PointInMap{sensor + middle * direction});
-        const bool last = i + 2 == crossings.size();
-        if (!last) passed.insert(*key);
-      }
-      if (way.norm() <= max_range_m) hit.insert(*grid.key(PointInMap{point.cast<double>()}));
-    }
-    for (const VoxelKey& key : hit) add(key, 847);
-    for (const VoxelKey& key : passed) {
-      if (!hit.contains(key)) add(key, -405);
-    }
-  }
-  [[nodiscard]] const std::map<VoxelKey, int>& voxels() const { return voxels_; }
-
- private:
-  void add(const VoxelKey& key, int evidence) {
-    voxels_[key] = std::clamp(voxels_[key] + evidence, -2000, 3511);
-  }
-  std::map<VoxelKey, int> voxels_;
-};
-
-TEST(FrameIntegrator, ExactModeAgreesWithANaiveMapperOnRandomScenes) {
-  std::mt19937 random(23);
-  std::uniform_real_distribution<float> within(-3.0F, 3.0F);
-  SemanticOctree tree = empty_tree();
-  FrameIntegrator integrator;
-  NaiveMapper naive;
-  for (int frame = 0; frame < 6; ++frame) {
-    const Eigen::Vector3d sensor =
-        Eigen::Vector3f(within(random), within(random), within(random)).cast<double>() * 0.3;
-    const Eigen::Vector3d rounded = sensor.cast<float>().cast<double>();
-    std::vector<Eigen::Vector3f> points;
-    points.reserve(500);
-    for (int i = 0; i < 500; ++i) {
-      points.emplace_back(within(random), within(random), within(random));
-    }
-    ASSERT_TRUE(
-        integrator.integrate_cloud(tree, {rounded}, points, {}, {IntegrationMode::kExact, 2.5, 1}));
-    naive.integrate(tree.grid(), rounded, points, 2.5);
-  }
-  // A ray that grazes a corner within rounding may take either way: a few voxels of some 30,000.
-  std::size_t num_differing = 0;
-  for (const auto& [key, log_odds] : naive.voxels()) {
-    const auto leaf = tree.stored_at(key);
-    num_differing += !leaf || leaf->log_odds != log_odds ? 1U : 0U;
-  }
-  tree.for_each_stored_leaf([&](const StoredLeaf& leaf) {
-    num_differing += naive.voxels().contains(leaf.key) ? 0U : 1U;
-  });
-  EXPECT_GT(naive.voxels().size(), 10'000U);
-  EXPECT_LE(num_differing, naive.voxels().size() / 2000);
 }
 
 }  // namespace

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the program makes of words: numbers, names, other languages.
+
+Usage: words_test.py PROGRAM [unittest args]"""
+
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+from contract_case import Case
+from program import digest, run, run_measured
+
+
+class Words(Case):
+    """Numbers, names and languages."""
+
+    def test_numbers_that_are_none_are_wrong_command_lines(self):
+        dataset = ["--input", self.dataset, "--output", self.folder / "x"]
+        options = [["map", *dataset, "--resolution"], ["map", *dataset, "--max-range"],
+                   ["map", *dataset, "--max-skipped"], ["map", *dataset, "--stamp-tolerance"],
+                   ["simulate", "--output", self.folder / "x", "--pose-noise"],
+                   ["snapshot", self.archive, "--output", self.folder / "x", "--cut-above"],
+                   ["tune", "--input", self.dataset, "--frame", "0", "--leaf-size"]]
+        for arguments in options:
+            for text in ("nan", "-nan", "inf", "0,05", "1e300", "", "5 m", "wide"):
+                with self.subTest([*arguments[:1], arguments[-1], text]):
+                    result = run(*arguments[:-1], f"{arguments[-1]}={text}")
+                    self.assertEqual(result.returncode, 4, result.stdout + result.stderr)
+        self.assert_names()
+
+    def test_points_and_areas_that_are_none_are_wrong_command_lines(self):
+        layer = ["query", self.archive, "--layer", "occupancy"]
+        for arguments, told in (([*layer, "--at", "1,b"], "'b'"), ([*layer, "--at", "1"], "2 or 3 numbers"),
+                                ([*layer, "--at", "1,2,3"], "2 numbers"),
+                                ([*layer], "--layer needs"),
+                                ([*layer, "--area", "0 0,1 1"], "--area"),
+                                (["query", self.archive, "--nearest", "chair", "--at", "1"], "2 or 3 numbers"),
+                                ([*layer, "--at", "1,1", "--string", "Free"], "--at goes alone"),
+                                ([*layer, "--int", "0", "--string", "Free"], "exclude each other"),
+                                ([*layer, "--at", "1,1", "--nearest", "chair"], "--nearest asks the objects"),
+                                (["tune", "--input", self.dataset, "--frame", "-1"], "-1"),
+                                (["simulate", "--output", self.folder / "x", "--seed", "-1"], "-1")):
+            with self.subTest(arguments[3:]):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertIn(told, result.stderr)
+
+    def test_a_misspelt_option_is_named_though_another_is_missing(self):
+        result = run("map", "--input", self.dataset, "--outptu", self.folder / "x")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn(f"unknown: --outptu {self.folder / 'x'}", result.stderr)
+        self.assertIn("unknown: mpa --input lab", run("mpa", "--input", "lab").stderr)
+        self.assertIn("--output is required", run("map", "--input", self.dataset).stderr)
+
+    def test_a_file_of_another_kind_is_named_as_what_it_is(self):
+        octree = self.folder / "a.ot"
+        self.assertEqual(run("export", self.archive, "--format", "octomap", "--output", octree).returncode, 0)
+        for arguments in (["query", octree, "--layer", "objects"], ["export", octree, "--format", "ply", "--output", "x"],
+                          ["snapshot", octree, "--output", "x"]):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("kind 'octree'", result.stderr)
+
+    def test_a_place_for_counts_is_judged_before_the_work(self):
+        result = run("map", "--input", self.dataset, "--output", self.folder / "a.hmap", "--stats",
+                     self.folder / "absent" / "stats.json")
+        self.assertEqual(result.returncode, 3)
+        self.assert_names()
+
+    def test_whatever_is_not_there_is_an_error_of_the_system(self):
+        absent = self.folder / "absent"
+        output = ["--output", self.folder / "x"]
+        mapping = ["map", "--input", self.dataset, *output]
+        for arguments in (["map", "--input", absent, *output], ["tune", "--input", absent, "--frame", "0"],
+                          [*mapping, "--config", absent], [*mapping, "--detections", absent],
+                          [*mapping, "--model", absent], [*mapping, "--dataset", absent], ["info", absent],
+                          ["query", absent, "--layer", "objects"], ["check", absent],
+                          ["eval", "--map", absent, "--truth", self.archive]):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 3, result.stderr)
+                self.assertIn(str(absent), result.stdout + result.stderr)
+
+    def test_a_name_may_be_no_utf8(self):
+        name = os.fsdecode(b"x\xffy")
+        dataset = self.folder / name
+        shutil.copytree(self.dataset, dataset)
+        archive = self.folder / (name + ".hmap")
+        self.assertEqual(run("map", "--input", dataset, "--output", archive).returncode, 0)
+        info = run_measured("info", archive, "--json")
+        self.assertEqual(info.returncode, 0, info.stderr)
+        self.assertEqual(json.loads(info.stdout)["provenance"]["input"], "x\\xffy")
+        self.assertEqual(run("check", archive, dataset).returncode, 0)
+        self.assertEqual(run("info", dataset, "--json").returncode, 0)
+        absent = run("info", self.folder / (name + "z"))
+        self.assertEqual(absent.returncode, 3)
+        self.assertIn("x\\xffyz", absent.stderr)
+        for arguments, status in ((["--layer", name, "--at", "0,0"], 2), (["--layer", "objects", "--string", name], 0),
+                                  (["--nearest", name, "--at", "0,0"], 2)):
+            self.assertEqual(run("query", archive, *arguments, "--json").returncode, status)
+        transient = run("map", "--input", dataset, "--output", archive, "--transient", name)
+        self.assertEqual(transient.returncode, 2)
+        self.assertIn("UTF-8", transient.stderr)
+        self.assertEqual(run(name).returncode, 4)
+
+    def german(self):
+        """An environment in which decimal numbers have a comma."""
+        env = dict(os.environ, LC_ALL="de_DE.UTF-8", LANGUAGE="de")
+        installed = subprocess.run(["locale", "-a"], capture_output=True, text=True, check=False).stdout
+        if "de_de.utf8" in installed.lower().replace("-", ""):
+            return env
+        made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", self.folder / "de_DE.UTF-8"],
+                              capture_output=True, check=False)
+        if made.returncode != 0:
+            self.skipTest("no German locale here, and none can be made")
+        return dict(env, LOCPATH=str(self.folder))
+
+    def test_the_language_changes_nothing(self):
+        env = self.german()
+        for arguments in (["config"], ["info", self.archive, "--json"], ["query", self.archive, "--layer", "occupancy",
+                                                                      "--at", "0.5,0.5"]):
+            self.assertEqual(run(*arguments, env=env).stdout, run(*arguments).stdout)
+        output = self.folder / "a.hmap"
+        result = run("map", "--input", self.dataset, "--output", output, "--resolution", "0.05", env=env)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(digest(output), digest(self.archive))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

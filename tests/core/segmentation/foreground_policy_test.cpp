@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/segmentation/office_scene.hpp"
+#include "hypermap/core/segmentation/geometric_segmentation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace hypermap {
+namespace {
+
+using test::BoxScene;
+using test::detection_of;
+using test::kChair;
+using test::kCup;
+using test::kCupboard;
+using test::kKeyboard;
+using test::kMouse;
+using test::kScreen;
+using test::kTable;
+using test::office;
+using test::office_view;
+using test::SceneView;
+using test::Thing;
+
+struct Expected {
+  Thing thing;
+  double least_overlap;
+};
+
+class Foreground : public testing::TestWithParam<Expected> {};
+
+TEST_P(Foreground, FindsTheThingAndNotWhatCarriesIt) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const SceneView view = office_view(seed);
+    const auto found = segment(view.frame, detection_of(view, GetParam().thing), {});
+    ASSERT_TRUE(found.has_value()) << to_string(found.error());
+    EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, GetParam().thing),
+              GetParam().least_overlap);
+    const Box truth = office().box_of(GetParam().thing);
+    EXPECT_TRUE((found->box.min_in_map.array() > truth.min_in_map.array() - 0.03).all());
+    EXPECT_TRUE((found->box.max_in_map.array() < truth.max_in_map.array() + 0.03).all());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Office,
+                         Foreground,
+                         testing::Values(Expected{kScreen, 0.95},
+                                         Expected{kKeyboard, 0.85},
+                                         Expected{kMouse, 0.6},
+                                         Expected{kCup, 0.85},
+                                         Expected{kChair, 0.85},
+                                         Expected{kCupboard, 0.7} /* a sliver at the edge */));
+
+TEST(ForegroundPoints, AreFineOnSmallThingsAndBoundedOnLargeOnes) {
+  const SceneView view = office_view(4);
+  EXPECT_GE(segment(view.frame, detection_of(view, kMouse), {})->points_in_map.size(), 100U);
+  EXPECT_LE(segment(view.frame, detection_of(view, kCupboard), {})->points_in_map.size(), 2000U);
+}
+
+TEST(ForegroundTable, IsTheTableWhenTheTableIsAskedFor) {
+  BoxScene scene;
+  scene.add(kFloor, {-4, -4, -0.1}, {4, 4, 0}).add(kTable, {1.5, -0.6, 0.72}, {2.3, 0.6, 0.75});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2, 0, 0.7}), 1);
+  const auto found = segment(view.frame, detection_of(view, kTable), {});
+  EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kTable), 0.9);
+}
+
+TEST(ForegroundFlatThing, IsThePatchOfItsSupportInsideTheBox) {
+  BoxScene scene;
+  scene.add(kTable, {0.5, -2, 0.7}, {4, 2, 0.75});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2, 0, 0.75}));
+  Detection sheet;
+  sheet.box_px = {300, 220, 340, 260};
+  const auto found = segment(view.frame, sheet, {});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->pixel_indices.size(), 40U * 40U);
+}
+
+TEST(ForegroundMask, ReplacesTheBox) {
+  const SceneView view = office_view(5);
+  Detection masked = detection_of(view, kCup);
+  masked.box_px = {0, 0, 640, 480};
+  masked.mask = MaskImage(640, 480);
+  for (std::size_t i = 0; i < view.truth.size(); ++i) {
+    masked.mask->pixels()[i] = view.truth.pixels()[i] == kCup ? 1 : 0;
+  }
+  const auto found = segment(view.frame, masked, {});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kCup), 0.95);
+}
+
+}  // namespace
+}  // namespace hypermap
