@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
 #include "scene_content.hpp"
+#include "scene_shapes.hpp"
 
 #include <algorithm>
 #include <array>
