@@ -3,8 +3,8 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
-#include "hypermap/io/options/options_file.hpp"
 #include "number_lists.hpp"
+#include "option_flags.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 
@@ -33,27 +33,6 @@ struct MapArguments {
   int num_threads = 0;
 };
 
-/// Accepts what an options file may say of the option `name`.
-CLI::Validator value_of_option(const std::string& name) {
-  return {[name](const std::string& text) {
-            const auto checked = check_option(name, text);
-            return checked ? std::string() : checked.error().what;
-          },
-          "",
-          name};
-}
-
-/// The options that have a flag of their own.
-Result<MapOptions> with_flags(MapOptions options, const MapArguments& arguments) {
-  for (const auto& [name, text] : {std::pair{"integration.mode", arguments.mode},
-                                   std::pair{"octree.resolution_m", arguments.resolution_m},
-                                   std::pair{"integration.max_range_m", arguments.max_range_m}}) {
-    if (!text) continue;
-    HYPERMAP_ASSIGN_OR_RETURN(options, with_option(options, name, *text));
-  }
-  return options;
-}
-
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
@@ -66,7 +45,11 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   if (arguments.config) {
     HYPERMAP_ASSIGN_OR_RETURN(options, read_options(*arguments.config, options));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(options, with_flags(std::move(options), arguments));
+  HYPERMAP_ASSIGN_OR_RETURN(options,
+                            with_flags(std::move(options),
+                                       {{"integration.mode", arguments.mode},
+                                        {"octree.resolution_m", arguments.resolution_m},
+                                        {"integration.max_range_m", arguments.max_range_m}}));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;

@@ -4,15 +4,15 @@
 #include "hypermap/core/segmentation/segmentation_trace.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
-#include "number_lists.hpp"
+#include "option_flags.hpp"
 #include "tables.hpp"
 
 #include <CLI/Validators.hpp>
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace hypermap::app {
 namespace {
@@ -24,34 +24,33 @@ struct TuneArguments {
   std::optional<std::size_t> detection;
   std::optional<std::string> output;
   std::string policy = "foreground";
-  std::optional<double> angle_deg;
-  std::optional<double> curvature;
-  std::optional<double> leaf_size_m;
+  std::optional<std::string> angle_deg;
+  std::optional<std::string> curvature;
+  std::optional<std::string> leaf_size_m;
   bool no_outliers = false;
   bool no_clusters = false;
 };
 
-const std::map<std::string, SegmentationPolicy>& policies() {
-  static const std::map<std::string, SegmentationPolicy> kPolicies{
-      {"foreground", SegmentationPolicy::kForeground},
-      {"cluster", SegmentationPolicy::kCluster},
-      {"region_growing", SegmentationPolicy::kRegionGrowing}};
-  return kPolicies;
-}
+constexpr const char* kPolicyOption = "segmentation.policy";
+constexpr const char* kAngleOption = "segmentation.region_growing.angle_threshold_deg";
+constexpr const char* kCurvatureOption = "segmentation.region_growing.curvature_threshold";
+constexpr const char* kLeafOption = "segmentation.leaf_size_m";
 
 /// The source's own values for a source's policy, then what was asked for.
 Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) {
-  GeometricSegmentationOptions options;
-  const SegmentationPolicy policy = policies().at(arguments.policy);
+  HYPERMAP_ASSIGN_OR_RETURN(MapOptions all, with_option({}, kPolicyOption, arguments.policy));
+  GeometricSegmentationOptions& options = all.mapper.objects.segmentation;
+  const SegmentationPolicy policy = options.policy;
   if (policy == SegmentationPolicy::kCluster) options = smap_segmentation();
   if (policy == SegmentationPolicy::kRegionGrowing) options = hypermap_segmentation();
-  if (arguments.angle_deg) options.region_growing.angle_threshold_deg = *arguments.angle_deg;
-  if (arguments.curvature) options.region_growing.curvature_threshold = *arguments.curvature;
-  if (arguments.leaf_size_m) options.leaf_size_m = *arguments.leaf_size_m;
   if (arguments.no_outliers) options.outlier_neighbours = 0;
   if (arguments.no_clusters) options.cluster_gap_m = 0.0;
-  HYPERMAP_TRY(validate(options));
-  return options;
+  HYPERMAP_ASSIGN_OR_RETURN(all,
+                            with_flags(std::move(all),
+                                       {{kAngleOption, arguments.angle_deg},
+                                        {kCurvatureOption, arguments.curvature},
+                                        {kLeafOption, arguments.leaf_size_m}}));
+  return all.mapper.objects.segmentation;
 }
 
 Result<void> write_picture(const std::filesystem::path& path, const ColorImage& picture) {
@@ -167,17 +166,15 @@ void add_tune_command(CLI::App& program, Action& action) {
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
       ->check(CLI::NonNegativeNumber);
   command.add_option("--output", arguments->output, "folder for a picture of each step");
-  std::vector<std::string> names;
-  for (const auto& [name, policy] : policies()) names.push_back(name);
   command.add_option("--policy", arguments->policy, "how things are told from what is around them")
-      ->check(CLI::IsMember(names))
+      ->check(value_of_option(kPolicyOption))
       ->capture_default_str();
   command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")
-      ->check(number_in(0.0, 180.0));
+      ->check(value_of_option(kAngleOption));
   command.add_option("--curvature", arguments->curvature, "region growing: of points that lead on")
-      ->check(number_in(0.0, 1.0));
+      ->check(value_of_option(kCurvatureOption));
   command.add_option("--leaf-size", arguments->leaf_size_m, "voxel grid, metres; 0 leaves it out")
-      ->check(number_in(0.0, 10.0));
+      ->check(value_of_option(kLeafOption));
   command.add_flag("--no-outliers", arguments->no_outliers, "leave out the removal of outliers");
   command.add_flag("--no-clusters", arguments->no_clusters, "leave out the clustering");
   command.callback([arguments, &action] {
