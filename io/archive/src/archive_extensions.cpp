@@ -66,10 +66,10 @@ class ExtensionReader {
   Result<std::vector<Finding>> read() {
     if (entry_.format == kOctomapFormat) return read_octree();
     if (entry_.format == kClassGridFormat) return read_class_grid();
-    if (archive_.extension_entries.contains(entry_.format) || already_read())
-      return fail(ErrorCode::kMalformedFile,
-                  "a second extension of format '" + entry_.format + "'",
-                  owner_);
+    if (archive_.extension_entries.contains(entry_.format) || already_read()) {
+      const std::string what = "a second extension of format '" + entry_.format + "'";
+      return fail(ErrorCode::kMalformedFile, what, owner_);
+    }
     if (entry_.format == kObjectsFormat) return read_objects();
     if (entry_.format == kClassesFormat) return read_classes();
     return read_provenance();
@@ -291,9 +291,8 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
 }
 
 Result<void> check_classes(const MapArchive& archive) {
-  if (archive.octree)
-    if (const auto largest = largest_class(*archive.octree))
-      HYPERMAP_TRY(check_class(archive.classes, *largest, "octree"));
+  const auto largest = archive.octree ? largest_class(*archive.octree) : std::nullopt;
+  if (largest) HYPERMAP_TRY(check_class(archive.classes, *largest, "octree"));
   for (const Object& object : archive.objects.objects())
     HYPERMAP_TRY(check_object(archive.classes, object));
   return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_painter.hpp"
 
+#include "grid_texture.hpp"
 #include "rendering/shaders.hpp"
 
 #include <algorithm>
@@ -10,9 +11,6 @@
 namespace hypermap {
 namespace {
 
-constexpr Rgb8 kUnknownColor{214, 219, 226};
-constexpr Rgb8 kFreeColor{255, 255, 255};
-constexpr Rgb8 kOccupiedColor{44, 52, 66};
 constexpr Rgb8 kFogColor{238, 241, 245};
 
 /// OpenGL takes offsets into buffers as pointers.
@@ -62,42 +60,6 @@ std::array<float, 3> point_at(const Eigen::Vector2d& plan, double height_m) {
   return {static_cast<float>(plan.x()), static_cast<float>(plan.y()), static_cast<float>(height_m)};
 }
 
-std::uint8_t blend(std::uint8_t from, std::uint8_t to, double share) {
-  return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
-}
-
-/// The picture of a grid, not larger than a texture can be: of merged cells the fullest counts.
-ColorImage texture_of(const OccupancyGrid& grid, int largest_side) {
-  const GridGeometry& geometry = grid.geometry();
-  const int step = (std::max(geometry.cols, geometry.rows) + largest_side - 1) / largest_side;
-  Image<std::int8_t> merged(
-      (geometry.cols + step - 1) / step, (geometry.rows + step - 1) / step, kUnknownCell);
-  for (int row = 0; row < geometry.rows; ++row) {
-    for (int col = 0; col < geometry.cols; ++col) {
-      std::int8_t& cell = merged.at(col / step, row / step);
-      cell = std::max(cell, grid.at({col, row}));
-    }
-  }
-  ColorImage texture(merged.width_px(), merged.height_px());
-  std::transform(
-      merged.pixels().begin(), merged.pixels().end(), texture.pixels().begin(), occupancy_color);
-  return texture;
-}
-
-/// The picture of coloured cells, not larger than a texture can be: of merged cells the first
-/// counts.
-ColorImage texture_of(const DrawnCells& cells, int largest_side) {
-  const GridGeometry& geometry = cells.geometry;
-  const int step = (std::max(geometry.cols, geometry.rows) + largest_side - 1) / largest_side;
-  ColorImage texture((geometry.cols + step - 1) / step, (geometry.rows + step - 1) / step);
-  for (int row = 0; row < texture.height_px(); ++row) {
-    for (int col = 0; col < texture.width_px(); ++col) {
-      texture.at(col, row) = cells.colors[geometry.index({col * step, row * step})];
-    }
-  }
-  return texture;
-}
-
 void load_texture(const ColorImage& picture) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
@@ -128,14 +90,6 @@ std::vector<std::array<float, 3>> points_at(const Ring& ring, double height_m) {
 }
 
 }  // namespace
-
-Rgb8 occupancy_color(std::int8_t occupancy) {
-  if (occupancy < 0) return kUnknownColor;
-  const double share = occupancy / 100.0;
-  return {blend(kFreeColor.r, kOccupiedColor.r, share),
-          blend(kFreeColor.g, kOccupiedColor.g, share),
-          blend(kFreeColor.b, kOccupiedColor.b, share)};
-}
 
 Result<ScenePainter> ScenePainter::create(const SnapshotCamera& camera,
                                           int width_px,

@@ -91,7 +91,4 @@ class ScenePainter {
   double pixel_scale_ = 1.0;
 };
 
-/// Colours of an occupancy grid's cells: dark where occupied, white where free.
-[[nodiscard]] Rgb8 occupancy_color(std::int8_t occupancy);
-
 }  // namespace hypermap
