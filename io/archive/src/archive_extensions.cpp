@@ -67,8 +67,7 @@ class ExtensionReader {
     if (entry_.format == kOctomapFormat) return read_octree();
     if (entry_.format == kClassGridFormat) return read_class_grid();
     if (archive_.extension_entries.contains(entry_.format) || already_read()) {
-      const std::string what = "a second extension of format '" + entry_.format + "'";
-      return fail(ErrorCode::kMalformedFile, what, owner_);
+      return fail(ErrorCode::kMalformedFile, "a second '" + entry_.format + "'", owner_);
     }
     if (entry_.format == kObjectsFormat) return read_objects();
     if (entry_.format == kClassesFormat) return read_classes();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid_texture.hpp"
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
 #include "scene_content.hpp"
 #include "scene_shapes.hpp"
