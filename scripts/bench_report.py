@@ -59,11 +59,11 @@ class Target:
         if self.value is None:
             return f"| {self.what} | not run: data absent | {self.must:g} | {self.goal:g} | |"
         if self.reaches(self.goal):
-            verdict = "goal"
+            status = "goal"
         elif self.reaches(self.must):
-            verdict = "must"
+            status = "must"
         else:
-            verdict = "**missed**"
+            status = "**missed**"
         digits = 4 if self.must < 1 else 3
         return f"| {self.what} | {self.value:.{digits}g}{self.unit} | {self.must:g} | {self.goal:g} | {verdict} |"
 
@@ -103,10 +103,10 @@ def targets(figures):
     rows.append(Target("whole frame, laboratory, 10 detections, 5 cm, one thread",
                        of(frame, "frame/laboratory/5cm/threads:1", "frame_ms"), 15, 10, " ms", larger=False))
     for size in ("100k", "1M"):
-        rows.append(Target(f"lines of sight, {size} voxels",
-                           of(sight, f"sight_lines/{size}", "million_per_s"), 9, 12, " M/s"))
+        rows.append(Target(f"occlusion rays, {size} voxels",
+                           of(sight, f"occlusion_rays/{size}", "million_per_s"), 9, 12, " M/s"))
     rows.append(Target("scene of 1M voxels built",
-                       of(sight, "sight_lines/1M", "build_ms"), 10, 10, " ms", larger=False))
+                       of(sight, "occlusion_rays/1M", "build_ms"), 10, 10, " ms", larger=False))
     rows.append(Target("archive over `.ot`, laboratory 5 cm",
                        of(archive, "archive/laboratory/5cm", "archive_over_ot"), 1, 1, larger=False))
     lab = archive["archive/laboratory/5cm"]

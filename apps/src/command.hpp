@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all commands of the program share: exit codes, how an error is told, how a command is
+/// What all commands of the program share: exit codes, how an error is reported, how a command is
 /// declared.
 #pragma once
 
@@ -23,7 +23,7 @@ enum class ExitCode : int {
   kInternal = 5,  ///< A fault of the program.
 };
 
-/// Which exit code tells `error`.
+/// The exit code of `error`.
 [[nodiscard]] ExitCode exit_code_of(const Error& error);
 
 /// Prints `hypermap: <error>` to stderr. Returns its exit code.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// SIGINT and SIGTERM as a wish that long jobs ask for, so that none is cut off in the middle.
+/// SIGINT and SIGTERM as a request that long jobs poll, so that none is cut off in the middle.
 #pragma once
 
 namespace hypermap::app {

@@ -59,15 +59,15 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const bool asked_for_help = error.get_exit_code() == 0;
+    const bool is_help_requested = error.get_exit_code() == 0;
     // What is missing may only be misspelt.
-    const std::string unknown = asked_for_help ? "" : unknown_words(program);
+    const std::string unknown = is_help_requested ? "" : unknown_words(program);
     if (unknown.empty()) {
       program.exit(error);
     } else {
       program.exit(CLI::ParseError("unknown: " + unknown, kUsageStatus));
     }
-    return asked_for_help ? flushed(ExitCode::kDone) : ExitCode::kUsage;
+    return is_help_requested ? flushed(ExitCode::kDone) : ExitCode::kUsage;
   }
   return flushed(action());
 }
@@ -83,7 +83,7 @@ int status_of(ExitCode code) {
 
 int main(int argc, char** argv) {
   using hypermap::app::ExitCode;
-  // A reader that goes away and a limit on file sizes are told by errors, not by signals.
+  // A reader that goes away and a limit on file sizes are reported by errors, not by signals.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   hypermap::app::watch_interruptions();

@@ -191,7 +191,7 @@ class Pipeline(unittest.TestCase):
             for made in self.folder.glob(pattern):
                 self.assertEqual(run("check", made).returncode, 0, made)
 
-    def test_snapshots_are_pictures(self):
+    def test_snapshots_are_images(self):
         for view in ("top", "iso"):
             output = self.folder / f"{view}.png"
             result = run("snapshot", self.archive, "--output", output, "--view", view, "--size", "640x480")

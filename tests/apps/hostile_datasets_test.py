@@ -103,7 +103,7 @@ class Datasets(Corpus):
             if not must_load(path):
                 self.assert_survived(path, dataset)
 
-    def test_pictures_as_depth_frames(self):
+    def test_images_as_depth_frames(self):
         for path in files_of("image"):
             dataset = self.dataset()
             name = "1" + path.suffix

@@ -22,7 +22,7 @@ class Check(Corpus):
     KINDS = {"zip": "archive", "octree": "octree", "image": "image", "depth": "depth", "wkt": "semantic",
              "trajectory": "trajectory", "intrinsics": "intrinsics", "detections": "detections"}
 
-    def judge(self, path, *arguments):
+    def check(self, path, *arguments):
         result = self.measured("check", *arguments, path)
         self.assertIn(result.returncode, (0, 1) if must_load(path) else (2,),
                       f"{path}: {result.stdout}{result.stderr}")
@@ -34,19 +34,19 @@ class Check(Corpus):
             for path in files_of(folder):
                 with self.subTest(path.name):
                     size = ["--size", "32x24"] if kind == "depth" else []
-                    self.judge(path, "--as", kind, *size)
+                    self.check(path, "--as", kind, *size)
 
     def test_yaml(self):
         for path in files_of("yaml"):
             with self.subTest(path.name):
-                self.judge(path, "--as", "map" if is_map_metadata(path) else "config")
+                self.check(path, "--as", "map" if is_map_metadata(path) else "config")
 
     def test_the_kind_is_found_by_content(self):
         for name in ("zip/ok_reference.hmap", "octree/ok_two.ot", "octree/ok_single.bt", "image/ok_p2.pgm",
                      "wkt/ok_square_ccw.yaml", "trajectory/ok_two.txt", "intrinsics/ok_camera.json",
                      "detections/ok_one.json", "yaml/ok_config.yaml"):
             with self.subTest(name):
-                self.judge(CORPUS / name)
+                self.check(CORPUS / name)
 
 
 class ArchiveCorpus(Corpus):
@@ -67,7 +67,7 @@ class ArchiveCorpus(Corpus):
                 ("export", ["export", path, "--format", "geojson", "--output", out / "a.local.geojson"]),
                 ("snapshot", ["snapshot", path, "--output", out / "a.png", "--size", "64x64"])]
 
-    def judge(self, path, accepted, commands=("info", "query", "export", "snapshot")):
+    def check(self, path, accepted, commands=("info", "query", "export", "snapshot")):
         for name, arguments in self.commands(path):
             if name not in commands:
                 continue
@@ -101,7 +101,7 @@ class Archives(ArchiveCorpus):
     def test_bad_archives(self):
         before = tree_digest(CORPUS / "zip")
         for path in files_of("zip"):
-            self.judge(path, must_load(path))
+            self.check(path, must_load(path))
         self.assertEqual(tree_digest(CORPUS / "zip"), before)
 
 
@@ -113,42 +113,42 @@ class Members(ArchiveCorpus):
             if is_map_metadata(path):
                 continue
             shutil.copy(path, self.parts / path.name)
-            self.judge(self.parts / path.name, must_load(path), ["info"])
+            self.check(self.parts / path.name, must_load(path), ["info"])
             (self.parts / path.name).unlink()
             packed = self.with_member(path.stem, path.read_bytes(), member="hmap_config.yaml")
-            self.judge(packed, must_load(path), ["info"])
+            self.check(packed, must_load(path), ["info"])
 
     def test_bad_map_metadata_alone_and_in_an_archive(self):
         for path in files_of("yaml"):
             if not is_map_metadata(path):
                 continue
             shutil.copy(path, self.parts / path.name)
-            self.judge(self.parts / path.name, must_load(path), ["info"])
+            self.check(self.parts / path.name, must_load(path), ["info"])
             (self.parts / path.name).unlink()
             packed = self.with_member(path.stem, path.read_bytes(), member="occupancy.yaml")
-            self.judge(packed, must_load(path), ["query"])
+            self.check(packed, must_load(path), ["query"])
 
-    def test_bad_pictures_of_a_map(self):
+    def test_bad_images_of_a_map(self):
         metadata = (self.parts / "occupancy.yaml").read_text()
         for path in files_of("image"):
-            picture = "picture" + path.suffix
-            also = {"occupancy.yaml": metadata.replace("occupancy.png", picture).encode()}
-            packed = self.with_member(path.stem, path.read_bytes(), member=picture, also=also)
-            self.judge(packed, must_load(path), ["info"])
+            image = "picture" + path.suffix
+            also = {"occupancy.yaml": metadata.replace("occupancy.png", image).encode()}
+            packed = self.with_member(path.stem, path.read_bytes(), member=image, also=also)
+            self.check(packed, must_load(path), ["info"])
 
     def test_bad_polygons(self):
         for path in files_of("wkt"):
             packed = self.with_member(path.stem, path.read_bytes(), member="semantic")
-            self.judge(packed, must_load(path), ["query", "export"])
+            self.check(packed, must_load(path), ["query", "export"])
 
     def test_bad_octrees_alone_and_in_an_archive(self):
         config = (self.parts / "hmap_config.yaml").read_text()
         for path in files_of("octree"):
-            self.judge(path, must_load(path), ["info"])
+            self.check(path, must_load(path), ["info"])
             member = "tree" + path.suffix
             also = {"hmap_config.yaml": config.replace("octree.ot", member).encode()}
             packed = self.with_member(path.stem, path.read_bytes(), member=member, also=also)
-            self.judge(packed, must_load(path), ["info"])
+            self.check(packed, must_load(path), ["info"])
 
 
 if __name__ == "__main__":

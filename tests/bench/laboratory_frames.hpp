@@ -14,7 +14,7 @@
 
 namespace hypermap::test {
 
-/// Frames of the laboratory that show at least ten things, the first ten of them detected.
+/// Frames of the laboratory that show at least ten objects, the first ten of them detected.
 inline std::vector<RgbdFrame> laboratory_frames(std::size_t max_frames) {
   constexpr std::size_t kNumDetections = 10;
   std::vector<RgbdFrame> frames;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sight lines through a furnished room of 10,000 to a million occupied voxels, in millions of
+// Occlusion rays through a furnished room of 10,000 to a million occupied voxels, in millions of
 // answers per second on one thread, against OctoMap's castRay in the same run (which says more: it
 // finds the voxel). `ratio` is ours over OctoMap's. Lines come as an object's do: 64 from one
 // camera to places within 0.25 m of each other; `scattered`: each from anywhere to anywhere.
@@ -22,7 +22,7 @@
 namespace hypermap::test {
 namespace {
 
-constexpr std::size_t kNumLines = 320'000;
+constexpr std::size_t kNumRays = 320'000;
 constexpr std::size_t kNumCasts = 20'000;
 constexpr std::size_t kLinesPerObject = 64;
 
@@ -87,43 +87,43 @@ Place make_place(double resolution_m) {
   return place;
 }
 
-std::vector<SightLine> lines_in(const Place& place, bool scattered, double margin_m) {
+std::vector<OcclusionRay> rays_in(const Place& place, bool scattered, double margin_m) {
   std::mt19937 random(3);
   const auto within = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::vector<SightLine> lines;
-  lines.reserve(kNumLines);
-  SightLine line{.from = {}, .to = {}, .margin_m = margin_m};
+  std::vector<OcclusionRay> rays;
+  rays.reserve(kNumRays);
+  OcclusionRay ray{.from = {}, .to = {}, .margin_m = margin_m};
   Eigen::Vector3d object;
-  for (std::size_t i = 0; i < kNumLines; ++i) {
+  for (std::size_t i = 0; i < kNumRays; ++i) {
     if (scattered || i % kLinesPerObject == 0) {
-      line.from.xyz = {within(1.5, 6.5), within(1.3, 4.7), within(1.0, 1.5)};
+      ray.from.xyz = {within(1.5, 6.5), within(1.3, 4.7), within(1.0, 1.5)};
       object = place.tree.grid().centre(place.voxels[random() % place.voxels.size()]).xyz;
     }
-    line.to.xyz =
+    ray.to.xyz =
         object + Eigen::Vector3d(within(-0.25, 0.25), within(-0.25, 0.25), within(-0.25, 0.25));
-    lines.push_back(line);
+    rays.push_back(ray);
   }
-  return lines;
+  return rays;
 }
 
 /// Millions of castRay's answers per second.
-double cast_rate(const Place& place, std::span<const SightLine> lines) {
+double cast_rate(const Place& place, std::span<const OcclusionRay> rays) {
   const double seconds = cpu_time_of([&] {
     octomap::point3d end;
-    for (const SightLine& line : lines) {
-      const Eigen::Vector3f from = line.from.xyz.cast<float>();
-      const Eigen::Vector3f way = (line.to.xyz - line.from.xyz).cast<float>();
+    for (const OcclusionRay& ray : rays) {
+      const Eigen::Vector3f from = ray.from.xyz.cast<float>();
+      const Eigen::Vector3f way = (ray.to.xyz - ray.from.xyz).cast<float>();
       benchmark::DoNotOptimize(
           place.octomap.castRay({from.x(), from.y(), from.z()},
                                 {way.x(), way.y(), way.z()},
                                 end,
                                 true,
-                                static_cast<double>(way.norm()) - line.margin_m));
+                                static_cast<double>(way.norm()) - ray.margin_m));
     }
   });
-  return static_cast<double>(lines.size()) / seconds * 1e-6;
+  return static_cast<double>(rays.size()) / seconds * 1e-6;
 }
 
 /// Milliseconds to bring the scene up to date when one voxel in the middle of the room comes.
@@ -133,9 +133,9 @@ double update_ms(SemanticOctree& tree, OcclusionScene& scene) {
   return 1e3 * cpu_time_of([&] { benchmark::DoNotOptimize(scene.update(tree)); });
 }
 
-void sight_lines(benchmark::State& state, double resolution_m, bool scattered) {
+void occlusion_rays(benchmark::State& state, double resolution_m, bool scattered) {
   Place place = make_place(resolution_m);
-  const std::vector<SightLine> lines = lines_in(place, scattered, 2.0 * resolution_m);
+  const std::vector<OcclusionRay> rays = rays_in(place, scattered, 2.0 * resolution_m);
   auto scene = OcclusionScene::create().value();
   double build = 1e9;
   for (int i = 0; i < 3; ++i) {
@@ -146,13 +146,13 @@ void sight_lines(benchmark::State& state, double resolution_m, bool scattered) {
   std::vector<std::uint8_t> answers;
   double best = 1e9;
   for ([[maybe_unused]] const auto _ : state) {
-    const double seconds = cpu_time_of([&] { answers = scene.occluded(lines); });
+    const double seconds = cpu_time_of([&] { answers = scene.occluded(rays); });
     state.SetIterationTime(seconds);
     best = std::min(best, seconds);
   }
-  const double rate = static_cast<double>(lines.size()) / best * 1e-6;
+  const double rate = static_cast<double>(rays.size()) / best * 1e-6;
   state.counters["million_per_s"] = rate;
-  state.counters["ratio"] = rate / cast_rate(place, std::span(lines).first(kNumCasts));
+  state.counters["ratio"] = rate / cast_rate(place, std::span(rays).first(kNumCasts));
   state.counters["build_ms"] = build * 1e3;
   state.counters["update_ms"] = update_ms(place.tree, scene);
   state.counters["occupied"] = static_cast<double>(place.tree.num_leaves().occupied);
@@ -170,13 +170,13 @@ int main(int argc, char** argv) {
          {std::pair{"10k", 0.14}, {"100k", 0.0445}, {"1M", 0.0141}}) {
       const std::string full = name + "/" + size;
       benchmark::RegisterBenchmark(
-          full.c_str(), hypermap::test::sight_lines, resolution_m, scattered)
+          full.c_str(), hypermap::test::occlusion_rays, resolution_m, scattered)
           ->UseManualTime()
           ->Iterations(7)
           ->Unit(benchmark::kMillisecond);
     }
   };
-  add("sight_lines", false);
+  add("occlusion_rays", false);
   add("scattered", true);
   return hypermap::test::run_benchmarks(argc, argv);
 }

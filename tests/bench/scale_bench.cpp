@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Does a frame cost the same after ten thousand of them? A robot goes along a corridor of 500 m, or
-// round and round in one room, with a small depth picture (160 x 120) and the cupboards that it
+// round and round in one room, with a small depth image (160 x 120) and the cupboards that it
 // shows as detections. Reports the CPU time of a frame and the memory by tenths of the way.
 //
 // HYPERMAP_SCALE_FRAMES: how many frames (1,000); 10,000 go the whole way.
@@ -28,7 +28,7 @@ namespace hypermap::test {
 namespace {
 
 constexpr double kCorridorLengthM = 500.0;
-constexpr double kSightM = 6.0;
+constexpr double kViewRangeM = 6.0;
 constexpr std::size_t kNumTenths = 10;
 constexpr std::uint32_t kNumClasses = 8;
 const PinholeCamera kCamera{160, 120, 131.0, 131.0, 79.5, 59.5};
@@ -91,7 +91,7 @@ class Painter {
   Painter(const World& world, const MapFromCamera& pose) : walls_(world.walls) {
     origin_ = pose.origin().xyz;
     for (const Cupboard& c : world.cupboards) {
-      const bool near = (c.box.centre() - origin_).norm() < kSightM + 1.0;
+      const bool near = (c.box.centre() - origin_).norm() < kViewRangeM + 1.0;
       if (near) near_.push_back(&c);
     }
   }
@@ -144,7 +144,7 @@ RgbdFrame paint(const World& world, const MapFromCamera& pose, std::size_t index
           0.001 * static_cast<double>((static_cast<std::size_t>(u * 7 + v * 13) + index * 31) % 5);
       frame.depth_m.at(u, v) =
           static_cast<float>(std::round(1e3 * (hit.depth_m + ripple_m)) * 1e-3);
-      if (hit.cupboard < 0 || hit.depth_m > kSightM) continue;
+      if (hit.cupboard < 0 || hit.depth_m > kViewRangeM) continue;
       PixelBox& box = boxes[static_cast<std::size_t>(hit.cupboard)];
       box = {std::min(box.u_min_px, u + 0.0),
              std::min(box.v_min_px, v + 0.0),

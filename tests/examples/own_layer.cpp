@@ -131,19 +131,19 @@ Result<void> ask(const MapArchive& map) {
   return {};
 }
 
-/// A picture where there is EGL; else it says so.
+/// An image where there is EGL; else it says so.
 Result<void> draw(const Layer& layer, const char* file) {
   std::printf("%zu primitives\n", layer.content->draw().size());
-  const auto picture = render_snapshot(with_layer({.title = "heat"}, layer), {.view = TopView{}});
-  if (!picture) {
-    std::printf("no picture: %s\n", to_string(picture.error()).c_str());
+  const auto image = render_snapshot(with_layer({.title = "heat"}, layer), {.view = TopView{}});
+  if (!image) {
+    std::printf("no image: %s\n", to_string(image.error()).c_str());
     return {};
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(*picture));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(*image));
   return write_file_atomically(file, bytes);
 }
 
-Result<void> run(const char* archive_file, const char* picture_file) {
+Result<void> run(const char* archive_file, const char* image_file) {
   LayerRegistry types;
   HYPERMAP_TRY(types.add(TemperatureField(), TemperatureField::load));
 
@@ -160,7 +160,7 @@ Result<void> run(const char* archive_file, const char* picture_file) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(archive_file, {}, types));
   std::printf("same after load: %s\n", loaded.value == map ? "yes" : "no");
   HYPERMAP_TRY(ask(loaded.value));
-  return draw(loaded.value.hypermap.layers().front(), picture_file);
+  return draw(loaded.value.hypermap.layers().front(), image_file);
 }
 
 }  // namespace

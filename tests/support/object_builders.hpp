@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Things in words: boxes of points, observations of them, class vectors.
+/// Objects in words: boxes of points, observations of them, class vectors.
 #pragma once
 
 #include "hypermap/core/objects/association.hpp"

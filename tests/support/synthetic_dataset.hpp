@@ -60,8 +60,8 @@ inline std::string intrinsics_json(double depth_scale) {
          std::to_string(depth_scale) + "}";
 }
 
-inline std::string chair_in(const std::string& picture) {
-  return "{\"image\": \"" + picture +
+inline std::string chair_in(const std::string& image) {
+  return "{\"image\": \"" + image +
          "\", \"detections\": [{\"label\": \"chair\", \"score\": 0.9, \"bbox\": [1, 1, 4, 5]}]}\n";
 }
 

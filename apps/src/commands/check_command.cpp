@@ -20,8 +20,8 @@ struct CheckArguments {
 };
 
 /// "32x24". Errors: kInvalidArgument.
-Result<PictureSize> parse_size(const std::string& text) {
-  PictureSize size;
+Result<ImageSize> parse_size(const std::string& text) {
+  ImageSize size;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%dx%d%c", &size.width_px, &size.height_px, &rest) == 2 &&
       size.width_px > 0 && size.height_px > 0) {
@@ -30,20 +30,20 @@ Result<PictureSize> parse_size(const std::string& text) {
   return fail(ErrorCode::kInvalidArgument, "must be WIDTHxHEIGHT, is '" + text + "'", "--size");
 }
 
-/// One line for each finding and a verdict, on stdout: they are the result.
-ExitCode judge(const std::string& file, const FileCheckOptions& options) {
-  const FileJudgement judgement = check_file(file, options);
-  for (const Finding& finding : judgement.findings) {
+/// One line for each finding and a summary, on stdout: they are the result.
+ExitCode check_and_print(const std::string& file, const FileCheckOptions& options) {
+  const FileCheckResult result = check_file(file, options);
+  for (const Finding& finding : result.findings) {
     const bool is_error = finding.severity == Severity::kError;
     std::printf("%s: %s\n", is_error ? "error" : "warning", to_string(finding.error).c_str());
   }
-  if (!judgement.is_refused()) {
+  if (!result.is_refused()) {
     std::printf("%s: %s, %s\n",
                 printable(file, 4096).c_str(),
-                std::string(name_of(*judgement.kind)).c_str(),
-                judgement.summary.c_str());
+                std::string(name_of(*result.kind)).c_str(),
+                result.summary.c_str());
   }
-  return static_cast<ExitCode>(judgement.exit_code());
+  return static_cast<ExitCode>(result.exit_code());
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void add_check_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<CheckArguments>();
   const std::vector<std::string> kinds(file_kind_names().begin(), file_kind_names().end());
   CLI::App& command =
-      *program.add_subcommand("check", "Judge any file of a kind that is read here");
+      *program.add_subcommand("check", "Check any file of a kind that is read here");
   command.add_option("files", arguments->files, "files, or folders of datasets")->required();
   command
       .add_option("--as",
@@ -60,7 +60,7 @@ void add_check_command(CLI::App& program, Action& action) {
                   "archive octree map image depth semantic trajectory intrinsics detections config "
                   "dataset (default: found by content)")
       ->check(CLI::IsMember(kinds));
-  command.add_option("--size", arguments->size, "WIDTHxHEIGHT that pictures must have");
+  command.add_option("--size", arguments->size, "WIDTHxHEIGHT that images must have");
   command.add_flag("--strict", arguments->strict, "findings are errors");
   command.callback([arguments, &action] {
     FileCheckOptions options;
@@ -75,7 +75,7 @@ void add_check_command(CLI::App& program, Action& action) {
       ExitCode worst = ExitCode::kDone;
       for (const std::string& file : arguments->files) {
         if (interrupting_signal() != 0) break;
-        worst = std::max(worst, judge(file, options));
+        worst = std::max(worst, check_and_print(file, options));
       }
       return worst;
     };

@@ -34,10 +34,10 @@ Result<DetectionJobReport> run(const DetectArguments& arguments, const std::stri
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App& command =
-      *program.add_subcommand("detect", "Run a detector (ONNX, YOLOX) over a dataset's pictures");
+      *program.add_subcommand("detect", "Run a detector (ONNX, YOLOX) over a dataset's images");
   arguments->dataset.add_to(command);
   command.add_option("--model", arguments->model, "network in ONNX form")->required();
-  command.add_option("--output", arguments->output, "COCO results; a line a picture when .jsonl")
+  command.add_option("--output", arguments->output, "COCO results; a line an image when .jsonl")
       ->required();
   command.callback([arguments, &common, &action] {
     keep_apart("--output",

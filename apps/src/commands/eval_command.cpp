@@ -99,9 +99,9 @@ void print_table(const EvaluationOutcome& outcome) {
                "F1",
                "distance m",
                "Jaccard",
-               "twice",
-               "text: distance m",
-               "text: Jaccard"});
+               "duplicates",
+               "thesis: distance m",
+               "thesis: Jaccard"});
   for (const auto& [name, metrics] : outcome.report.classes) table.add(row(name, metrics));
   table.add(row("all", outcome.report.all));
   std::printf("%s", table.text().c_str());
@@ -124,7 +124,7 @@ void add_eval_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command =
       *program.add_subcommand("eval", "How good a map is, measured against a truth");
-  command.add_option("--map", arguments->map, "archive to judge")->required();
+  command.add_option("--map", arguments->map, "archive to evaluate")->required();
   command.add_option("--truth", arguments->truth, "archive that is right")->required();
   command.add_option("--against", arguments->against, "another map of the same place, to compare");
   command.add_option("--layer", arguments->layer, "semantic layer in each")->capture_default_str();

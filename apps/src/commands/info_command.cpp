@@ -34,7 +34,7 @@ std::string size_text(const LayerSummary& layer) {
   if (layer.num_objects) {
     std::string objects = std::to_string(*layer.num_objects) + " objects";
     if (layer.num_tentative.value_or(0) > 0) {
-      objects += " (and " + std::to_string(*layer.num_tentative) + " not sure enough)";
+      objects += " (and " + std::to_string(*layer.num_tentative) + " tentative)";
     }
     return objects;
   }

@@ -66,7 +66,7 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.num_detections,
               report.num_segments);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
-  std::printf("%zu objects (and %zu not sure enough), %zu occupied and %zu free voxels\n",
+  std::printf("%zu objects (and %zu tentative), %zu occupied and %zu free voxels\n",
               report.num_objects,
               report.num_tentative,
               report.leaves.occupied,
@@ -106,8 +106,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option("--output", arguments.job.output, "archive to write")->required();
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
-  command.add_option(
-      "--model", arguments.job.model, "network (ONNX, YOLOX) to run on each picture");
+  command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
   command.add_option("--preset", arguments.preset, "where options start from")
       ->check(CLI::IsMember({"default", "smap", "hypermap"}))
       ->capture_default_str();
@@ -127,7 +126,8 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
-  command.add_option("--transient", arguments.transient, "class of things that do not stay");
+  command.add_option(
+      "--transient", arguments.transient, "transient class: updates neither objects nor voxels");
   auto* append =
       command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   command

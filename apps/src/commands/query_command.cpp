@@ -33,7 +33,7 @@ struct QueryArguments {
 };
 
 /// The arguments as the library takes them.
-struct Question {
+struct QueryRequest {
   QueryArguments arguments;
   MapQuery query;
 };
@@ -54,22 +54,22 @@ Result<std::optional<PlanPoint>> point_of(const QueryArguments& arguments) {
   return std::optional(point);
 }
 
-Result<Question> question_of(QueryArguments arguments) {
-  Question question;
-  MapQuery& query = question.query;
+Result<QueryRequest> request_of(QueryArguments arguments) {
+  QueryRequest request;
+  MapQuery& query = request.query;
   query.layer = arguments.layer.value_or(std::string(kObjectsLayer));
   query.text = arguments.text;
   query.value = arguments.value;
   HYPERMAP_ASSIGN_OR_RETURN(query.at, point_of(arguments));
   HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
   query.frame_id = arguments.frame;
-  question.arguments = std::move(arguments);
-  return question;
+  request.arguments = std::move(arguments);
+  return request;
 }
 
-Result<MapAnswers> ask(const MapArchive& archive, const Question& question) {
-  if (!question.arguments.nearest) return query_map(archive, question.query);
-  auto answers = query_nearest(archive, *question.arguments.nearest, *question.query.at);
+Result<MapAnswers> run_query(const MapArchive& archive, const QueryRequest& request) {
+  if (!request.arguments.nearest) return query_map(archive, request.query);
+  auto answers = query_nearest(archive, *request.arguments.nearest, *request.query.at);
   if (!answers) answers.error().field = "--nearest";
   return answers;
 }
@@ -145,12 +145,12 @@ ExitCode report_refusal(const Error& error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
-ExitCode run(const Question& question) {
-  const auto loaded = load_archive(question.arguments.file);
+ExitCode run(const QueryRequest& request) {
+  const auto loaded = load_archive(request.arguments.file);
   if (!loaded) return report(loaded.error());
-  auto answers = ask(loaded->value, question);
-  if (!answers) return report_refusal(answers.error(), question.arguments);
-  if (question.arguments.json) {
+  auto answers = run_query(loaded->value, request);
+  if (!answers) return report_refusal(answers.error(), request.arguments);
+  if (request.arguments.json) {
     print_json(*answers);
   } else {
     print_table(*answers);
@@ -167,17 +167,17 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--layer", arguments->layer, "a layer as info lists it");
   command.add_option("--at", arguments->at, "point X,Y; in 3D layers also X,Y,Z");
   command.add_option("--area", arguments->area, "polygon \"x y,x y,x y,...\"");
-  command.add_option("--string", arguments->text, "things of this name; Free, Occupied, Unknown");
-  command.add_option("--int", arguments->value, "things of this number: occupancy, or id");
+  command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
+  command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--json", arguments->json, "one JSON document");
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
-    const auto question = question_of(*arguments);
-    if (!question) throw CLI::ValidationError("query", to_string(question.error()));
-    action = [question = *question] { return run(question); };
+    const auto request = request_of(*arguments);
+    if (!request) throw CLI::ValidationError("query", to_string(request.error()));
+    action = [request = *request] { return run(request); };
   });
 }
 

@@ -33,7 +33,7 @@ Result<SimulationReport> run(const SimulateArguments& arguments, const std::stri
 
 void print(const SimulationReport& report, const std::string& output) {
   std::size_t num_counted = 0;
-  for (const SimulatedTruth& truth : report.objects) num_counted += truth.excluded_because.empty();
+  for (const SimulatedTruth& truth : report.objects) num_counted += truth.exclusion_reason.empty();
   std::printf("%zu frames and %zu detections of %zu objects in %s\n",
               report.num_frames,
               report.num_detections,
@@ -41,9 +41,9 @@ void print(const SimulationReport& report, const std::string& output) {
               output.c_str());
   std::printf("%zu objects count in evaluations; not counted:\n", num_counted);
   for (const SimulatedTruth& truth : report.objects) {
-    if (truth.excluded_because.empty()) continue;
+    if (truth.exclusion_reason.empty()) continue;
     std::printf(
-        "  %-16s %s\n", printable(truth.name).c_str(), printable(truth.excluded_because).c_str());
+        "  %-16s %s\n", printable(truth.name).c_str(), printable(truth.exclusion_reason).c_str());
   }
 }
 

@@ -31,7 +31,7 @@ struct SnapshotArguments {
 Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
   SnapshotOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.view, parse_snapshot_view(arguments.view));
-  HYPERMAP_ASSIGN_OR_RETURN(const SnapshotSize size, parse_picture_size(arguments.size));
+  HYPERMAP_ASSIGN_OR_RETURN(const SnapshotSize size, parse_image_size(arguments.size));
   options.width_px = size.width_px;
   options.height_px = size.height_px;
   if (arguments.layers) {
@@ -45,11 +45,11 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
 Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
   const MapArchive& archive = loaded.value;
-  SnapshotScene scene =
-      map_scene(archive.hypermap, archive.classes, shown_objects(archive), shown_leaves(archive));
+  SnapshotScene scene = map_scene(
+      archive.hypermap, archive.classes, confirmed_objects_of(archive), shown_leaves(archive));
   scene.title = arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
-  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage picture, render_snapshot(scene, options));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(picture));
+  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image, render_snapshot(scene, options));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(image));
   return write_file_atomically(arguments.output, bytes);
 }
 
@@ -57,7 +57,7 @@ Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& opti
 
 void add_snapshot_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<SnapshotArguments>();
-  CLI::App& command = *program.add_subcommand("snapshot", "A picture of a map, without a screen");
+  CLI::App& command = *program.add_subcommand("snapshot", "An image of a map, without a screen");
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command.add_option("--output", arguments->output, "PNG to write")->required();
   command.add_option("--view", arguments->view, "iso, top, or a camera pose \"x y z qx qy qz qw\"")
@@ -66,7 +66,7 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command.add_option("--layers",
                      arguments->layers,
                      "voxels,objects,occupancy,semantic,overlay or all (default: by view)");
-  command.add_option("--title", arguments->title, "text over the picture (default: file name)");
+  command.add_option("--title", arguments->title, "text over the image (default: file name)");
   command
       .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")
       ->check(number_in(-10000.0, 10000.0));

@@ -53,8 +53,8 @@ Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) 
   return all.mapper.objects.segmentation;
 }
 
-Result<void> write_picture(const std::filesystem::path& path, const ColorImage& picture) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(picture));
+Result<void> write_image(const std::filesystem::path& path, const ColorImage& image) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(image));
   return write_file_atomically(path, bytes);
 }
 
@@ -65,17 +65,17 @@ std::string file_safe(std::string text) {
   return text;
 }
 
-Result<void> write_pictures(const SegmentationTrace& trace,
-                            const RgbdFrame& frame,
-                            const std::filesystem::path& folder,
-                            std::size_t detection) {
+Result<void> write_images(const SegmentationTrace& trace,
+                          const RgbdFrame& frame,
+                          const std::filesystem::path& folder,
+                          std::size_t detection) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) return Unexpected(Error{ErrorCode::kIo, failed.message(), folder.string()});
   for (std::size_t i = 0; i < trace.steps.size(); ++i) {
     const std::string name = "detection-" + std::to_string(detection) + "-step-" +
                              std::to_string(i + 1) + "-" + file_safe(trace.steps[i].name) + ".png";
-    HYPERMAP_TRY(write_picture(folder / name, render_labels(trace.steps[i].labels, frame.color)));
+    HYPERMAP_TRY(write_image(folder / name, render_labels(trace.steps[i].labels, frame.color)));
   }
   return {};
 }
@@ -146,7 +146,7 @@ Result<void> tune(const TuneArguments& arguments, const GeometricSegmentationOpt
     const SegmentationTrace trace = trace_segmentation(frame, frame.detections[i], options);
     print(trace, frame.detections[i], classes, i);
     if (!arguments.output) continue;
-    HYPERMAP_TRY(write_pictures(trace, frame, *arguments.output, i));
+    HYPERMAP_TRY(write_images(trace, frame, *arguments.output, i));
   }
   return {};
 }
@@ -165,8 +165,10 @@ void add_tune_command(CLI::App& program, Action& action) {
   command
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--output", arguments->output, "folder for a picture of each step");
-  command.add_option("--policy", arguments->policy, "how things are told from what is around them")
+  command.add_option("--output", arguments->output, "folder for an image of each step");
+  command
+      .add_option(
+          "--policy", arguments->policy, "how objects are separated from their surroundings")
       ->check(value_of_option(kPolicyOption))
       ->capture_default_str();
   command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")

@@ -99,7 +99,7 @@ Result<DepthImage> depth_image(const DepthView& view) {
       return static_cast<float>(static_cast<double>(units) / view.units_per_m);
     });
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, "no memory for a depth picture");
+    return fail(ErrorCode::kOutOfMemory, "no memory for a depth image");
   }
 }
 

@@ -37,8 +37,8 @@ std::string printable(std::string_view text, std::size_t max_bytes) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
     const std::string_view character = text.substr(i, std::max<std::size_t>(length, 1));
-    const bool is_shown = length > 0 && !is_control(character);
-    const std::string piece = is_shown ? std::string(character) : hex_escaped(character);
+    const bool is_printable = length > 0 && !is_control(character);
+    const std::string piece = is_printable ? std::string(character) : hex_escaped(character);
     if (out.size() + piece.size() > max_bytes) return out + "...";
     out += piece;
     i += character.size();

@@ -43,15 +43,18 @@ struct ClassMembers {
   std::vector<std::size_t> truth;
 };
 
-/// What became of a map object.
-enum class MapFate { kMatched, kExcluded, kDuplicate, kFalse };
+/// The class of a map object in the one-to-one metric.
+enum class MapObjectStatus { kMatched, kExcluded, kDuplicate, kFalse };
 
 class Evaluation {
  public:
   Evaluation(std::span<const EvaluatedObject> map,
              std::span<const EvaluatedObject> truth,
              const EvaluationOptions& options)
-      : map_(map), truth_(truth), options_(options), fates_(map.size(), MapFate::kFalse) {}
+      : map_(map),
+        truth_(truth),
+        options_(options),
+        statuses_(map.size(), MapObjectStatus::kFalse) {}
 
   EvaluationReport run() {
     const auto members = members_by_class();
@@ -99,25 +102,28 @@ class Evaluation {
                                                                 : options_.gate_m;
   }
 
-  /// Hungarian over the counted truths first, then what is left against the excluded ones.
+  /// Hungarian over the counted truths first, then the remaining map objects over the excluded
+  /// ones.
   void match_one_to_one(const ClassMembers& group) {
     std::vector<std::size_t> counted;
     std::vector<std::size_t> excluded;
     for (const std::size_t t : group.truth) (truth_[t].excluded ? excluded : counted).push_back(t);
     for (const auto& [m, t] : assign_within_gates(group.map, counted)) {
-      fates_[m] = MapFate::kMatched;
+      statuses_[m] = MapObjectStatus::kMatched;
       results_[t].matched_map_index = m;
       results_[t].matched_distance_m = distance(m, t);
       results_[t].jaccard_in_place = jaccard(map_[m].footprint, truth_[t].footprint);
     }
     std::vector<std::size_t> left = group.map;
-    std::erase_if(left, [&](std::size_t m) { return fates_[m] == MapFate::kMatched; });
-    for (const auto& [m, t] : assign_within_gates(left, excluded)) fates_[m] = MapFate::kExcluded;
+    std::erase_if(left, [&](std::size_t m) { return statuses_[m] == MapObjectStatus::kMatched; });
+    for (const auto& [m, t] : assign_within_gates(left, excluded))
+      statuses_[m] = MapObjectStatus::kExcluded;
     for (const std::size_t m : left) {
-      const bool shows_again = std::any_of(counted.begin(), counted.end(), [&](std::size_t t) {
+      const bool is_repeated = std::any_of(counted.begin(), counted.end(), [&](std::size_t t) {
         return results_[t].matched_map_index && distance(m, t) <= gate_m(t);
       });
-      if (fates_[m] == MapFate::kFalse && shows_again) fates_[m] = MapFate::kDuplicate;
+      if (statuses_[m] == MapObjectStatus::kFalse && is_repeated)
+        statuses_[m] = MapObjectStatus::kDuplicate;
     }
   }
 
@@ -187,8 +193,8 @@ class Evaluation {
     Mean small;
     for (const ClassMembers* group : groups) {
       for (const std::size_t m : group->map) {
-        metric.num_map += fates_[m] == MapFate::kExcluded ? 0U : 1U;
-        metric.duplicates += fates_[m] == MapFate::kDuplicate ? 1U : 0U;
+        metric.num_map += statuses_[m] == MapObjectStatus::kExcluded ? 0U : 1U;
+        metric.duplicates += statuses_[m] == MapObjectStatus::kDuplicate ? 1U : 0U;
       }
       for (const std::size_t t : group->truth) {
         if (truth_[t].excluded) {
@@ -227,9 +233,10 @@ class Evaluation {
         report.truths.push_back(results_[t]);
       }
       for (const std::size_t m : group.map) {
-        const bool is_duplicate = fates_[m] == MapFate::kDuplicate;
+        const bool is_duplicate = statuses_[m] == MapObjectStatus::kDuplicate;
         if (is_duplicate) report.duplicates.push_back(m);
-        if (is_duplicate || fates_[m] == MapFate::kFalse) report.false_positives.push_back(m);
+        if (is_duplicate || statuses_[m] == MapObjectStatus::kFalse)
+          report.false_positives.push_back(m);
       }
     }
     std::sort(report.truths.begin(), report.truths.end(), [](const auto& a, const auto& b) {
@@ -242,7 +249,7 @@ class Evaluation {
   std::span<const EvaluatedObject> map_;
   std::span<const EvaluatedObject> truth_;
   const EvaluationOptions& options_;
-  std::vector<MapFate> fates_;
+  std::vector<MapObjectStatus> statuses_;
   std::vector<TruthResult> results_;
 };
 

@@ -72,10 +72,10 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return exact_orientation(a, b, c);
 }
 
-bool segments_meet(const Eigen::Vector2d& a,
-                   const Eigen::Vector2d& b,
-                   const Eigen::Vector2d& c,
-                   const Eigen::Vector2d& d) {
+bool segments_intersect(const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b,
+                        const Eigen::Vector2d& c,
+                        const Eigen::Vector2d& d) {
   const int abc = orientation(a, b, c);
   const int abd = orientation(a, b, d);
   const int cda = orientation(c, d, a);

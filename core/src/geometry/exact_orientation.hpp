@@ -17,9 +17,9 @@ namespace hypermap {
                               const Eigen::Vector2d& c);
 
 /// Whether the closed segments a-b and c-d have a point in common.
-[[nodiscard]] bool segments_meet(const Eigen::Vector2d& a,
-                                 const Eigen::Vector2d& b,
-                                 const Eigen::Vector2d& c,
-                                 const Eigen::Vector2d& d);
+[[nodiscard]] bool segments_intersect(const Eigen::Vector2d& a,
+                                      const Eigen::Vector2d& b,
+                                      const Eigen::Vector2d& c,
+                                      const Eigen::Vector2d& d);
 
 }  // namespace hypermap

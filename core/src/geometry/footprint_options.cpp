@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/option_rows.hpp"
-#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 
 namespace hypermap {
 namespace {
 
-using Points = PointEvidenceOptions;
+using Points = OccupancyVotesOptions;
 
 constexpr OptionRow kPointsRows[] = {
     option::number<&Points::edge_m>(
@@ -22,12 +22,12 @@ constexpr OptionRow kPointsRows[] = {
 
 }  // namespace
 
-const OptionTable& option_table(const PointEvidenceOptions&) {
+const OptionTable& option_table(const OccupancyVotesOptions&) {
   static constexpr OptionTable kTable{kPointsRows};
   return kTable;
 }
 
-Result<void> validate(const PointEvidenceOptions& options) {
+Result<void> validate(const OccupancyVotesOptions& options) {
   return check_options(options);
 }
 

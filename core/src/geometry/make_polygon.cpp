@@ -81,7 +81,7 @@ Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
     HYPERMAP_ASSIGN_OR_RETURN(Ring next, checked_ring(std::move(hole), name));
     rings.push_back(std::move(next));
   }
-  if (const auto place = first_meeting(rings)) {
+  if (const auto place = first_intersection(rings)) {
     return fail(ErrorCode::kInvalidArgument,
                 std::string(rings.size() > 1 ? "the rings cross or touch"
                                              : "the ring crosses or touches itself") +

@@ -16,8 +16,8 @@ PointCell widened(const PointCell& cell) {
   return {half(cell.x), half(cell.y), half(cell.z)};
 }
 
-/// The cells of one thing lie close together: each becomes one number, of the same order. None when
-/// they do not.
+/// The cells of one object lie close together: each becomes one number, of the same order. None
+/// when they do not.
 class PackedCells {
  public:
   [[nodiscard]] static std::optional<PackedCells> around(std::span<const PointCell> cells) {

@@ -5,7 +5,7 @@
 /// All lists are ascending by cell, each cell once.
 #pragma once
 
-#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include <Eigen/Core>
 

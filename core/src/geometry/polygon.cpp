@@ -40,7 +40,7 @@ Side side_of_ring(const Ring& ring, const Eigen::Vector2d& p) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& a = ring[i];
     const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
-    if (segments_meet(a, b, p, p)) return Side::kEdge;
+    if (segments_intersect(a, b, p, p)) return Side::kEdge;
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;
     // The edge passes the height of p: count it when p lies to its left.
     if ((orientation(a, b, p) > 0) == (b.y() > a.y())) inside = !inside;

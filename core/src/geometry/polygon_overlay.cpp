@@ -29,7 +29,7 @@ FlatPolygon to_boost(const Polygon& polygon, const Eigen::Vector2d& origin) {
   return out;
 }
 
-bool rectangles_meet(const Rect& a, const Rect& b) {
+bool rectangles_intersect(const Rect& a, const Rect& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
@@ -61,7 +61,7 @@ double intersection_area_m2(const Polygon& a, const Polygon& b) {
 }  // namespace
 
 bool intersects(const Polygon& a, const Polygon& b) {
-  if (!rectangles_meet(bounds(a), bounds(b))) return false;
+  if (!rectangles_intersect(bounds(a), bounds(b))) return false;
   const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   try {
     return bg::intersects(to_boost(a, origin), to_boost(b, origin));
@@ -71,7 +71,7 @@ bool intersects(const Polygon& a, const Polygon& b) {
 }
 
 double jaccard(const Polygon& a, const Polygon& b) {
-  if (a.outer.empty() || b.outer.empty() || !rectangles_meet(bounds(a), bounds(b))) return 0.0;
+  if (a.outer.empty() || b.outer.empty() || !rectangles_intersect(bounds(a), bounds(b))) return 0.0;
   const double common = intersection_area_m2(a, b);
   const double together = area_m2(a) + area_m2(b) - common;
   return together > 0.0 ? common / together : 0.0;

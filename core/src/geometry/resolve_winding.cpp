@@ -130,7 +130,7 @@ Result<WindingFill> resolve_winding(Ring ring) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto spike_free, without_spikes(std::move(ring)));
   Ring& clean = spike_free.ring;
-  if (!first_meeting(std::span(&clean, 1))) {
+  if (!first_intersection(std::span(&clean, 1))) {
     HYPERMAP_ASSIGN_OR_RETURN(Polygon simple, make_polygon(std::move(clean)));
     return WindingFill{{std::move(simple)}, spike_free.had_spikes};
   }

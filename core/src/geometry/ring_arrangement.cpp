@@ -39,12 +39,12 @@ std::vector<Eigen::Vector2d> common_points(const Eigen::Vector2d& a,
                                            const Eigen::Vector2d& d) {
   std::vector<Eigen::Vector2d> out;
   for (const auto& p : {a, b}) {
-    if (segments_meet(c, d, p, p)) out.push_back(p);
+    if (segments_intersect(c, d, p, p)) out.push_back(p);
   }
   for (const auto& p : {c, d}) {
-    if (segments_meet(a, b, p, p)) out.push_back(p);
+    if (segments_intersect(a, b, p, p)) out.push_back(p);
   }
-  if (!out.empty() || !segments_meet(a, b, c, d)) return out;
+  if (!out.empty() || !segments_intersect(a, b, c, d)) return out;
   const Eigen::Vector2d u = b - a;
   const Eigen::Vector2d v = d - c;
   const Eigen::Vector2d w = c - a;

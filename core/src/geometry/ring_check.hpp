@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The first judgement of a ring: what both the strict and the forgiving reader ask for.
+/// The first check of a ring: common to the strict and the lenient reader.
 #pragma once
 
 #include "hypermap/core/geometry/polygon.hpp"

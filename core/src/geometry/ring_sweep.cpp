@@ -69,7 +69,8 @@ struct LiesLower {
     return side_of(edge_a, edge_b) > 0;
   }
 
-  /// Where `later` starts relative to `earlier`; edges of one corner are told by their other ends.
+  /// Where `later` starts relative to `earlier`; edges of one corner are ordered by their other
+  /// ends.
   [[nodiscard]] int side_of(const Edge& earlier, const Edge& later) const {
     const auto& points = soup->points;
     const Eigen::Vector2d& from = points[earlier.from];
@@ -86,7 +87,7 @@ class Sweep {
   }
 
   std::optional<Eigen::Vector2d> run() {
-    if (auto twice = repeated_corner()) return twice;
+    if (auto repeated = repeated_corner()) return repeated;
     for (const Corner& corner : soup_.corners) {
       const bool ok = leave(corner, corner.edge_in) && leave(corner, corner.edge_out) &&
                       enter(corner, corner.edge_in) && enter(corner, corner.edge_out);
@@ -131,7 +132,7 @@ class Sweep {
     if (p.from == q.from) return orientation(points[p.from], points[p.to], points[q.to]) != 0;
     if (p.to == q.to) return orientation(points[p.to], points[p.from], points[q.from]) != 0;
     if (p.from == q.to || p.to == q.from) return true;  // one ends where the other begins
-    return !segments_meet(points[p.from], points[p.to], points[q.from], points[q.to]);
+    return !segments_intersect(points[p.from], points[p.to], points[q.from], points[q.to]);
   }
 
   EdgeSoup soup_;
@@ -141,7 +142,7 @@ class Sweep {
 
 }  // namespace
 
-std::optional<Eigen::Vector2d> first_meeting(std::span<const Ring> rings) {
+std::optional<Eigen::Vector2d> first_intersection(std::span<const Ring> rings) {
   return Sweep(rings).run();
 }
 

@@ -15,6 +15,6 @@ namespace hypermap {
 /// A point at or beside the first place, from the left, where rings meet themselves or each other;
 /// none when all are simple and apart. Requires: finite coordinates, at least three points a ring,
 /// no two consecutive ones equal. Cost: O(n log n).
-[[nodiscard]] std::optional<Eigen::Vector2d> first_meeting(std::span<const Ring> rings);
+[[nodiscard]] std::optional<Eigen::Vector2d> first_intersection(std::span<const Ring> rings);
 
 }  // namespace hypermap

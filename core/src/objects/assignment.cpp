@@ -9,7 +9,7 @@ namespace hypermap {
 namespace {
 
 using Index = Eigen::Index;
-constexpr Index kNobody = -1;
+constexpr Index kUnassigned = -1;
 
 /// Rows and columns with potentials and the pairs made so far; more columns than rows, or equal.
 class Matching {
@@ -18,17 +18,17 @@ class Matching {
       : costs_(std::move(costs)),
         row_potential_(Eigen::VectorXd::Zero(costs_.rows())),
         column_potential_(Eigen::VectorXd::Zero(costs_.cols())),
-        row_of_(static_cast<std::size_t>(costs_.cols()), kNobody) {}
+        row_of_(static_cast<std::size_t>(costs_.cols()), kUnassigned) {}
 
   /// Pairs one more row along the cheapest path of exchanges.
   void add_row(Index row) {
     const auto num_columns = static_cast<std::size_t>(costs_.cols());
     std::vector<double> distance(num_columns, std::numeric_limits<double>::infinity());
-    std::vector<Index> came_from(num_columns, kNobody);
+    std::vector<Index> came_from(num_columns, kUnassigned);
     std::vector<bool> settled(num_columns, false);
-    Index column = kNobody;
+    Index column = kUnassigned;
     Index at_row = row;
-    while (at_row != kNobody) {
+    while (at_row != kUnassigned) {
       relax(at_row, column, distance, came_from, settled);
       column = nearest_open(distance, settled);
       advance(row, distance[idx(column)], distance, settled);
@@ -59,10 +59,10 @@ class Matching {
   }
 
   static Index nearest_open(const std::vector<double>& distance, const std::vector<bool>& settled) {
-    Index best = kNobody;
+    Index best = kUnassigned;
     for (std::size_t c = 0; c < distance.size(); ++c) {
       if (settled[c]) continue;
-      if (best == kNobody || distance[c] < distance[idx(best)]) best = static_cast<Index>(c);
+      if (best == kUnassigned || distance[c] < distance[idx(best)]) best = static_cast<Index>(c);
     }
     return best;
   }
@@ -84,9 +84,9 @@ class Matching {
   }
 
   void exchange(Index row, Index column, const std::vector<Index>& came_from) {
-    while (column != kNobody) {
+    while (column != kUnassigned) {
       const Index previous = came_from[idx(column)];
-      row_of_[idx(column)] = previous == kNobody ? row : row_of_[idx(previous)];
+      row_of_[idx(column)] = previous == kUnassigned ? row : row_of_[idx(previous)];
       column = previous;
     }
   }
@@ -119,7 +119,7 @@ std::vector<std::optional<std::size_t>> assign(const Eigen::MatrixXd& costs) {
   for (Index row = 0; row < std::min(costs.rows(), costs.cols()); ++row) matching.add_row(row);
   for (Index other = 0; other < std::max(costs.rows(), costs.cols()); ++other) {
     const Index paired = matching.row_of(other);
-    if (paired == kNobody) continue;
+    if (paired == kUnassigned) continue;
     const Index row = is_tall ? other : paired;
     const Index column = is_tall ? paired : other;
     if (!std::isfinite(costs(row, column))) continue;

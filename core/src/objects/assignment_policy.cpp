@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact.hpp"
 #include "hypermap/core/objects/assignment.hpp"
+#include "overlap.hpp"
 #include "policies.hpp"
 
 #include <algorithm>
@@ -13,22 +13,22 @@
 namespace hypermap {
 namespace {
 
-/// Bodies of objects, each made once as long as the object stays as it is.
-class BodyCache {
+/// Point sets of objects, each made once per state of the object.
+class PointSetCache {
  public:
-  BodyCache(const ObjectMap& objects, double near_m) : objects_(objects), near_m_(near_m) {}
+  PointSetCache(const ObjectMap& objects, double near_m) : objects_(objects), near_m_(near_m) {}
 
-  const Body& of(ObjectId id) {
-    const auto it = bodies_.find(id);
-    if (it != bodies_.end()) return it->second;
-    return bodies_.emplace(id, body_of(objects_.at(id), near_m_)).first->second;
+  const PointSet& of(ObjectId id) {
+    const auto it = point_sets_.find(id);
+    if (it != point_sets_.end()) return it->second;
+    return point_sets_.emplace(id, point_set_of(objects_.at(id), near_m_)).first->second;
   }
-  void forget(ObjectId id) { bodies_.erase(id); }
+  void forget(ObjectId id) { point_sets_.erase(id); }
 
  private:
   const ObjectMap& objects_;
   double near_m_;
-  std::map<ObjectId, Body> bodies_;
+  std::map<ObjectId, PointSet> point_sets_;
 };
 
 /// An observation and the objects that it may show.
@@ -37,16 +37,16 @@ struct Candidates {
   std::map<ObjectId, double> affinity_of;
 };
 
-std::vector<Candidates> find_candidates(AssociationRun& run, BodyCache& bodies) {
+std::vector<Candidates> find_candidates(AssociationRun& run, PointSetCache& point_sets) {
   const AssignmentOptions& options = run.options.assignment;
   std::vector<Candidates> all;
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
-    if (!run.is_lasting(i)) continue;
+    if (run.is_transient(i)) continue;
     Candidates& candidates = all.emplace_back(Candidates{i, {}});
-    const Body seen = body_of(run.observations[i], options.near_m);
+    const PointSet seen = point_set_of(run.observations[i], options.near_m);
     for (const ObjectId id : run.objects.query(grown(seen.box, 2.0 * options.near_m))) {
-      const Contact c = contact(seen, bodies.of(id), options.near_m);
-      if (is_same_thing(c, options)) candidates.affinity_of[id] = affinity(c);
+      const Overlap c = measure_overlap(seen, point_sets.of(id), options.near_m);
+      if (is_same_object(c, options)) candidates.affinity_of[id] = affinity(c);
     }
   }
   return all;
@@ -79,7 +79,7 @@ std::vector<std::optional<ObjectId>> best_matches(const std::vector<Candidates>&
   return out;
 }
 
-ObjectId favourite(const Candidates& candidates) {
+ObjectId best_candidate(const Candidates& candidates) {
   const auto it =
       std::max_element(candidates.affinity_of.begin(),
                        candidates.affinity_of.end(),
@@ -87,31 +87,33 @@ ObjectId favourite(const Candidates& candidates) {
   return it->first;
 }
 
-/// The first neighbour of `id` that came to be the same thing.
-std::optional<ObjectId> twin_of(ObjectId id, const AssociationRun& run, BodyCache& bodies) {
+/// The first neighbour that is a duplicate of `id`.
+std::optional<ObjectId> duplicate_of(ObjectId id,
+                                     const AssociationRun& run,
+                                     PointSetCache& point_sets) {
   const AssignmentOptions& options = run.options.assignment;
   const Box around = grown(run.objects.at(id).box, 2.0 * options.near_m);
   for (const ObjectId other : run.objects.query(around)) {
     if (other == id) continue;
-    const Contact c = contact(bodies.of(id), bodies.of(other), options.near_m);
-    if (is_same_thing(c, options, options.merge_factor)) return other;
+    const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
+    if (is_same_object(c, options, options.merge_factor)) return other;
   }
   return std::nullopt;
 }
 
-/// Objects that were touched by this frame are merged with those that they came to overlap.
-void merge_twins(AssociationRun& run, BodyCache& bodies) {
+/// Objects that this frame created or updated are merged with their duplicates.
+void merge_duplicates(AssociationRun& run, PointSetCache& point_sets) {
   std::set<ObjectId> open(run.report.created.begin(), run.report.created.end());
   open.insert(run.report.matched.begin(), run.report.matched.end());
-  for (const ObjectId id : open) bodies.forget(id);
+  for (const ObjectId id : open) point_sets.forget(id);
   while (!open.empty()) {
     const ObjectId id = *open.begin();
     open.erase(open.begin());
     if (!run.objects.contains(id)) continue;
-    if (const auto twin = twin_of(id, run, bodies)) {
-      const ObjectId into = run.merge(id, *twin);
-      bodies.forget(id);
-      bodies.forget(*twin);
+    if (const auto duplicate = duplicate_of(id, run, point_sets)) {
+      const ObjectId into = run.merge(id, *duplicate);
+      point_sets.forget(id);
+      point_sets.forget(*duplicate);
       open.insert(into);
     }
   }
@@ -120,8 +122,8 @@ void merge_twins(AssociationRun& run, BodyCache& bodies) {
 }  // namespace
 
 void associate_by_assignment(AssociationRun& run) {
-  BodyCache bodies(run.objects, run.options.assignment.near_m);
-  const std::vector<Candidates> all = find_candidates(run, bodies);
+  PointSetCache point_sets(run.objects, run.options.assignment.near_m);
+  const std::vector<Candidates> all = find_candidates(run, point_sets);
   const auto matches = best_matches(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t observation = all[i].observation;
@@ -130,11 +132,11 @@ void associate_by_assignment(AssociationRun& run) {
     } else if (all[i].affinity_of.empty()) {
       run.create(observation);
     } else {  // its object was shown better by another observation of this frame
-      run.report.object_of_observation[observation] = favourite(all[i]);
+      run.report.object_of_observation[observation] = best_candidate(all[i]);
       ++run.report.num_repeated;
     }
   }
-  merge_twins(run, bodies);
+  merge_duplicates(run, point_sets);
 }
 
 }  // namespace hypermap

@@ -32,9 +32,9 @@ void apply_merges(AssociationReport& report) {
 
 }  // namespace
 
-double bearing_from_object_rad(const Eigen::Vector3d& thing_in_map,
+double bearing_from_object_rad(const Eigen::Vector3d& object_in_map,
                                const Eigen::Vector3d& camera_in_map) {
-  return std::atan2(camera_in_map.y() - thing_in_map.y(), camera_in_map.x() - thing_in_map.x());
+  return std::atan2(camera_in_map.y() - object_in_map.y(), camera_in_map.x() - object_in_map.x());
 }
 
 Observation make_observation(const RgbdFrame& frame, const Detection& detection, Segment segment) {
@@ -62,22 +62,23 @@ bool is_of_class(const Object& object, ClassId id) {
   return best && best->id == id;
 }
 
-bool AssociationRun::is_lasting(std::size_t observation) {
+bool AssociationRun::is_transient(std::size_t observation) {
   const auto& transient = options.transient_classes;
   const ClassId id = named_class(observations[observation]);
-  const bool lasting = std::find(transient.begin(), transient.end(), id) == transient.end();
-  report.num_transient += lasting ? 0U : 1U;
-  return lasting;
+  const bool found = std::find(transient.begin(), transient.end(), id) != transient.end();
+  report.num_transient += found ? 1U : 0U;
+  return found;
 }
 
 void AssociationRun::create(std::size_t observation) {
-  const ObjectId id = objects.add(first_seen(observations[observation], options));
+  const ObjectId id = objects.add(make_object(observations[observation], options));
   report.object_of_observation[observation] = id;
   report.created.push_back(id);
 }
 
 void AssociationRun::match(std::size_t observation, ObjectId id) {
-  objects.modify(id, [&](Object& object) { learn(object, observations[observation], options); });
+  objects.modify(
+      id, [&](Object& object) { update_object(object, observations[observation], options); });
   report.object_of_observation[observation] = id;
   report.matched.push_back(id);
 }

@@ -50,9 +50,9 @@ Result<ClassBelief> ClassBelief::from_entries(const ClassBeliefOptions& options,
 }
 
 LogOdds& ClassBelief::entry(ClassId id) {
-  const ClassLogOdds fresh{id, LogOdds{}};
-  auto it = std::lower_bound(entries_.begin(), entries_.end(), fresh, has_lower_id);
-  if (it == entries_.end() || it->id != id) it = entries_.insert(it, fresh);
+  const ClassLogOdds unobserved{id, LogOdds{}};
+  auto it = std::lower_bound(entries_.begin(), entries_.end(), unobserved, has_lower_id);
+  if (it == entries_.end() || it->id != id) it = entries_.insert(it, unobserved);
   return it->log_odds;
 }
 

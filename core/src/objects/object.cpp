@@ -60,7 +60,7 @@ Object merged(const Object& a, const Object& b, LogOdds max_existence) {
   out.histogram.merge(younger.histogram);
   out.shapes.merge(younger.shapes);
   out.points.merge(younger.points);
-  out.ledger.merge(younger.ledger);
+  out.observation_log.merge(younger.observation_log);
   out.box = out.points.agreed_box().value_or(united(a.box, b.box));
   out.centroid_in_map = out.box.centre();
   out.first_seen = std::min(a.first_seen, b.first_seen);

@@ -15,7 +15,7 @@ constexpr OptionRow kPipelineRows[] = {
     option::section<&Pipeline::association>("association"),
     option::section<&Pipeline::binned_depth>("binned_depth"),
     option::section<&Pipeline::absence>("absence"),
-    option::section<&Pipeline::publication>("publication"),
+    option::section<&Pipeline::confirmation>("publication"),
     option::choice<&Pipeline::footprint>("footprint",
                                          kShapeNames,
                                          {.effect = "What objects cover from above.",

@@ -13,7 +13,7 @@ bool box_holds(const Box& box, const PlanPoint& point) {
   return box.contains({point.xy.x(), point.xy.y(), point.z.value_or(box.min_in_map.z())});
 }
 
-bool box_meets(const Box& box, const Polygon& area) {
+bool box_intersects(const Box& box, const Polygon& area) {
   const Eigen::Vector2d low = box.min_in_map.head<2>();
   const Eigen::Vector2d high = box.max_in_map.head<2>();
   const auto outline = make_polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
@@ -26,7 +26,7 @@ bool fulfils(const Object& object, const ObjectQuery& query) {
     return false;
   }
   if (query.at && !box_holds(object.box, *query.at)) return false;
-  return !query.area || box_meets(object.box, *query.area);
+  return !query.area || box_intersects(object.box, *query.area);
 }
 
 double distance_m(const Object& object, const PlanPoint& point) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The ways in which observations find their objects; `associate` chooses one.
+/// The association policies; `associate` chooses one.
 #pragma once
 
 #include "hypermap/core/objects/association.hpp"
@@ -17,8 +17,8 @@ struct AssociationRun {
   const AssociationOptions& options;
   AssociationReport report;
 
-  /// False when the observation's class touches no object; counted.
-  [[nodiscard]] bool is_lasting(std::size_t observation);
+  /// True when the observation's class is transient, so that it updates no object; counted.
+  [[nodiscard]] bool is_transient(std::size_t observation);
   void create(std::size_t observation);
   void match(std::size_t observation, ObjectId id);
   /// Joins two objects; the lower id stays and is returned.

@@ -2,14 +2,14 @@
 // Options of what it means not to be seen, and of which objects the map stands for.
 #include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/objects/absence.hpp"
+#include "hypermap/core/objects/confirmation.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "hypermap/core/objects/publication.hpp"
 
 namespace hypermap {
 namespace {
 
 using Absence = AbsenceOptions;
-using Publication = PublicationOptions;
+using Confirmation = ConfirmationOptions;
 
 constexpr std::string_view kVisibilityNames[] = {"rays", "hull", "panels"};
 constexpr std::string_view kRemovalNames[] = {"existence", "confidence"};
@@ -101,33 +101,33 @@ constexpr OptionRow kAbsenceRows[] = {
 };
 
 constexpr OptionRow kPublicationRows[] = {
-    option::number<&Publication::min_existence>("min_existence",
+    option::number<&Confirmation::min_existence>("min_existence",
                                                 {-1000, 1000},
                                                 {.unit = "log-odds",
                                                  .source = "[hypermap] 3.4.5",
                                                  .effect = "Published above; none: not asked.",
                                                  .smap = kNoValue,
                                                  .hypermap = 2.0}),
-    option::number<&Publication::min_confidence>(
+    option::number<&Confirmation::min_confidence>(
         "min_confidence",
         {0, 1},
         {.unit = "probability",
          .source = "[smap] table D.2, o_valid",
          .effect = "Published from here on; none: not asked.",
          .smap = 0.5}),
-    option::section<&Publication::confidence>("confidence"),
-    option::count<&Publication::min_observations>(
+    option::section<&Confirmation::confidence>("confidence"),
+    option::count<&Confirmation::min_observations>(
         "min_observations",
         {0, 1000000},
         {.effect = "Seen less often is not enough.", .smap = 1, .hypermap = 1}),
-    option::flag<&Publication::one_per_place>(
+    option::flag<&Confirmation::one_per_place>(
         "one_per_place",
         {.effect = "Of two objects on the same points only the stronger.",
          .smap = false,
          .hypermap = false}),
-    option::number<&Publication::same_place_share>(
+    option::number<&Confirmation::same_place_share>(
         "same_place_share", {0, 1}, {.effect = "Share of points that makes it the same place,"}),
-    option::number<&Publication::same_place_diagonal>(
+    option::number<&Confirmation::same_place_diagonal>(
         "same_place_diagonal", {0, 1}, {.effect = "and least share of the diagonal."}),
 };
 
@@ -147,12 +147,12 @@ Result<void> validate(const AbsenceOptions& options) {
   return check_options(options);
 }
 
-const OptionTable& option_table(const PublicationOptions&) {
+const OptionTable& option_table(const ConfirmationOptions&) {
   static constexpr OptionTable kTable{kPublicationRows};
   return kTable;
 }
 
-Result<void> validate(const PublicationOptions& options) {
+Result<void> validate(const ConfirmationOptions& options) {
   return check_options(options);
 }
 

@@ -16,7 +16,7 @@ using CandidateFinder = std::function<std::vector<ObjectId>(const Observation&, 
 /// One observation after the other; several matches are combined. Source: [hypermap] 3.4.5.
 void associate_and_combine(AssociationRun& run, const CandidateFinder& candidates_of) {
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
-    if (!run.is_lasting(i)) continue;
+    if (run.is_transient(i)) continue;
     const Observation& observation = run.observations[i];
     const auto shape = projected_hull(observation.segment.points_in_map, run.options.shape_leaf_m);
     if (!shape) {
@@ -61,7 +61,7 @@ std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
                                           ClassId class_id,
                                           std::optional<ObjectId> except,
                                           const AssociationScope& scope) {
-  const double reach_m = run.options.position_error_m * run.options.tracking_factor;
+  const double max_distance_m = run.options.position_error_m * run.options.tracking_factor;
   std::optional<ObjectId> best;
   double best_distance = std::numeric_limits<double>::infinity();
   for (const Object& object : run.objects.objects()) {
@@ -69,7 +69,7 @@ std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
                         is_of_class(object, class_id) &&            // C.2.1
                         is_in_cone(object.centroid_in_map, scope);  // C.2.2
     const double distance = (object.centroid_in_map - centroid).norm();
-    if (!may_be || !(distance < reach_m) || !(distance < best_distance)) continue;  // C.2.3
+    if (!may_be || !(distance < max_distance_m) || !(distance < best_distance)) continue;  // C.2.3
     best = object.id;
     best_distance = distance;
   }
@@ -108,7 +108,7 @@ void associate_by_radius(AssociationRun& run) {
 
 void associate_by_smap(AssociationRun& run, const AssociationScope& scope) {
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
-    if (!run.is_lasting(i)) continue;
+    if (run.is_transient(i)) continue;
     const Observation& observation = run.observations[i];
     const auto candidate = nearest_candidate(
         run, observation.segment.centroid_in_map, named_class(observation), std::nullopt, scope);

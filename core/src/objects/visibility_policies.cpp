@@ -14,12 +14,12 @@ namespace {
 /// Every fourth pixel each way outlines what a frame shows.
 constexpr int kHullStridePx = 4;
 
-VisibilityVerdict verdict_on(const Object& object, const Eigen::Vector3d& camera_in_map) {
-  VisibilityVerdict verdict;
-  verdict.object = object.id;
-  verdict.bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera_in_map);
-  verdict.distance_m = (object.centroid_in_map - camera_in_map).norm();
-  return verdict;
+VisibilityResult visibility_result_of(const Object& object, const Eigen::Vector3d& camera_in_map) {
+  VisibilityResult result;
+  result.object = object.id;
+  result.bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera_in_map);
+  result.distance_m = (object.centroid_in_map - camera_in_map).norm();
+  return result;
 }
 
 /// From above, what the frame shows and the camera.
@@ -76,37 +76,37 @@ Visibility state_of(const PanelCounts& counts, const AbsenceOptions& options) {
 
 }  // namespace
 
-Result<std::vector<VisibilityVerdict>> judge_by_hull(const ObjectMap& objects,
-                                                     const RgbdFrame& frame,
-                                                     double max_range_m) {
+Result<std::vector<VisibilityResult>> evaluate_visibility_by_hull(const ObjectMap& objects,
+                                                                  const RgbdFrame& frame,
+                                                                  double max_range_m) {
   const auto area = convex_hull(seen_from_above(frame, max_range_m));
   if (!area) return fail(ErrorCode::kNotFound, "the frame shows no area");
-  std::vector<VisibilityVerdict> verdicts;
+  std::vector<VisibilityResult> results;
   for (const ObjectId id : objects.query(bounds(*area))) {
     const Object& object = objects.at(id);
     if (!contains(*area, object.centroid_in_map.head<2>())) continue;
-    VisibilityVerdict verdict = verdict_on(object, frame.map_from_camera.origin().xyz);
-    verdict.state = Visibility::kVisible;
-    verdict.visible_fraction = 1.0;
-    verdicts.push_back(verdict);
+    VisibilityResult result = visibility_result_of(object, frame.map_from_camera.origin().xyz);
+    result.state = Visibility::kVisible;
+    result.visible_fraction = 1.0;
+    results.push_back(result);
   }
-  return verdicts;
+  return results;
 }
 
-std::vector<VisibilityVerdict> judge_by_panels(const ObjectMap& objects,
-                                               const BinnedDepthMap& depth,
-                                               const AbsenceOptions& options) {
-  std::vector<VisibilityVerdict> verdicts;
+std::vector<VisibilityResult> evaluate_visibility_by_panels(const ObjectMap& objects,
+                                                            const BinnedDepthMap& depth,
+                                                            const AbsenceOptions& options) {
+  std::vector<VisibilityResult> results;
   for (const Object& object : objects.objects()) {
     const PanelCounts counts = count_panels(object, depth, options.panel_tolerance_m);
     if (counts.all() == 0) continue;
-    VisibilityVerdict verdict = verdict_on(object, depth.camera_centre().xyz);
-    verdict.state = state_of(counts, options);
-    verdict.visible_fraction = static_cast<double>(counts.inside) / counts.all();
-    verdict.absent_fraction = static_cast<double>(counts.after) / counts.all();
-    verdicts.push_back(verdict);
+    VisibilityResult result = visibility_result_of(object, depth.camera_centre().xyz);
+    result.state = state_of(counts, options);
+    result.visible_fraction = static_cast<double>(counts.inside) / counts.all();
+    result.absent_fraction = static_cast<double>(counts.after) / counts.all();
+    results.push_back(result);
   }
-  return verdicts;
+  return results;
 }
 
 }  // namespace hypermap

@@ -19,7 +19,7 @@ constexpr int kVerticalTries = 40;
 constexpr int kFreeTries = 40;
 constexpr int kRefinements = 3;
 /// Floors, tables and walls are level or upright; other planes have to be clearly better.
-constexpr double kFreeHandicap = 0.75;
+constexpr double kFreePlaneWeight = 0.75;
 /// Cosine of 3 degrees, what the up axis of a map may be off.
 constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
@@ -92,9 +92,9 @@ Points surroundings(const DepthWindow& window, const ForegroundOptions& options)
       }
     };
     const PixelRect& box = window.tolerant_box;
-    const bool meets_box = y >= box.v_begin && y < box.v_end;
-    look_at(0, meets_box ? box.u_begin : window.width());
-    if (meets_box) look_at(box.u_end, window.width());
+    const bool crosses_box = y >= box.v_begin && y < box.v_end;
+    look_at(0, crosses_box ? box.u_begin : window.width());
+    if (crosses_box) look_at(box.u_end, window.width());
   }
   Points points;
   const std::size_t count = std::min(cells.size(), kMaxSamples);
@@ -143,18 +143,18 @@ Plane refined(const Plane& plane, const Points& points, const ForegroundOptions&
 }
 
 /// The best of planes that were tried.
-class Contest {
+class PlaneSelection {
  public:
-  Contest(const Points& points, const ForegroundOptions& options)
+  PlaneSelection(const Points& points, const ForegroundOptions& options)
       : points_(points), options_(options) {}
 
-  /// `handicap` times its support is what counts.
-  void consider(const Plane& plane, double handicap = 1.0) {
-    const double value = handicap * static_cast<double>(support_to_win(plane, handicap));
+  /// `plane_weight` times its support is what counts.
+  void consider(const Plane& plane, double plane_weight = 1.0) {
+    const double value = plane_weight * static_cast<double>(support_to_win(plane, plane_weight));
     if (value <= best_value_) return;
     best_ = plane;
     best_value_ = value;
-    handicap_ = handicap;
+    plane_weight_ = plane_weight;
   }
 
   /// Moves the best plane into the middle of its points while that gains support. To turn a level
@@ -165,7 +165,7 @@ class Contest {
     for (int round = 0; round < kRefinements; ++round) {
       const Plane next = refined(best_, points_, options_);
       const bool turns = std::abs(next.normal.dot(normal)) < kLeanCos;
-      consider(next, turns ? kFreeHandicap : handicap_);
+      consider(next, turns ? kFreePlaneWeight : plane_weight_);
     }
   }
 
@@ -173,12 +173,12 @@ class Contest {
 
  private:
   /// How many points lie on the plane; less when even all that are left would not make it the best.
-  [[nodiscard]] std::size_t support_to_win(const Plane& plane, double handicap) const {
+  [[nodiscard]] std::size_t support_to_win(const Plane& plane, double plane_weight) const {
     constexpr std::size_t kAtOnce = 64;
     const PlaneTest test = test_of(plane, options_);
     std::size_t support = 0;
     for (std::size_t i = 0; i < points_.size(); i += kAtOnce) {
-      const double most = handicap * static_cast<double>(support + points_.size() - i);
+      const double most = plane_weight * static_cast<double>(support + points_.size() - i);
       if (most <= best_value_) break;
       support += points_.count(test, i, std::min(i + kAtOnce, points_.size()));
     }
@@ -189,31 +189,31 @@ class Contest {
   const ForegroundOptions& options_;
   Plane best_;
   double best_value_ = 0.0;
-  double handicap_ = 1.0;
+  double plane_weight_ = 1.0;
 };
 
 Plane best_plane(const Points& points,
                  const Eigen::Vector3f& up_in_camera,
                  const ForegroundOptions& options,
                  SplitMix64& random) {
-  Contest contest(points, options);
+  PlaneSelection selection(points, options);
   const auto any_point = [&]() -> Eigen::Vector3f { return points[random() % points.size()]; };
   for (int i = 0; i < kHorizontalTries; ++i) {
-    contest.consider({up_in_camera, -up_in_camera.dot(any_point())});
+    selection.consider({up_in_camera, -up_in_camera.dot(any_point())});
   }
   for (int i = 0; i < kVerticalTries; ++i) {
     const Eigen::Vector3f a = any_point();
     const auto plane = plane_through(a, any_point(), a + up_in_camera);
-    if (plane) contest.consider(*plane);
+    if (plane) selection.consider(*plane);
   }
   for (int i = 0; i < kFreeTries; ++i) {
     const Eigen::Vector3f a = any_point();
     const Eigen::Vector3f b = any_point();
     const auto plane = plane_through(a, b, any_point());
-    if (plane) contest.consider(*plane, kFreeHandicap);
+    if (plane) selection.consider(*plane, kFreePlaneWeight);
   }
-  contest.refine();
-  return contest.best();
+  selection.refine();
+  return selection.best();
 }
 
 }  // namespace

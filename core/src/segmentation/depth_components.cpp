@@ -11,7 +11,7 @@ namespace {
 
 /// A hole in the depth of this many pixels does not part a surface.
 constexpr int kBridgePx = 2;
-/// Sensors lose this many pixels at the edge between a thing and what it hides.
+/// Sensors lose this many pixels at the edge between an object and what it hides.
 constexpr int kEdgePx = 10;
 
 void extend(PixelRect& bounds, int x_begin, int x_end, int y) {
@@ -64,7 +64,7 @@ class Labeller {
   Labeller(const DepthWindow& window, const std::vector<std::uint8_t>& kind_of_cell)
       : window_(window),
         kind_of_cell_(kind_of_cell),
-        reach_(1 + kBridgePx / window.block_px),
+        max_gap_cells_(1 + kBridgePx / window.block_px),
         edge_reach_(1 + kEdgePx / window.block_px),
         row_above_(window.slope_x.size(), -edge_reach_ - 1) {
     result_.of_cell.assign(window.size(), kNoComponent);
@@ -112,7 +112,7 @@ class Labeller {
       if (!window_.box.contains(other_x, other_y)) return;
       EdgeCounts& others = edges_of_label_[result_.of_cell[other]];
       ++(is_before ? others.num_behind : others.num_before);
-    } else if (distance <= reach_ && kind_of_cell_[cell] == kind_of_cell_[other]) {
+    } else if (distance <= max_gap_cells_ && kind_of_cell_[cell] == kind_of_cell_[other]) {
       const std::uint32_t found = result_.of_cell[other];
       label_ = label_ == kNoComponent ? found : forest_.unite(label_, found);
     }
@@ -166,7 +166,7 @@ class Labeller {
 
   const DepthWindow& window_;
   const std::vector<std::uint8_t>& kind_of_cell_;
-  int reach_;
+  int max_gap_cells_;
   int edge_reach_;
   std::vector<int> row_above_;  // per column the last row with a measured cell
   LabelForest forest_;

@@ -21,7 +21,7 @@ struct DepthComponent {
   std::uint32_t num_before = 0;  ///< Steps in depth at its edge down to what it hides.
   std::uint32_t num_behind = 0;  ///< Steps in depth at its edge up to what hides it.
 
-  /// Share of its depth edges that are its own outline; 0.5 when it has none. A thing that stands
+  /// Share of its depth edges that are its own outline; 0.5 when it has none. An object that stands
   /// free has 1, the wall seen through the back of a chair 0.
   [[nodiscard]] double outline_share() const {
     return (1.0 + num_before) / (2.0 + num_before + num_behind);
@@ -42,7 +42,7 @@ inline constexpr std::uint32_t kNoComponent = 0xFFFFFFFFU;
 
 /// Joins cells of equal kind that are neighbours (across up to two pixels without measurement) and
 /// differ in depth by no more than the step of one surface. Numbered by their first cell.
-/// Cost: O(cells), two passes in the picture's order.
+/// Cost: O(cells), two passes in the image's order.
 [[nodiscard]] DepthComponents connected_components(const DepthWindow& window,
                                                    const std::vector<std::uint8_t>& kind_of_cell);
 

@@ -13,7 +13,7 @@ namespace {
 /// A detector's edges are off by a few percent; what sticks out so little is still inside.
 constexpr double kBoxToleranceShare = 0.06;
 constexpr double kBoxTolerancePx = 1.5;
-constexpr double kSameThingOverlap = 0.7;
+constexpr double kSameObjectOverlap = 0.7;
 
 /// Larger windows are looked at in blocks, so that a couch costs no more than a chair.
 constexpr int kMaxCells = 32768;
@@ -49,7 +49,7 @@ class CleanRows {
     held_.fill(-1);
   }
 
-  /// Row `v` of the picture with nothing before and behind it; nothing outside the cut-out. Valid
+  /// Row `v` of the image with nothing before and behind it; nothing outside the cut-out. Valid
   /// until a row three or more away is asked for.
   [[nodiscard]] const std::vector<float>& row(int v) {
     if (v < rect_.v_begin || v >= rect_.v_end) return nothing_;
@@ -176,19 +176,19 @@ PixelRect cells_in(const PixelRect& pixels, const DepthWindow& window) {
   return cells;
 }
 
-/// Boxes of other things. A box almost the same as ours may be another name for our thing.
-std::vector<PixelRect> rivals_of(const PixelBox& box_px,
-                                 std::span<const Detection> others,
-                                 const PinholeCamera& camera,
-                                 const DepthWindow& window) {
-  std::vector<PixelRect> rivals;
+/// Boxes of other objects. A box almost the same as ours may be another name for our object.
+std::vector<PixelRect> competing_boxes_of(const PixelBox& box_px,
+                                          std::span<const Detection> others,
+                                          const PinholeCamera& camera,
+                                          const DepthWindow& window) {
+  std::vector<PixelRect> competing_boxes;
   for (const Detection& other : others) {
-    if (!(intersection_over_union(other.box_px, box_px) < kSameThingOverlap)) continue;
+    if (!(intersection_over_union(other.box_px, box_px) < kSameObjectOverlap)) continue;
     const PixelRect pixels = pixels_in(other.box_px, camera.width_px, camera.height_px);
     const PixelRect cells = cells_in(pixels, window);
-    if (!cells.empty()) rivals.push_back(cells);
+    if (!cells.empty()) competing_boxes.push_back(cells);
   }
-  return rivals;
+  return competing_boxes;
 }
 
 PixelBox bounds_of(const MaskImage& mask) {
@@ -238,7 +238,7 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   }
   window.box = cells_in(box, window);
   window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
-  window.rivals = rivals_of(box_px, others, frame.camera, window);
+  window.competing_boxes = competing_boxes_of(box_px, others, frame.camera, window);
   CleanRows rows(frame, detection, window.rect, options);
   RowSmoother smoother(window, foreground);
   window.depth_m.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

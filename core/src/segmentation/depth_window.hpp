@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The depth in and around a detection's box, in the picture's order.
+/// The depth in and around a detection's box, in the image's order.
 #pragma once
 
 #include "hypermap/core/segmentation/depth_cloud.hpp"
@@ -15,18 +15,18 @@
 
 namespace hypermap {
 
-/// A cut-out of a depth picture in cells: pixels, or square blocks of them when the cut-out is
+/// A cut-out of a depth image in cells: pixels, or square blocks of them when the cut-out is
 /// large. Row-major.
 struct DepthWindow {
-  PixelRect rect;                 ///< What is cut out: the box and its surroundings. Unit: pixel.
-  int block_px = 1;               ///< Edge of a cell.
-  PixelRect box;                  ///< The cells in the box.
-  PixelRect tolerant_box;         ///< The cells in the box with room for a detector's inaccuracy.
-  std::vector<PixelRect> rivals;  ///< The cells in the boxes of other detections.
-  std::vector<float> depth_m;     ///< Smoothed; 0 where nothing was measured within range.
-  std::vector<float> step_m;      ///< `allowed_step_m` of each depth.
-  std::vector<float> slope_x;     ///< Per column, x / z of its ray.
-  std::vector<float> slope_y;     ///< Per row, y / z of its ray.
+  PixelRect rect;          ///< What is cut out: the box and its surroundings. Unit: pixel.
+  int block_px = 1;        ///< Edge of a cell.
+  PixelRect box;           ///< The cells in the box.
+  PixelRect tolerant_box;  ///< The cells in the box with room for a detector's inaccuracy.
+  std::vector<PixelRect> competing_boxes;  ///< The cells in the boxes of other detections.
+  std::vector<float> depth_m;              ///< Smoothed; 0 where nothing was measured within range.
+  std::vector<float> step_m;               ///< `allowed_step_m` of each depth.
+  std::vector<float> slope_x;              ///< Per column, x / z of its ray.
+  std::vector<float> slope_y;              ///< Per row, y / z of its ray.
 
   [[nodiscard]] int width() const { return static_cast<int>(slope_x.size()); }
   [[nodiscard]] int height() const { return static_cast<int>(slope_y.size()); }
@@ -35,11 +35,11 @@ struct DepthWindow {
   [[nodiscard]] std::size_t cell(int x, int y) const {
     return static_cast<std::size_t>(y) * slope_x.size() + static_cast<std::size_t>(x);
   }
-  /// Position of the cell that holds a pixel of the picture. Requires: the pixel is in `rect`.
+  /// Position of the cell that holds a pixel of the image. Requires: the pixel is in `rect`.
   [[nodiscard]] std::size_t cell_of_pixel(int u, int v) const {
     return cell((u - rect.u_begin) / block_px, (v - rect.v_begin) / block_px);
   }
-  /// The first column of the picture to the right of that pixel's cell.
+  /// The first column of the image to the right of that pixel's cell.
   [[nodiscard]] int end_of_cell(int u) const {
     return u - (u - rect.u_begin) % block_px + block_px;
   }
@@ -58,8 +58,8 @@ struct DepthWindow {
 
 /// Cuts the window out and smooths it: each depth becomes the mean of its 3 x 3 pixels on the same
 /// surface. Independent noise falls to a third, which is what lifts a keyboard out of its table.
-/// Empty when the box lies outside the picture; where there is a mask, it replaces the box, and
-/// pixels outside it are no measurement. `others` are all detections of the picture.
+/// Empty when the box lies outside the image; where there is a mask, it replaces the box, and
+/// pixels outside it are no measurement. `others` are all detections of the image.
 [[nodiscard]] DepthWindow make_depth_window(const RgbdFrame& frame,
                                             const Detection& detection,
                                             std::span<const Detection> others,

@@ -98,12 +98,12 @@ std::vector<ClassEvidence> spread_score(ClassId id,
 
 Result<std::vector<ClassEvidence>> normalized(std::vector<ClassEvidence> scores) {
   std::sort(scores.begin(), scores.end(), by_id);
-  const auto twice = std::adjacent_find(
+  const auto duplicate = std::adjacent_find(
       scores.begin(), scores.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
-  if (twice != scores.end()) {
+  if (duplicate != scores.end()) {
     return fail(
         ErrorCode::kInvalidArgument,
-        "must name each class once, names class " + std::to_string(twice->id.value) + " twice",
+        "must name each class once, names class " + std::to_string(duplicate->id.value) + " twice",
         "class_scores");
   }
   double sum = 0.0;

@@ -20,7 +20,7 @@ constexpr OptionRow kForegroundRows[] = {
         "context_share",
         {0, 10},
         {.effect =
-             "Picture around the box that is searched for background, as a share of its sides."}),
+             "Image around the box that is searched for background, as a share of its sides."}),
     option::count<&Foreground::context_min_px>(
         "context_min_px",
         {0, 10000},

@@ -32,14 +32,14 @@ Rgb8 color_of(std::int32_t label) {
 
 ColorImage render_labels(const LabelImage& labels, const ColorImage& background) {
   assert(background.empty() || background.size() == labels.size());
-  ColorImage picture =
+  ColorImage image =
       background.empty() ? ColorImage(labels.width_px(), labels.height_px()) : background;
-  const auto pixels = picture.pixels();
+  const auto pixels = image.pixels();
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const std::int32_t label = labels.pixels()[i];
     if (label >= kLabelNone) pixels[i] = color_of(label);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace hypermap

@@ -56,7 +56,7 @@ std::vector<ClassEvidence> normalised_cells(const Cells& cells, Combine combine)
   return out;
 }
 
-/// Detections of one thing, best score first; at most one of each detector.
+/// Detections of one object, best score first; at most one of each detector.
 using Group = std::vector<const Detection*>;
 
 bool has_detector(const Group& group, DetectorId detector) {

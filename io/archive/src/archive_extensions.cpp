@@ -245,11 +245,12 @@ Result<void> check_object(const ClassRegistry& classes, const Object& object) {
   const std::string where = "object " + std::to_string(object.id.value);
   for (const ClassLogOdds& entry : object.belief.entries())
     HYPERMAP_TRY(check_class(classes, entry.id, where));
-  const ObjectLedgerState& ledger = object.ledger.state();
-  if (ledger.first) HYPERMAP_TRY(check_class(classes, ledger.first->class_id, where));
-  for (const LedgerEntry& entry : ledger.newest)
+  const ObservationLogState& observation_log = object.observation_log.state();
+  if (observation_log.first)
+    HYPERMAP_TRY(check_class(classes, observation_log.first->class_id, where));
+  for (const ObservationLogEntry& entry : observation_log.newest)
     HYPERMAP_TRY(check_class(classes, entry.class_id, where));
-  for (const LedgerSummary& summary : ledger.summaries)
+  for (const ObservationLogSummary& summary : observation_log.summaries)
     HYPERMAP_TRY(check_class(classes, summary.class_id, where));
   return {};
 }
@@ -279,8 +280,7 @@ Result<std::vector<Finding>> read_extension(MapArchive& archive,
 Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   WrittenExtensions written;
   HYPERMAP_TRY(put_octree(written, archive));
-  for (const OctomapExtension& octomap : archive.octomaps)
-    put(written, octomap.entry, octomap.bytes);
+  for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
   HYPERMAP_TRY(put_objects(written, archive));
   put_classes(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));

@@ -145,7 +145,7 @@ Result<bool> looks_like_zip(const ByteSource& source, const std::filesystem::pat
   return start.starts_with("PK");
 }
 
-/// A file of another kind should be told so, not that its first byte is no text.
+/// A file of another kind should be named as such, not that its first byte is no text.
 Result<void> expect_configuration(const std::filesystem::path& path) {
   const auto kind = find_file_kind(path);
   const auto others = {FileKind::kOctree, FileKind::kImage, FileKind::kDepth};

@@ -31,7 +31,7 @@ MapAnswer answer_of(const Object& object, const ClassRegistry& classes) {
 
 std::vector<ObjectId> shown_ids(const MapArchive& archive) {
   std::vector<ObjectId> ids;
-  for (const Object* object : shown_objects(archive)) ids.push_back(object->id);
+  for (const Object* object : confirmed_objects_of(archive)) ids.push_back(object->id);
   return ids;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/check/file_check.hpp"
 
-#include "file_judges.hpp"
+#include "file_checks.hpp"
 
 #include <algorithm>
 #include <new>
@@ -10,45 +10,45 @@
 namespace hypermap {
 namespace {
 
-/// What the judge of a kind says.
-Result<Verdict> judge(const std::filesystem::path& path,
-                      FileKind kind,
-                      const FileCheckOptions& options) {
+/// Runs the check of one kind of file.
+Result<FileSummary> check_by_kind(const std::filesystem::path& path,
+                                  FileKind kind,
+                                  const FileCheckOptions& options) {
   switch (kind) {
     case FileKind::kArchive:
-      return judge_archive(path);
+      return check_archive(path);
     case FileKind::kOctree:
-      return judge_octree(path);
+      return check_octree(path);
     case FileKind::kMap:
-      return judge_map(path);
+      return check_map(path);
     case FileKind::kSemantic:
-      return judge_semantic(path);
+      return check_semantic(path);
     case FileKind::kImage:
-      return judge_image(path, options.size);
+      return check_image(path, options.size);
     case FileKind::kDepth:
-      return judge_depth(path, options.size);
+      return check_depth(path, options.size);
     case FileKind::kTrajectory:
-      return judge_trajectory(path);
+      return check_trajectory(path);
     case FileKind::kIntrinsics:
-      return judge_intrinsics(path, options.size);
+      return check_intrinsics(path, options.size);
     case FileKind::kDetections:
-      return judge_detections(path);
+      return check_detections(path);
     case FileKind::kConfig:
-      return judge_config(path);
+      return check_config(path);
     case FileKind::kDataset:
-      return judge_dataset(path);
+      return check_dataset(path);
     default:
       break;
   }
   return fail(ErrorCode::kUnsupported,
-              "files of kind " + std::string(name_of(kind)) + " are not judged by themselves");
+              "files of kind " + std::string(name_of(kind)) + " are not checked by themselves");
 }
 
-Result<Verdict> judge_safely(const std::filesystem::path& path,
-                             FileKind kind,
-                             const FileCheckOptions& options) {
+Result<FileSummary> check_safely(const std::filesystem::path& path,
+                                 FileKind kind,
+                                 const FileCheckOptions& options) {
   try {
-    return judge(path, kind, options);
+    return check_by_kind(path, kind, options);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "not enough memory to read it");
   }
@@ -61,13 +61,13 @@ Finding refusal(Error error, const std::filesystem::path& path) {
 
 }  // namespace
 
-bool FileJudgement::is_refused() const {
+bool FileCheckResult::is_refused() const {
   return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
     return finding.severity == Severity::kError;
   });
 }
 
-int FileJudgement::exit_code() const {
+int FileCheckResult::exit_code() const {
   if (findings.empty()) return 0;
   if (!is_refused()) return 1;
   const bool is_system = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
@@ -77,21 +77,21 @@ int FileJudgement::exit_code() const {
   return is_system ? 3 : 2;
 }
 
-FileJudgement check_file(const std::filesystem::path& path, const FileCheckOptions& options) {
-  FileJudgement out;
+FileCheckResult check_file(const std::filesystem::path& path, const FileCheckOptions& options) {
+  FileCheckResult out;
   const Result<FileKind> kind = options.as ? Result<FileKind>(*options.as) : find_file_kind(path);
   if (!kind) {
     out.findings.push_back(refusal(kind.error(), path));
     return out;
   }
   out.kind = *kind;
-  auto verdict = judge_safely(path, *kind, options);
-  if (!verdict) {
-    out.findings.push_back(refusal(std::move(verdict).error(), path));
+  auto checked = check_safely(path, *kind, options);
+  if (!checked) {
+    out.findings.push_back(refusal(std::move(checked).error(), path));
     return out;
   }
-  out.summary = std::move(verdict->summary);
-  out.findings = std::move(verdict->findings);
+  out.summary = std::move(checked->summary);
+  out.findings = std::move(checked->findings);
   for (Finding& finding : out.findings) {
     if (finding.error.file.empty()) finding.error.file = path.string();
     if (options.strict) finding.severity = Severity::kError;

@@ -206,7 +206,7 @@ Result<void> read_trajectory_keys(const YamlNode& root, DatasetDescription& out)
   return {};
 }
 
-Result<void> read_picture_keys(const YamlNode& root, DatasetDescription& out) {
+Result<void> read_image_keys(const YamlNode& root, DatasetDescription& out) {
   HYPERMAP_ASSIGN_OR_RETURN(out.depth, required_path(root, "depth"));
   HYPERMAP_ASSIGN_OR_RETURN(out.color, optional_path(root, "color"));
   HYPERMAP_ASSIGN_OR_RETURN(out.labels, optional_path(root, "labels"));
@@ -231,7 +231,7 @@ Result<Loaded<DatasetDescription>> read_dataset_description(const std::filesyste
   if (const auto name = root.find("name")) {
     HYPERMAP_ASSIGN_OR_RETURN(out.name, name->as_string());
   }
-  HYPERMAP_TRY(read_picture_keys(root, out));
+  HYPERMAP_TRY(read_image_keys(root, out));
   HYPERMAP_TRY(read_trajectory_keys(root, out));
   HYPERMAP_ASSIGN_OR_RETURN(out.detections, read_detections_key(root));
   HYPERMAP_ASSIGN_OR_RETURN(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/dataset_description.hpp"
-#include "picture_list.hpp"
+#include "image_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ constexpr std::array<const char*, 9> kIntrinsicsFiles{"intrinsics.json",
                                                       "camera-intrinsics.txt",
                                                       "intrinsics.txt"};
 
-Intrinsics published(double fx, double fy, double cx, double cy) {
+Intrinsics published_intrinsics(double fx, double fy, double cx, double cy) {
   Intrinsics k;
   k.fx_px = fx;
   k.fy_px = fy;
@@ -66,11 +66,11 @@ void take_intrinsics(const fs::path& folder,
                            .field = "intrinsics"}});
 }
 
-/// Pattern `*suffix` of the first file in `folder` that ends in a picture's extension; empty: none.
-std::string pictures_in(const fs::path& root, const std::string& folder, std::string_view stem) {
+/// Pattern `*suffix` of the first file in `folder` that ends in an image's extension; empty: none.
+std::string image_files_in(const fs::path& root, const std::string& folder, std::string_view stem) {
   for (const char* extension : {".png", ".jpg", ".jpeg", ".pgm", ".bmp"}) {
     std::string pattern = (folder.empty() ? "" : folder + "/") + std::string(stem) + extension;
-    if (const auto list = list_pictures(root, pattern); list && !list->empty()) return pattern;
+    if (const auto list = list_image_files(root, pattern); list && !list->empty()) return pattern;
   }
   return {};
 }
@@ -79,18 +79,18 @@ std::string pictures_in(const fs::path& root, const std::string& folder, std::st
 std::pair<Intrinsics, std::string> tum_camera(const fs::path& folder) {
   const std::string name = fs::absolute(folder).lexically_normal().string();
   if (name.find("freiburg1") != std::string::npos) {
-    return {published(517.3, 516.5, 318.6, 255.3), "freiburg1"};
+    return {published_intrinsics(517.3, 516.5, 318.6, 255.3), "freiburg1"};
   }
   if (name.find("freiburg2") != std::string::npos) {
-    return {published(520.9, 521.0, 325.1, 249.7), "freiburg2"};
+    return {published_intrinsics(520.9, 521.0, 325.1, 249.7), "freiburg2"};
   }
   if (name.find("freiburg3") != std::string::npos) {
-    return {published(535.4, 539.2, 320.1, 247.6), "freiburg3"};
+    return {published_intrinsics(535.4, 539.2, 320.1, 247.6), "freiburg3"};
   }
-  return {published(525.0, 525.0, 319.5, 239.5), "the TUM benchmark's default camera"};
+  return {published_intrinsics(525.0, 525.0, 319.5, 239.5), "the TUM benchmark's default camera"};
 }
 
-std::optional<Loaded<DatasetDescription>> look_for_tum(const fs::path& folder) {
+std::optional<Loaded<DatasetDescription>> find_tum_layout(const fs::path& folder) {
   if (!has_file(folder, "depth.txt")) return std::nullopt;
   Loaded<DatasetDescription> out;
   out.value.layout = "tum";
@@ -104,29 +104,29 @@ std::optional<Loaded<DatasetDescription>> look_for_tum(const fs::path& folder) {
   return out;
 }
 
-std::optional<Loaded<DatasetDescription>> look_for_7scenes(const fs::path& folder) {
+std::optional<Loaded<DatasetDescription>> find_7scenes_layout(const fs::path& folder) {
   Loaded<DatasetDescription> out;
   out.value.layout = "7scenes";
-  out.value.depth = pictures_in(folder, "", "frame-*.depth");
+  out.value.depth = image_files_in(folder, "", "frame-*.depth");
   if (out.value.depth.empty()) return std::nullopt;
-  out.value.color = pictures_in(folder, "", "frame-*.color");
+  out.value.color = image_files_in(folder, "", "frame-*.color");
   out.value.trajectory = "frame-*.pose.txt";
   out.value.trajectory_format = TrajectoryFormat::kMatrix;
   out.value.pair_by = PosePairing::kNumber;
-  take_intrinsics(folder, published(585.0, 585.0, 320.0, 240.0), "7-Scenes", out);
+  take_intrinsics(folder, published_intrinsics(585.0, 585.0, 320.0, 240.0), "7-Scenes", out);
   return out;
 }
 
-std::optional<Loaded<DatasetDescription>> look_for_scannet(const fs::path& folder) {
+std::optional<Loaded<DatasetDescription>> find_scannet_layout(const fs::path& folder) {
   if (!has_folder(folder, "depth") || !has_folder(folder, "pose") ||
       !has_folder(folder, "intrinsic")) {
     return std::nullopt;
   }
   Loaded<DatasetDescription> out;
   out.value.layout = "scannet";
-  out.value.depth = pictures_in(folder, "depth", "*");
+  out.value.depth = image_files_in(folder, "depth", "*");
   if (out.value.depth.empty()) return std::nullopt;
-  out.value.color = pictures_in(folder, "color", "*");
+  out.value.color = image_files_in(folder, "color", "*");
   out.value.trajectory = "pose/*.txt";
   out.value.trajectory_format = TrajectoryFormat::kMatrix;
   out.value.pair_by = PosePairing::kNumber;
@@ -137,10 +137,10 @@ std::optional<Loaded<DatasetDescription>> look_for_scannet(const fs::path& folde
                                   : "intrinsic/intrinsic_depth.txt";
   if (has_both) out.value.depth_intrinsics_file = "intrinsic/intrinsic_depth.txt";
   for (const char* name : {"label-filt", "label"}) {
-    if (out.value.labels.empty()) out.value.labels = pictures_in(folder, name, "*");
+    if (out.value.labels.empty()) out.value.labels = image_files_in(folder, name, "*");
   }
   for (const char* name : {"instance-filt", "instance"}) {
-    if (out.value.instances.empty()) out.value.instances = pictures_in(folder, name, "*");
+    if (out.value.instances.empty()) out.value.instances = image_files_in(folder, name, "*");
   }
   return out;
 }
@@ -158,20 +158,20 @@ std::string find_log(const fs::path& folder) {
   return found.empty() ? std::string{} : *std::min_element(found.begin(), found.end());
 }
 
-std::optional<Loaded<DatasetDescription>> look_for_open3d(const fs::path& folder) {
+std::optional<Loaded<DatasetDescription>> find_open3d_layout(const fs::path& folder) {
   Loaded<DatasetDescription> out;
   out.value.layout = "open3d";
   out.value.trajectory = find_log(folder);
   if (!has_folder(folder, "depth") || out.value.trajectory.empty()) return std::nullopt;
-  out.value.depth = pictures_in(folder, "depth", "*");
+  out.value.depth = image_files_in(folder, "depth", "*");
   if (out.value.depth.empty()) return std::nullopt;
   for (const char* name : {"image", "color", "rgb"}) {
-    if (out.value.color.empty()) out.value.color = pictures_in(folder, name, "*");
+    if (out.value.color.empty()) out.value.color = image_files_in(folder, name, "*");
   }
   out.value.trajectory_format = TrajectoryFormat::kLog;
   out.value.pair_by = PosePairing::kNumber;
   take_intrinsics(
-      folder, published(525.0, 525.0, 319.5, 239.5), "Open3D's PrimeSense default", out);
+      folder, published_intrinsics(525.0, 525.0, 319.5, 239.5), "Open3D's PrimeSense default", out);
   return out;
 }
 
@@ -187,7 +187,7 @@ Unexpected no_layout(const fs::path& folder) {
 
 }  // namespace
 
-Result<Loaded<DatasetDescription>> look_for_layout(const std::filesystem::path& folder) {
+Result<Loaded<DatasetDescription>> find_layout(const std::filesystem::path& folder) {
   std::error_code ec;
   if (!fs::exists(folder, ec)) {
     const std::string why = ec ? "cannot be looked at: " + ec.message() : "does not exist";
@@ -198,7 +198,8 @@ Result<Loaded<DatasetDescription>> look_for_layout(const std::filesystem::path& 
         Error{.code = ErrorCode::kNotFound, .what = "is no folder", .file = folder.string()});
   }
   if (has_file(folder, "dataset.yaml")) return read_dataset_description(folder / "dataset.yaml");
-  for (const auto& look : {look_for_tum, look_for_7scenes, look_for_scannet, look_for_open3d}) {
+  for (const auto& look :
+       {find_tum_layout, find_7scenes_layout, find_scannet_layout, find_open3d_layout}) {
     if (auto found = look(folder)) {
       for (const char* name : {"detections.jsonl", "detections.json"}) {
         if (found->value.detections.empty() && has_file(folder, name)) {

@@ -12,28 +12,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The size that most of the first pictures have; none when none of them can be read.
-std::optional<PictureSize> usual_size(const Sequence& sequence,
-                                      std::string SequenceEntry::*member) {
+/// The size that most of the first images have; none when none of them can be read.
+std::optional<ImageSize> usual_size(const Sequence& sequence, std::string SequenceEntry::*member) {
   constexpr std::size_t kEnough = 5;
-  std::vector<PictureSize> sizes;
+  std::vector<ImageSize> sizes;
   for (const SequenceEntry& entry : sequence.entries) {
     if (sizes.size() >= kEnough) break;
     if ((entry.*member).empty()) continue;
-    const auto size = read_picture_size(sequence.folder / (entry.*member));
+    const auto size = read_image_size(sequence.folder / (entry.*member));
     if (size) sizes.push_back(*size);
   }
   if (sizes.empty()) return std::nullopt;
-  return *std::max_element(sizes.begin(), sizes.end(), [&](PictureSize a, PictureSize b) {
+  return *std::max_element(sizes.begin(), sizes.end(), [&](ImageSize a, ImageSize b) {
     return std::count(sizes.begin(), sizes.end(), a) < std::count(sizes.begin(), sizes.end(), b);
   });
 }
 
 Result<PinholeCamera> camera_from(const Intrinsics& intrinsics,
-                                  std::optional<PictureSize> size,
+                                  std::optional<ImageSize> size,
                                   const std::string& file) {
-  const PictureSize pictures = size.value_or(PictureSize{});
-  auto camera = camera_of(intrinsics, pictures.width_px, pictures.height_px);
+  const ImageSize images = size.value_or(ImageSize{});
+  auto camera = camera_of(intrinsics, images.width_px, images.height_px);
   if (!camera) return Unexpected(in_file(std::move(camera).error(), file));
   return camera;
 }
@@ -104,7 +103,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
   return {};
 }
 
-/// Label pictures count as a detector of their own, when no other detections are named.
+/// Label images count as a detector of their own, when no other detections are named.
 Result<void> prepare_labels(const DatasetOptions& options,
                             Sequence& sequence,
                             ClassRegistry& registry) {
@@ -128,7 +127,7 @@ Result<void> prepare_labels(const DatasetOptions& options,
 
 Result<Loaded<DatasetDescription>> describe(const fs::path& folder, const DatasetOptions& options) {
   if (options.description) return read_dataset_description(*options.description);
-  return look_for_layout(folder);
+  return find_layout(folder);
 }
 
 Result<void> validate_options(const DatasetOptions& options) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/depth_file.hpp"
 
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -16,22 +16,22 @@ std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + " x " + std::to_string(height_px);
 }
 
-Result<void> check_size(const Picture& picture, PictureSize expected, const std::string& file) {
-  const bool fits = (expected.width_px == 0 || picture.width_px == expected.width_px) &&
-                    (expected.height_px == 0 || picture.height_px == expected.height_px);
+Result<void> check_size(const DecodedImage& image, ImageSize expected, const std::string& file) {
+  const bool fits = (expected.width_px == 0 || image.width_px == expected.width_px) &&
+                    (expected.height_px == 0 || image.height_px == expected.height_px);
   if (fits) return {};
   return Unexpected(Error{.code = ErrorCode::kInvalidArgument,
-                          .what = "is " + size_text(picture.width_px, picture.height_px) +
+                          .what = "is " + size_text(image.width_px, image.height_px) +
                                   ", expected the camera's " +
                                   size_text(expected.width_px, expected.height_px),
                           .file = file,
                           .field = "size"});
 }
 
-Result<Picture> read_sized(const std::filesystem::path& path, PictureSize expected) {
-  HYPERMAP_ASSIGN_OR_RETURN(Picture picture, read_picture(path));
-  HYPERMAP_TRY(check_size(picture, expected, path.string()));
-  return picture;
+Result<DecodedImage> read_sized(const std::filesystem::path& path, ImageSize expected) {
+  HYPERMAP_ASSIGN_OR_RETURN(DecodedImage image, read_image_file(path));
+  HYPERMAP_TRY(check_size(image, expected, path.string()));
+  return image;
 }
 
 /// Metres of each of the 65,536 values; 0 for those that are no measurement.
@@ -48,30 +48,30 @@ std::vector<float> metres_of(const DepthFormat& format) {
 
 Result<DepthImage> read_depth(const std::filesystem::path& path,
                               const DepthFormat& format,
-                              PictureSize expected) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture, read_sized(path, expected));
-  if (picture.bits != 16 || picture.channels != 1) {
+                              ImageSize expected) {
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image, read_sized(path, expected));
+  if (image.bits != 16 || image.channels != 1) {
     return Unexpected(Error{.code = ErrorCode::kMalformedFile,
-                            .what = "has " + std::to_string(picture.channels) + " channel(s) of " +
-                                    std::to_string(picture.bits) +
+                            .what = "has " + std::to_string(image.channels) + " channel(s) of " +
+                                    std::to_string(image.bits) +
                                     " bit, expected depth: one channel of 16 bit",
                             .file = path.string(),
                             .field = "format"});
   }
   const std::vector<float> metres = metres_of(format);
-  DepthImage depth(picture.width_px, picture.height_px);
+  DepthImage depth(image.width_px, image.height_px);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    depth.pixels()[i] = metres[picture.samples16[i]];
+    depth.pixels()[i] = metres[image.samples16[i]];
   }
   return depth;
 }
 
-Result<ColorImage> read_color(const std::filesystem::path& path, PictureSize expected) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture, read_sized(path, expected));
-  return to_color(picture);
+Result<ColorImage> read_color(const std::filesystem::path& path, ImageSize expected) {
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image, read_sized(path, expected));
+  return to_color(image);
 }
 
-Result<PictureSize> read_picture_size(const std::filesystem::path& path) {
+Result<ImageSize> read_image_size(const std::filesystem::path& path) {
   constexpr std::size_t kEnoughForJpegMetadata = std::size_t{1} << 18U;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -81,9 +81,9 @@ Result<PictureSize> read_picture_size(const std::filesystem::path& path) {
   std::string bytes(kEnoughForJpegMetadata, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(file.gcount()));
-  HYPERMAP_ASSIGN_OR_RETURN(const PictureHeader header,
-                            read_picture_header(bytes, SourceName{path.string()}));
-  return PictureSize{header.width_px, header.height_px};
+  HYPERMAP_ASSIGN_OR_RETURN(const ImageHeader header,
+                            read_image_header(bytes, SourceName{path.string()}));
+  return ImageSize{header.width_px, header.height_px};
 }
 
 }  // namespace hypermap

@@ -13,7 +13,7 @@ namespace hypermap {
 /// Every depth pixel is carried over as the patch that it covers; where patches meet the nearest
 /// stays. Pixels that no patch reaches have no measurement (0).
 ///
-/// Cost: O(pixels of both pictures).
+/// Cost: O(pixels of both images).
 [[nodiscard]] DepthImage register_depth(const DepthImage& depth_m,
                                         const PinholeCamera& depth_camera,
                                         const PinholeCamera& color_camera,

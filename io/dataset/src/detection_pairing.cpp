@@ -2,7 +2,7 @@
 #include "detection_pairing.hpp"
 
 #include "hypermap/io/codec/text_file.hpp"
-#include "picture_list.hpp"
+#include "image_list.hpp"
 
 #include <algorithm>
 #include <cmath>

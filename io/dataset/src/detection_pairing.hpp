@@ -23,7 +23,7 @@ struct PairedDetections {
   std::vector<std::string> unpaired;
 };
 
-/// By the picture's path, else its name, else its number, else by stamp.
+/// By the image's path, else its name, else its number, else by stamp.
 [[nodiscard]] PairedDetections pair_detections(DetectionSet set,
                                                const std::vector<SequenceEntry>& entries,
                                                double stamp_tolerance_s);

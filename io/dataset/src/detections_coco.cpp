@@ -52,8 +52,8 @@ Result<void> parse_image(const JsonNode& node, CocoTables& tables) {
   const auto width = node.find("width");
   const auto height = node.find("height");
   if (!width || !height) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxPictureSidePx));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxPictureSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxImageSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxImageSidePx));
   frame.width_px = static_cast<int>(w);
   frame.height_px = static_cast<int>(h);
   return {};
@@ -147,7 +147,7 @@ Result<NamedDetection> parse_result(const JsonNode& node,
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode box, node.require("bbox"));
   HYPERMAP_ASSIGN_OR_RETURN(out.box_px, parse_box(box, true));
   if (frame.width_px > 0 && !clipped(out.box_px, frame.width_px, frame.height_px)) {
-    return box.error(ErrorCode::kMalformedFile, "lies wholly outside the picture");
+    return box.error(ErrorCode::kMalformedFile, "lies wholly outside the image");
   }
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode score, node.require("score"));
   HYPERMAP_ASSIGN_OR_RETURN(out.score, parse_probability(score));

@@ -54,7 +54,7 @@ Loaded<DetectionSet> DetectionSetBuilder::take() && {
     findings_.push_back({Severity::kWarning,
                          {.code = ErrorCode::kMalformedFile,
                           .what = std::to_string(set_.num_clipped) +
-                                  " box(es) reached beyond the picture and were clipped",
+                                  " box(es) reached beyond the image and were clipped",
                           .file = file_,
                           .field = "bbox"}});
   }
@@ -150,7 +150,7 @@ Result<std::vector<std::filesystem::path>> text_files_of(const std::filesystem::
   }
   if (files.empty()) {
     return Unexpected(Error{.code = ErrorCode::kNotFound,
-                            .what = "holds no *.txt, expected one for each picture",
+                            .what = "holds no *.txt, expected one for each image",
                             .file = folder.string()});
   }
   std::sort(files.begin(), files.end());

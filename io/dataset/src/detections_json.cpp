@@ -80,7 +80,7 @@ Result<NamedDetection> parse_detection(const JsonNode& node,
                                               out.mask->height_px == frame.height_px);
     if (!fits) {
       return mask->error(ErrorCode::kMalformedFile,
-                         "size must be the picture's " + std::to_string(frame.height_px) + " x " +
+                         "size must be the image's " + std::to_string(frame.height_px) + " x " +
                              std::to_string(frame.width_px) + ", is " +
                              std::to_string(out.mask->height_px) + " x " +
                              std::to_string(out.mask->width_px));
@@ -102,7 +102,7 @@ Result<Stamp> parse_json_stamp(const JsonNode& node) {
   return stamp->stamp;
 }
 
-/// Which picture the frame is about: name or stamp, and perhaps its size.
+/// Which image the frame is about: name or stamp, and perhaps its size.
 Result<FrameDetections> parse_frame_head(const JsonNode& root) {
   FrameDetections frame;
   if (const auto image = root.find("image")) {
@@ -120,8 +120,8 @@ Result<FrameDetections> parse_frame_head(const JsonNode& root) {
     return root.error(ErrorCode::kMalformedFile, "must have width and height or neither");
   }
   if (width) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxPictureSidePx));
-    HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxPictureSidePx));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto w, width->integer(1, kMaxImageSidePx));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto h, height->integer(1, kMaxImageSidePx));
     frame.width_px = static_cast<int>(w);
     frame.height_px = static_cast<int>(h);
   }
@@ -211,7 +211,7 @@ Result<void> parse_frame_json(const JsonNode& root, DetectionSetBuilder& builder
     HYPERMAP_ASSIGN_OR_RETURN(NamedDetection detection,
                               parse_detection(list.at(i), frame, builder));
     if (frame.width_px > 0 && !clipped(detection.box_px, frame.width_px, frame.height_px)) {
-      return list.at(i).error(ErrorCode::kMalformedFile, "box lies wholly outside the picture");
+      return list.at(i).error(ErrorCode::kMalformedFile, "box lies wholly outside the image");
     }
     frame.detections.push_back(std::move(detection));
   }

@@ -34,7 +34,7 @@ Result<void> check_size(const FrameDetections& frame, int width_px, int height_p
   if (frame.width_px == 0 || (frame.width_px == width_px && frame.height_px == height_px))
     return {};
   return fail(ErrorCode::kInvalidArgument,
-              "detections are for a picture of " + std::to_string(frame.width_px) + " x " +
+              "detections are for an image of " + std::to_string(frame.width_px) + " x " +
                   std::to_string(frame.height_px) + ", expected " + std::to_string(width_px) +
                   " x " + std::to_string(height_px),
               "width, height");
@@ -54,7 +54,7 @@ Result<std::optional<MaskImage>> mask_of(const NamedDetection& detection,
   if (!detection.mask) return std::optional<MaskImage>{};
   if (detection.mask->width_px != width_px || detection.mask->height_px != height_px) {
     return fail(ErrorCode::kInvalidArgument,
-                "must have the picture's size " + std::to_string(width_px) + " x " +
+                "must have the image's size " + std::to_string(width_px) + " x " +
                     std::to_string(height_px) + ", has " +
                     std::to_string(detection.mask->width_px) + " x " +
                     std::to_string(detection.mask->height_px),
@@ -79,7 +79,7 @@ Result<ResolvedDetections> resolve(const FrameDetections& frame,
     const auto inside = clipped(box, width_px, height_px);
     if (!inside) {
       return fail(ErrorCode::kInvalidArgument,
-                  "lies wholly outside the picture of " + std::to_string(width_px) + " x " +
+                  "lies wholly outside the image of " + std::to_string(width_px) + " x " +
                       std::to_string(height_px),
                   "bbox of \"" + printable(written.label, 60) + "\"");
     }

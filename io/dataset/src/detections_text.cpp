@@ -57,7 +57,7 @@ Result<Probability> probability(double value) {
   return line_error("must be in 0 .. 1, is " + json_number(value), "score");
 }
 
-/// class, centre, size [, score]; in shares of the picture.
+/// class, centre, size [, score]; in shares of the image.
 Result<TextDetection> yolo_detection(const std::vector<double>& n,
                                      const DetectionReadOptions& options) {
   TextDetection out;

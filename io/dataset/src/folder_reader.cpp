@@ -19,7 +19,7 @@ Result<RgbdFrame> FolderReader::read(std::size_t index) const {
   frame.map_from_camera = map_from_input() * pose;
   HYPERMAP_ASSIGN_OR_RETURN(frame.depth_m, depth_of(entry));
   if (options_.read_color && !entry.color.empty()) {
-    HYPERMAP_ASSIGN_OR_RETURN(frame.color, read_color(path(entry.color), picture_size()));
+    HYPERMAP_ASSIGN_OR_RETURN(frame.color, read_color(path(entry.color), image_size()));
   }
   HYPERMAP_ASSIGN_OR_RETURN(frame.detections, detections_of(position(index), entry));
   return frame;
@@ -28,7 +28,7 @@ Result<RgbdFrame> FolderReader::read(std::size_t index) const {
 Result<InputFromCamera> FolderReader::pose_of(const SequenceEntry& entry) const {
   if (entry.pose) return *entry.pose;
   if (entry.pose_file.empty()) {
-    return frame_error(ErrorCode::kNotFound, path(entry.name).string(), entry.why_no_pose);
+    return frame_error(ErrorCode::kNotFound, path(entry.name).string(), entry.missing_pose_reason);
   }
   HYPERMAP_ASSIGN_OR_RETURN(const InputFromCamera written, read_pose_matrix(path(entry.pose_file)));
   return as_optical(written, sequence_.description);
@@ -36,10 +36,10 @@ Result<InputFromCamera> FolderReader::pose_of(const SequenceEntry& entry) const 
 
 Result<DepthImage> FolderReader::depth_of(const SequenceEntry& entry) const {
   if (entry.depth.empty()) {
-    return frame_error(ErrorCode::kNotFound, path(entry.name).string(), "no depth picture");
+    return frame_error(ErrorCode::kNotFound, path(entry.name).string(), "no depth image");
   }
   const DepthFormat& format = sequence_.description.depth_format;
-  if (!sequence_.depth_camera) return read_depth(path(entry.depth), format, picture_size());
+  if (!sequence_.depth_camera) return read_depth(path(entry.depth), format, image_size());
   const PinholeCamera& camera = *sequence_.depth_camera;
   HYPERMAP_ASSIGN_OR_RETURN(
       const DepthImage depth,
@@ -76,7 +76,7 @@ Result<void> FolderReader::append(std::vector<Detection>& out,
                                   DetectorId detector,
                                   const std::string& file) const {
   auto resolved =
-      resolve(frame, registry_, known, detector, picture_size().width_px, picture_size().height_px);
+      resolve(frame, registry_, known, detector, image_size().width_px, image_size().height_px);
   if (!resolved) {
     Error error = in_file(std::move(resolved).error(), file);
     error.entry = frame.image;

@@ -65,7 +65,7 @@ class FolderReader final : public DatasetReader {
   [[nodiscard]] std::filesystem::path path(const std::string& relative) const {
     return sequence_.folder / relative;
   }
-  [[nodiscard]] PictureSize picture_size() const {
+  [[nodiscard]] ImageSize image_size() const {
     return {summary().camera.width_px, summary().camera.height_px};
   }
   [[nodiscard]] Result<InputFromCamera> pose_of(const SequenceEntry& entry) const;

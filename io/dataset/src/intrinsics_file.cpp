@@ -29,12 +29,11 @@ Result<void> positive(double value, const char* field) {
 }
 
 Result<void> centred(double value, std::optional<int> side, const char* field) {
-  const double half = 0.5 * side.value_or(kMaxPictureSidePx);
+  const double half = 0.5 * side.value_or(kMaxImageSidePx);
   if (std::isfinite(value) && value >= -half && value <= 3.0 * half) return {};
-  return fail(
-      ErrorCode::kMalformedFile,
-      "must be inside the picture or at most half its side beyond, is " + json_number(value),
-      field);
+  return fail(ErrorCode::kMalformedFile,
+              "must be inside the image or at most half its side beyond, is " + json_number(value),
+              field);
 }
 
 /// The rules that hold for every form.
@@ -48,7 +47,7 @@ Result<void> check(const Intrinsics& k) {
 
 Result<int> side(const JsonNode& root, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode node, root.require(key));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.integer(1, kMaxPictureSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.integer(1, kMaxImageSidePx));
   return static_cast<int>(value);
 }
 
@@ -127,11 +126,11 @@ std::optional<YamlNode> first_of(const YamlNode& root, std::span<const std::stri
 /// The calibration file says `image_width`, the message `width`.
 Result<int> yaml_side(const YamlNode& root, std::string_view file_key, std::string_view key) {
   if (const auto node = root.find(key)) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto value, node->as_int(1, kMaxPictureSidePx));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto value, node->as_int(1, kMaxImageSidePx));
     return static_cast<int>(value);
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, root.at(file_key));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.as_int(1, kMaxPictureSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto value, node.as_int(1, kMaxImageSidePx));
   return static_cast<int>(value);
 }
 
@@ -146,7 +145,7 @@ std::vector<Finding> distortion(const YamlNode& root) {
                      return !value || *value != 0.0;
                    });
   if (!any) return {};
-  return {warning(list.error("distortion is not applied, expected pictures without it"))};
+  return {warning(list.error("distortion is not applied, expected images without it"))};
 }
 
 Result<Loaded<Intrinsics>> parse_camera_info(std::string_view text, const std::string& name) {
@@ -242,7 +241,7 @@ Result<PinholeCamera> camera_of(const Intrinsics& intrinsics, int width_px, int 
   const int height = intrinsics.height_px.value_or(height_px);
   if ((width_px > 0 && width != width_px) || (height_px > 0 && height != height_px)) {
     return fail(ErrorCode::kInvalidArgument,
-                "must be the pictures' " + std::to_string(width_px) + " x " +
+                "must be the images' " + std::to_string(width_px) + " x " +
                     std::to_string(height_px) + ", is " + std::to_string(width) + " x " +
                     std::to_string(height),
                 "width, height");

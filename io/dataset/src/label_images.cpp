@@ -2,7 +2,7 @@
 #include "label_images.hpp"
 
 #include "hypermap/io/codec/byte_source.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 
 #include <algorithm>
@@ -35,16 +35,16 @@ constexpr std::array<std::string_view, 40> kNyu40{
 using NumberImage = Image<std::uint32_t>;
 
 Result<NumberImage> read_numbers(const fs::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture, read_picture(path));
-  if (picture.channels != 1) {
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image, read_image_file(path));
+  if (image.channels != 1) {
     return Unexpected(Error{.code = ErrorCode::kMalformedFile,
-                            .what = "has " + std::to_string(picture.channels) +
+                            .what = "has " + std::to_string(image.channels) +
                                     " channels, expected one of class or instance numbers",
                             .file = path.string()});
   }
-  NumberImage out(picture.width_px, picture.height_px);
+  NumberImage out(image.width_px, image.height_px);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    out.pixels()[i] = picture.bits == 16 ? picture.samples16[i] : picture.samples8[i];
+    out.pixels()[i] = image.bits == 16 ? image.samples16[i] : image.samples8[i];
   }
   return out;
 }
@@ -119,18 +119,19 @@ NumberImage connected_regions(const NumberImage& values) {
   return regions;
 }
 
-/// One thing: how often each class number lies in it, and which pixels.
+/// One instance: how often each class number lies in it, and which pixels.
 struct Region {
   std::map<std::uint32_t, std::size_t> votes;
   std::vector<std::size_t> pixels;
 };
 
-std::map<std::uint32_t, Region> regions_of(const NumberImage& classes, const NumberImage& things) {
+std::map<std::uint32_t, Region> regions_of(const NumberImage& classes,
+                                           const NumberImage& instance_ids) {
   std::map<std::uint32_t, Region> regions;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const std::uint32_t thing = things.pixels()[i];
-    if (thing == 0) continue;
-    Region& region = regions[thing];
+  for (std::size_t i = 0; i < instance_ids.size(); ++i) {
+    const std::uint32_t instance_id = instance_ids.pixels()[i];
+    if (instance_id == 0) continue;
+    Region& region = regions[instance_id];
     ++region.votes[classes.pixels()[i]];
     region.pixels.push_back(i);
   }
@@ -166,26 +167,27 @@ NamedDetection detection_of(const Region& region, const std::string& name, int w
   return out;
 }
 
-Result<std::pair<NumberImage, NumberImage>> read_classes_and_things(const fs::path& labels,
-                                                                    const fs::path& instances) {
+Result<std::pair<NumberImage, NumberImage>> read_classes_and_instances(const fs::path& labels,
+                                                                       const fs::path& instances) {
   if (instances.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(NumberImage classes, read_numbers(labels));
-    NumberImage things = connected_regions(classes);
-    return std::pair{std::move(classes), std::move(things)};
+    NumberImage instance_ids = connected_regions(classes);
+    return std::pair{std::move(classes), std::move(instance_ids)};
   }
-  HYPERMAP_ASSIGN_OR_RETURN(NumberImage things, read_numbers(instances));
+  HYPERMAP_ASSIGN_OR_RETURN(NumberImage instance_ids, read_numbers(instances));
   if (labels.empty()) {
-    NumberImage classes = things;
+    NumberImage classes = instance_ids;
     for (std::uint32_t& value : classes.pixels()) value /= kInstancesPerClass;
-    return std::pair{std::move(classes), std::move(things)};
+    return std::pair{std::move(classes), std::move(instance_ids)};
   }
   HYPERMAP_ASSIGN_OR_RETURN(NumberImage classes, read_numbers(labels));
-  if (classes.width_px() != things.width_px() || classes.height_px() != things.height_px()) {
+  if (classes.width_px() != instance_ids.width_px() ||
+      classes.height_px() != instance_ids.height_px()) {
     return Unexpected(Error{.code = ErrorCode::kInvalidArgument,
-                            .what = "must have the size of the label picture",
+                            .what = "must have the size of the label image",
                             .file = instances.string()});
   }
-  return std::pair{std::move(classes), std::move(things)};
+  return std::pair{std::move(classes), std::move(instance_ids)};
 }
 
 }  // namespace
@@ -209,19 +211,19 @@ Result<FrameDetections> read_label_detections(const fs::path& labels,
                                               const fs::path& instances,
                                               const LabelNames& names,
                                               const DetectionLimits& limits) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto pictures, read_classes_and_things(labels, instances));
-  const auto& [classes, things] = pictures;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto images, read_classes_and_instances(labels, instances));
+  const auto& [classes, instance_ids] = images;
   FrameDetections frame;
   frame.image = labels.empty() ? instances.string() : labels.string();
   frame.width_px = classes.width_px();
   frame.height_px = classes.height_px();
-  for (const auto& [thing, region] : regions_of(classes, things)) {
+  for (const auto& [instance_id, region] : regions_of(classes, instance_ids)) {
     const auto name = names.find(majority(region));
     if (name == names.end() || region.pixels.size() < kMinRegionPixels) continue;
     if (frame.detections.size() >= limits.max_per_frame) {
       return Unexpected(Error{.code = ErrorCode::kLimit,
                               .what = "at most " + std::to_string(limits.max_per_frame) +
-                                      " things in a picture are read",
+                                      " instances in an image are read",
                               .file = frame.image});
     }
     frame.detections.push_back(detection_of(region, name->second, frame.width_px, frame.height_px));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of class numbers and instances, as ScanNet exports them, made into detections.
+/// Images of class numbers and instances, as ScanNet exports them, made into detections.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -14,7 +14,7 @@
 
 namespace hypermap {
 
-/// What the numbers in label pictures mean.
+/// What the numbers in label images mean.
 using LabelNames = std::map<std::uint32_t, std::string>;
 
 /// Names from `scannetv2-labels.combined.tsv` in the folder or one of the two above it; else the 40
@@ -22,12 +22,12 @@ using LabelNames = std::map<std::uint32_t, std::string>;
 /// Errors: kIo; kMalformedFile naming the line.
 [[nodiscard]] Result<LabelNames> read_label_names(const std::filesystem::path& folder);
 
-/// One detection, score 1, with mask for each instance; without an instance picture for each
+/// One detection, score 1, with mask for each instance; without an instance image for each
 /// connected region of a class. Regions below 64 pixels and numbers without a name are left out.
 ///
 /// `labels` and `instances` are files, one of which may be empty; instances alone must be numbered
 /// class * 1000 + instance.
-/// Errors: those of reading the pictures; kInvalidArgument when their sizes differ or there would
+/// Errors: those of reading the images; kInvalidArgument when their sizes differ or there would
 /// be more detections than `limits` allow.
 [[nodiscard]] Result<FrameDetections> read_label_detections(const std::filesystem::path& labels,
                                                             const std::filesystem::path& instances,

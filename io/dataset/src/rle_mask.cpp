@@ -31,11 +31,11 @@ Result<std::vector<std::uint32_t>> parse_runs(const JsonNode& node) {
 Result<std::pair<int, int>> parse_size(const JsonNode& node, const DetectionLimits& limits) {
   HYPERMAP_TRY(node.expect(JsonKind::kArray));
   if (node.size() != 2) return node.error(ErrorCode::kMalformedFile, "must be [height, width]");
-  HYPERMAP_ASSIGN_OR_RETURN(const auto height, node.at(0).integer(1, kMaxPictureSidePx));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto width, node.at(1).integer(1, kMaxPictureSidePx));
-  if (static_cast<std::uint64_t>(width * height) > limits.max_picture_pixels) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto height, node.at(0).integer(1, kMaxImageSidePx));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto width, node.at(1).integer(1, kMaxImageSidePx));
+  if (static_cast<std::uint64_t>(width * height) > limits.max_image_pixels) {
     return node.error(ErrorCode::kLimit,
-                      "at most " + std::to_string(limits.max_picture_pixels) + " pixels are read");
+                      "at most " + std::to_string(limits.max_image_pixels) + " pixels are read");
   }
   return std::pair{static_cast<int>(width), static_cast<int>(height)};
 }

@@ -3,7 +3,7 @@
 
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
-#include "picture_list.hpp"
+#include "image_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::string seconds_text(double seconds) {
 
 Result<std::vector<ListedFile>> list_files(const fs::path& folder, const std::string& place) {
   if (place.empty()) return std::vector<ListedFile>{};
-  return is_pattern(place) ? list_pictures(folder, place) : read_picture_list(folder, place);
+  return is_pattern(place) ? list_image_files(folder, place) : read_image_list(folder, place);
 }
 
 bool are_numbered(const std::vector<ListedFile>& files) {
@@ -45,7 +45,7 @@ Stamp stamp_of_number(std::uint64_t number, double rate_hz) {
   return {std::llround(static_cast<double>(number) / rate_hz * 1e9)};
 }
 
-/// Frames are the numbers of depth and colour pictures together: one that lacks a picture stays a
+/// Frames are the numbers of depth and colour images together: one that lacks an image stays a
 /// frame, so that it is missed and named.
 void pair_by_number(const std::vector<ListedFile>& depth,
                     const std::vector<ListedFile>& color,
@@ -62,15 +62,15 @@ void pair_by_number(const std::vector<ListedFile>& depth,
   for (const ListedFile& file : color) entry_of(file).color = file.path;
   for (auto& [number, entry] : entries) {
     entry.name = entry.color.empty() ? entry.depth : entry.color;
-    if (entry.depth.empty()) index.unpaired.push_back(entry.color + ": no depth picture");
+    if (entry.depth.empty()) index.unpaired.push_back(entry.color + ": no depth image");
     if (entry.color.empty() && !color.empty()) {
-      index.unpaired.push_back(entry.depth + ": no colour picture");
+      index.unpaired.push_back(entry.depth + ": no colour image");
     }
     index.entries.push_back(std::move(entry));
   }
 }
 
-/// Frames are the depth pictures; colour is the nearest in time.
+/// Frames are the depth images; colour is the nearest in time.
 void pair_by_stamp(const std::vector<ListedFile>& depth,
                    const std::vector<ListedFile>& color,
                    const DatasetDescription& description,
@@ -88,26 +88,26 @@ void pair_by_stamp(const std::vector<ListedFile>& depth,
       entry.color = color[*partner].path;
       used.insert(*partner);
     } else if (!color.empty()) {
-      index.unpaired.push_back(file.path + ": no colour picture" + within);
+      index.unpaired.push_back(file.path + ": no colour image" + within);
     }
     entry.name = entry.color.empty() ? entry.depth : entry.color;
     index.entries.push_back(std::move(entry));
   }
   for (std::size_t i = 0; i < color.size(); ++i) {
-    if (!used.contains(i)) index.unpaired.push_back(color[i].path + ": no depth picture" + within);
+    if (!used.contains(i)) index.unpaired.push_back(color[i].path + ": no depth image" + within);
   }
 }
 
-Result<void> pair_pictures(const fs::path& folder,
-                           const DatasetDescription& description,
-                           SequenceIndex& index) {
+Result<void> pair_images(const fs::path& folder,
+                         const DatasetDescription& description,
+                         SequenceIndex& index) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto depth, list_files(folder, description.depth));
   HYPERMAP_ASSIGN_OR_RETURN(const auto color, list_files(folder, description.color));
   index.num_depth = depth.size();
   index.num_color = color.size();
   if (depth.empty()) {
     return Unexpected(Error{.code = ErrorCode::kNotFound,
-                            .what = "has no depth picture " + description.depth,
+                            .what = "has no depth image " + description.depth,
                             .file = folder.string()});
   }
   if (are_numbered(depth) && are_numbered(color)) {
@@ -142,14 +142,14 @@ Result<void> attach_stamped(const fs::path& folder,
     if (description.pair_by == PosePairing::kStamp) {
       found = nearest_stamp(
           poses, entry.stamp, tolerance_ns, [](const StampedPose& p) { return p.stamp; });
-      entry.why_no_pose = "no pose within " + seconds_text(description.stamp_tolerance_s) + " of " +
-                          stamp_text(entry.stamp);
+      entry.missing_pose_reason = "no pose within " + seconds_text(description.stamp_tolerance_s) +
+                                  " of " + stamp_text(entry.stamp);
     } else {
       const std::size_t position = description.pair_by == PosePairing::kNumber && entry.number
                                        ? static_cast<std::size_t>(*entry.number)
                                        : i;
       if (position < poses.size()) found = position;
-      entry.why_no_pose = "no pose at position " + std::to_string(position);
+      entry.missing_pose_reason = "no pose at position " + std::to_string(position);
     }
     if (found) attach(entry, poses[*found], description);
   }
@@ -176,7 +176,7 @@ Result<void> attach_numbered(const fs::path& folder,
     } else if (!by_order && found != position_of.end()) {
       entry.pose = as_optical(poses[found->second].input_from_camera, description);
     }
-    entry.why_no_pose = "no pose with number " + std::to_string(by_order ? i : wanted);
+    entry.missing_pose_reason = "no pose with number " + std::to_string(by_order ? i : wanted);
   }
   return {};
 }
@@ -197,8 +197,8 @@ Result<void> attach_matrices(const fs::path& folder,
     } else if (const auto found = path_of.find(entry.number.value_or(i)); found != path_of.end()) {
       entry.pose_file = found->second;
     }
-    entry.why_no_pose = "no pose file " + description.trajectory + " with number " +
-                        std::to_string(entry.number.value_or(i));
+    entry.missing_pose_reason = "no pose file " + description.trajectory + " with number " +
+                                std::to_string(entry.number.value_or(i));
   }
   return {};
 }
@@ -217,11 +217,11 @@ Result<void> attach_poses(const fs::path& folder,
   return {};
 }
 
-/// Label and instance pictures, by number.
-Result<void> attach_label_pictures(const fs::path& folder,
-                                   const std::string& pattern,
-                                   std::string SequenceEntry::*member,
-                                   SequenceIndex& index) {
+/// Label and instance images, by number.
+Result<void> attach_label_images(const fs::path& folder,
+                                 const std::string& pattern,
+                                 std::string SequenceEntry::*member,
+                                 SequenceIndex& index) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto files, list_files(folder, pattern));
   std::map<std::uint64_t, std::string> path_of;
   for (const ListedFile& file : files) {
@@ -255,14 +255,14 @@ InputFromCamera as_optical(const InputFromCamera& written, const DatasetDescript
 Result<SequenceIndex> index_sequence(const fs::path& folder,
                                      const DatasetDescription& description) {
   SequenceIndex index;
-  HYPERMAP_TRY(pair_pictures(folder, description, index));
+  HYPERMAP_TRY(pair_images(folder, description, index));
   HYPERMAP_TRY(attach_poses(folder, description, index));
-  HYPERMAP_TRY(attach_label_pictures(folder, description.labels, &SequenceEntry::labels, index));
+  HYPERMAP_TRY(attach_label_images(folder, description.labels, &SequenceEntry::labels, index));
   HYPERMAP_TRY(
-      attach_label_pictures(folder, description.instances, &SequenceEntry::instances, index));
+      attach_label_images(folder, description.instances, &SequenceEntry::instances, index));
   for (const SequenceEntry& entry : index.entries) {
     if (!entry.pose && entry.pose_file.empty()) {
-      index.unpaired.push_back(entry.name + ": " + entry.why_no_pose);
+      index.unpaired.push_back(entry.name + ": " + entry.missing_pose_reason);
     }
   }
   return index;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which depth picture, colour picture and pose make up each frame of a dataset.
+/// Which depth image, colour image and pose make up each frame of a dataset.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
@@ -18,7 +18,7 @@
 
 namespace hypermap {
 
-/// One frame before its pictures are read. Paths are relative to the folder, empty where missing.
+/// One frame before its images are read. Paths are relative to the folder, empty where missing.
 struct SequenceEntry {
   std::string name;
   std::optional<std::uint64_t> number;
@@ -29,7 +29,7 @@ struct SequenceEntry {
   std::string instances;
   std::string pose_file;                ///< With TrajectoryFormat::kMatrix.
   std::optional<InputFromCamera> pose;  ///< With the other formats; optical axes.
-  std::string why_no_pose;              ///< When there is neither.
+  std::string missing_pose_reason;      ///< When there is neither.
 };
 
 struct SequenceIndex {
@@ -41,7 +41,7 @@ struct SequenceIndex {
   std::vector<Finding> findings;
 };
 
-/// Errors: those of lists and trajectories; kNotFound when there is no depth picture.
+/// Errors: those of lists and trajectories; kNotFound when there is no depth image.
 [[nodiscard]] Result<SequenceIndex> index_sequence(const std::filesystem::path& folder,
                                                    const DatasetDescription& description);
 

@@ -15,7 +15,7 @@
 namespace hypermap {
 
 /// Rotations that are off by more are counted when they are normalised.
-inline constexpr double kNormalisedWorthSaying = 1e-3;
+inline constexpr double kMinReportedNormError = 1e-3;
 
 /// `error` with the file, and with the line when it names none.
 [[nodiscard]] Error in_file(Error error, const std::filesystem::path& path, int line);

@@ -86,7 +86,7 @@ Result<LogRecord> parse_log_record(const std::vector<TextLine>& lines,
   Eigen::Matrix3d written;
   written << rows[0], rows[1], rows[2], rows[4], rows[5], rows[6], rows[8], rows[9], rows[10];
   return LogRecord{{*number, InputFromCamera(*pose), header.number},
-                   rotation_error(written) > kNormalisedWorthSaying};
+                   rotation_error(written) > kMinReportedNormError};
 }
 
 }  // namespace

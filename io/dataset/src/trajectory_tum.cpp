@@ -98,9 +98,9 @@ class TumBuilder {
 
   void note(const TumLine& parsed, int line) {
     in_nanoseconds_ = parsed.stamp.is_in_nanoseconds;
-    if (parsed.norm_error > kNormalisedWorthSaying) ++loaded_.value.num_normalised;
-    if (parsed.stamp.is_rounded && !said_rounded_) {
-      said_rounded_ = true;
+    if (parsed.norm_error > kMinReportedNormError) ++loaded_.value.num_normalised;
+    if (parsed.stamp.is_rounded && !warned_rounded_) {
+      warned_rounded_ = true;
       loaded_.findings.push_back(warning(
           path_, line, "timestamp", "nanoseconds in exponent notation, digits are likely lost"));
     }
@@ -127,7 +127,7 @@ class TumBuilder {
   const TrajectoryOptions& options_;
   Loaded<StampedTrajectory> loaded_;
   bool in_nanoseconds_ = false;
-  bool said_rounded_ = false;
+  bool warned_rounded_ = false;
 };
 
 }  // namespace

@@ -76,18 +76,18 @@ std::string shape_text(const cv::Mat& output) {
   return out;
 }
 
-/// The picture, shrunk or grown to fit the upper left of the input square, as a network's input.
-cv::Mat letterbox(const ColorImage& picture, int side_px, double scale) {
-  const cv::Mat whole(picture.height_px(),
-                      picture.width_px(),
+/// The image, shrunk or grown to fit the upper left of the input square, as a network's input.
+cv::Mat letterbox(const ColorImage& image, int side_px, double scale) {
+  const cv::Mat whole(image.height_px(),
+                      image.width_px(),
                       CV_8UC3,
                       // OpenCV has no read-only view; nothing is written through it.
-                      const_cast<Rgb8*>(picture.pixels().data()));
+                      const_cast<Rgb8*>(image.pixels().data()));
   const auto scaled = [&](int length) {
     return std::clamp(static_cast<int>(length * scale + 1e-9), 1, side_px);
   };
   cv::Mat square(side_px, side_px, CV_8UC3, cv::Scalar::all(kPaddingGrey));
-  const cv::Rect place(0, 0, scaled(picture.width_px()), scaled(picture.height_px()));
+  const cv::Rect place(0, 0, scaled(image.width_px()), scaled(image.height_px()));
   cv::Mat target = square(place);
   cv::resize(whole, target, place.size(), 0.0, 0.0, cv::INTER_LINEAR);
   constexpr bool kSwapRedAndBlue = true;
@@ -102,7 +102,7 @@ struct OnnxDetector::Impl {
   std::vector<ClassId> classes;
   std::filesystem::path model;
 
-  /// Rows of the network for a picture. Errors: kMalformedFile.
+  /// Rows of the network for a image. Errors: kMalformedFile.
   Result<cv::Mat> run(const cv::Mat& input) {
     try {
       net.setInput(input);
@@ -129,11 +129,11 @@ struct OnnxDetector::Impl {
 
   [[nodiscard]] Result<Detection> detection_of(const YoloxCandidate& candidate,
                                                std::span<const float> rows,
-                                               const ColorImage& picture) const {
+                                               const ColorImage& image) const {
     Detection out;
     out.detector = options.detector;
     out.score = Probability(candidate.score);
-    const auto inside = clipped(candidate.box_px, picture.width_px(), picture.height_px());
+    const auto inside = clipped(candidate.box_px, image.width_px(), image.height_px());
     if (inside) out.box_px = *inside;
     const std::size_t length = 5 + classes.size();
     std::vector<ClassEvidence> scores;
@@ -197,13 +197,13 @@ Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,
   return OnnxDetector(std::move(impl));
 }
 
-Result<std::vector<Detection>> OnnxDetector::detect(const ColorImage& picture) {
-  if (picture.empty()) return fail(ErrorCode::kInvalidArgument, "must not be empty", "picture");
+Result<std::vector<Detection>> OnnxDetector::detect(const ColorImage& image) {
+  if (image.empty()) return fail(ErrorCode::kInvalidArgument, "must not be empty", "image");
   const OnnxDetectorOptions& options = impl_->options;
-  const double scale = std::min(static_cast<double>(options.input_side_px) / picture.width_px(),
-                                static_cast<double>(options.input_side_px) / picture.height_px());
+  const double scale = std::min(static_cast<double>(options.input_side_px) / image.width_px(),
+                                static_cast<double>(options.input_side_px) / image.height_px());
   HYPERMAP_ASSIGN_OR_RETURN(const cv::Mat output,
-                            impl_->run(letterbox(picture, options.input_side_px, scale)));
+                            impl_->run(letterbox(image, options.input_side_px, scale)));
   const std::span<const float> rows(output.ptr<float>(), output.total());
   HYPERMAP_ASSIGN_OR_RETURN(const auto candidates,
                             decode_yolox(rows,
@@ -214,7 +214,7 @@ Result<std::vector<Detection>> OnnxDetector::detect(const ColorImage& picture) {
   std::vector<Detection> detections;
   for (const YoloxCandidate& candidate : suppress_overlaps(candidates, options.nms_overlap)) {
     if (detections.size() >= options.max_detections) break;
-    HYPERMAP_ASSIGN_OR_RETURN(Detection detection, impl_->detection_of(candidate, rows, picture));
+    HYPERMAP_ASSIGN_OR_RETURN(Detection detection, impl_->detection_of(candidate, rows, image));
     if (detection.box_px.width_px() > 0.0) detections.push_back(std::move(detection));
   }
   return detections;

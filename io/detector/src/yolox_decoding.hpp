@@ -14,7 +14,7 @@ namespace hypermap {
 
 /// One row of the output whose score is high enough.
 struct YoloxCandidate {
-  PixelBox box_px;  ///< In the picture that was fitted into the input.
+  PixelBox box_px;  ///< In the image that was fitted into the input.
   double score = 0.0;
   std::size_t best_class = 0;  ///< Index in the network's order.
   std::size_t row = 0;
@@ -23,7 +23,7 @@ struct YoloxCandidate {
 struct YoloxDecoding {
   int input_side_px = 416;
   std::size_t num_classes = 80;
-  double scale = 1.0;  ///< Input pixels per picture pixel.
+  double scale = 1.0;  ///< Input pixels per image pixel.
   double min_score = 0.25;
 };
 

@@ -13,16 +13,16 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   if (!keep_rotation) {
     HYPERMAP_ASSIGN_OR_RETURN(written.grid, without_rotation(layer.grid));
   }
-  std::filesystem::path picture = stem;
-  picture += ".pgm";
+  std::filesystem::path image = stem;
+  image += ".pgm";
   std::filesystem::path metadata = stem;
   metadata += ".yaml";
   HYPERMAP_ASSIGN_OR_RETURN(const MapFiles files,
-                            write_trinary_map(written, picture.filename().string()));
-  // The picture first: whoever sees the new YAML finds the picture that it names.
-  HYPERMAP_TRY(write_file_atomically(picture, files.picture));
+                            write_trinary_map(written, image.filename().string()));
+  // The image first: whoever sees the new YAML finds the image that it names.
+  HYPERMAP_TRY(write_file_atomically(image, files.image));
   HYPERMAP_TRY(write_file_atomically(metadata, files.yaml));
-  return WrittenFiles{metadata, picture};
+  return WrittenFiles{metadata, image};
 }
 
 Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportRequest& request) {

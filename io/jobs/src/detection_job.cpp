@@ -12,7 +12,7 @@ namespace hypermap {
 namespace {
 
 /// Frames must be read without the detections that lie beside them: the detector's are wanted.
-DatasetOptions pictures_only(DatasetOptions options) {
+DatasetOptions images_only(DatasetOptions options) {
   options.detections.clear();
   options.find_detections = false;
   options.read_color = true;
@@ -38,7 +38,7 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
   HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
                             OnnxDetector::load(job.model, job.detector, classes));
   HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
-                            open_dataset(job.input, pictures_only(job.dataset), classes));
+                            open_dataset(job.input, images_only(job.dataset), classes));
   DetectionJobReport report;
   std::vector<FrameDetections> frames;
   for (std::size_t i = 0; i < dataset->size(); ++i) {

@@ -5,7 +5,7 @@
 #include "hypermap/core/base/stop_watch.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
-#include "hypermap/io/dataset/upright.hpp"
+#include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/options/options_file.hpp"
 #include "input_fingerprint.hpp"
 
@@ -101,7 +101,7 @@ Result<Run> open(const MappingJob& job, MappingReport& report) {
                               with_corrected_poses(std::move(run.dataset), *job.poses));
   }
   report.findings = run.dataset->summary().findings;
-  HYPERMAP_ASSIGN_OR_RETURN(const Upright up, turn_upright(*run.dataset, job.up_axis));
+  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align_to_gravity(*run.dataset, job.up_axis));
   run.dataset->set_map_from_input(up.map_from_input);
   report.up = up.explanation;
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
@@ -113,7 +113,7 @@ void count(const FrameReport& frame, MappingReport& report) {
   ++report.num_frames;
   report.num_detections += frame.num_detections;
   report.num_segments += frame.num_segments;
-  report.num_unjudged += frame.judged ? 0U : 1U;
+  report.num_visibility_skipped += frame.visibility_evaluated ? 0U : 1U;
   report.points.num_hits += frame.integration.num_hits;
   report.points.num_beyond_range += frame.integration.num_beyond_range;
   report.points.num_not_measured += frame.integration.num_not_measured;
@@ -219,9 +219,9 @@ Result<MapArchive> make_archive(Run& run, const MappingJob& job) {
 }
 
 void describe(const MapArchive& archive, const MappingJob& job, MappingReport& report) {
-  const auto shown = published(archive.objects, job.mapper.objects.publication);
-  report.num_objects = shown.size();
-  report.num_tentative = archive.objects.size() - shown.size();
+  const auto confirmed = confirmed_objects(archive.objects, job.mapper.objects.confirmation);
+  report.num_objects = confirmed.size();
+  report.num_tentative = archive.objects.size() - confirmed.size();
   report.leaves = archive.octree->num_leaves();
   report.num_threads = job.mapper.num_threads;
   report.peak_rss_bytes = peak_rss_bytes();

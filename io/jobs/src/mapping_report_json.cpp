@@ -21,7 +21,7 @@ std::string to_json(const MappingReport& report) {
                             {"outside_volume", points.num_outside_volume}};
   json["detections"] = report.num_detections;
   json["segments"] = report.num_segments;
-  json["frames_unjudged"] = report.num_unjudged;
+  json["frames_unjudged"] = report.num_visibility_skipped;
   json["objects"] = report.num_objects;
   json["objects_tentative"] = report.num_tentative;
   json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};

@@ -28,7 +28,7 @@ constexpr float kLampReachM = 7.0F;  // beyond it a lamp adds nothing
 constexpr float kLampStrength = 0.75F;
 constexpr float kShadowOffsetM = 2e-3F;
 constexpr float kBrightest = 1.15F;
-constexpr double kSilhouetteMargin = 1.0;      // of the picture's size, on each side
+constexpr double kSilhouetteMargin = 1.0;      // of the image's size, on each side
 constexpr double kSilhouetteSamples = 4096.0;  // wanted number of grid points per object
 
 /// The rays of a view: direction (u, v) reaches 1 m of depth at parameter 1.
@@ -194,7 +194,7 @@ RenderedView SceneRenderer::render(const PinholeCamera& camera,
   const auto render_rows = [&](const tbb::blocked_range<int>& rows) {
     for (int v = rows.begin(); v < rows.end(); ++v) impl_->render_row(rays, v, view);
   };
-  // A thread that waits for rows must not begin another frame: that would pile up pictures.
+  // A thread that waits for rows must not begin another frame: that would pile up images.
   tbb::this_task_arena::isolate(
       [&] { tbb::parallel_for(tbb::blocked_range<int>(0, camera.height_px, 8), render_rows); });
   return view;
@@ -202,7 +202,7 @@ RenderedView SceneRenderer::render(const PinholeCamera& camera,
 
 namespace {
 
-/// The window of pixels around the object's silhouette, cut at twice the picture's size.
+/// The window of pixels around the object's silhouette, cut at twice the image's size.
 /// An object that reaches behind the camera may fill all of it.
 PixelBox silhouette_window(const TriangleMesh& mesh, const RayGrid& rays) {
   const double margin_u = kSilhouetteMargin * rays.camera.width_px;

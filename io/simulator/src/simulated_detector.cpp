@@ -47,7 +47,7 @@ int poisson(double mean, CounterRng& random) {
 }
 
 /// Sorted, inside 0 .. limit and not thinner than two pixels.
-std::array<double, 2> clipped_to_picture(double low, double high, double limit) {
+std::array<double, 2> clipped_to_image(double low, double high, double limit) {
   if (low > high) std::swap(low, high);
   low = std::clamp(low, 0.0, limit);
   high = std::clamp(high, 0.0, limit);
@@ -56,9 +56,9 @@ std::array<double, 2> clipped_to_picture(double low, double high, double limit) 
   return {low, low + kSmallestSidePx};
 }
 
-PixelBox clipped_to_picture(const PixelBox& box, double width_px, double height_px) {
-  const auto [left, right] = clipped_to_picture(box.u_min_px, box.u_max_px, width_px);
-  const auto [top, bottom] = clipped_to_picture(box.v_min_px, box.v_max_px, height_px);
+PixelBox clipped_to_image(const PixelBox& box, double width_px, double height_px) {
+  const auto [left, right] = clipped_to_image(box.u_min_px, box.u_max_px, width_px);
+  const auto [top, bottom] = clipped_to_image(box.v_min_px, box.v_max_px, height_px);
   return {left, top, right, bottom};
 }
 
@@ -71,7 +71,7 @@ PixelBox jittered(const PixelBox& box, double share, CounterRng& random) {
           box.v_max_px + dv * random.normal()};
 }
 
-/// A box anywhere in the picture, its sides between 20 pixels and half of the picture's.
+/// A box anywhere in the image, its sides between 20 pixels and half of the image's.
 PixelBox random_box(double width_px, double height_px, CounterRng& random) {
   const auto side = [&](double limit) {
     const double largest = std::max(kSmallestAlarmPx, 0.5 * limit);
@@ -167,7 +167,7 @@ std::optional<std::size_t> SimulatedDetector::position_of(std::string_view class
   return static_cast<std::size_t>(found - known_.begin());
 }
 
-bool SimulatedDetector::can_name(std::string_view class_name) const {
+bool SimulatedDetector::knows_class(std::string_view class_name) const {
   return position_of(class_name).has_value();
 }
 
@@ -207,9 +207,9 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
     if (random.chance(options_.miss_rate)) return std::nullopt;
     weight = random.uniform(options_.min_score, options_.max_score);
     if (random.chance(options_.wrong_class_rate)) named = wrong_class(*truth, random);
-    detection.box_px = clipped_to_picture(jittered(object.box_px, options_.box_jitter, random),
-                                          instances.width_px(),
-                                          instances.height_px());
+    detection.box_px = clipped_to_image(jittered(object.box_px, options_.box_jitter, random),
+                                        instances.width_px(),
+                                        instances.height_px());
   }
   detection.score = Probability(weight);
   detection.class_scores = class_vector(named, weight);
@@ -231,8 +231,7 @@ Detection SimulatedDetector::false_alarm(const Image<ObjectId>& instances,
   const double height_px = instances.height_px();
   const double weight = random.uniform(options_.min_score, options_.max_score);
   Detection detection;
-  detection.box_px =
-      clipped_to_picture(random_box(width_px, height_px, random), width_px, height_px);
+  detection.box_px = clipped_to_image(random_box(width_px, height_px, random), width_px, height_px);
   detection.class_scores =
       class_vector(random.below(static_cast<std::uint32_t>(known_.size())), weight);
   detection.score = Probability(weight);

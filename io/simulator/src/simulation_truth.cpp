@@ -23,8 +23,8 @@ ValueTree box_tree(const Box& box) {
 SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth& truth) {
   std::vector<ValueTree::Entry> extra{{"thing", make_text(object.name)},
                                       {"box", box_tree(object.box)}};
-  if (!truth.excluded_because.empty())
-    extra.emplace_back("excluded", make_text(truth.excluded_because));
+  if (!truth.exclusion_reason.empty())
+    extra.emplace_back("excluded", make_text(truth.exclusion_reason));
   SemanticObject result;
   result.id = object.id.value;
   result.name = object.class_name;
@@ -33,7 +33,7 @@ SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth&
   return result;
 }
 
-/// The thing as an object of a map that is sure of everything.
+/// The object as an object of a map that is sure of everything.
 Object certain_object(const PlacedObject& placed, ClassId class_id) {
   Object object;
   object.id = placed.id;
@@ -50,7 +50,7 @@ Object certain_object(const PlacedObject& placed, ClassId class_id) {
 }  // namespace
 
 std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& detector) {
-  if (!detector.can_name(truth.class_name)) return "the detector has no word for this class";
+  if (!detector.knows_class(truth.class_name)) return "the detector has no word for this class";
   if (truth.most_depth_pixels < kLeastDepthPixels)
     return "never covered " + std::to_string(kLeastDepthPixels) + " depth pixels, at most " +
            std::to_string(truth.most_depth_pixels);
@@ -60,17 +60,18 @@ std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& dete
 Result<MapArchive> make_truth(const Simulator& simulator,
                               const Scene& scene,
                               std::span<const SimulatedTruth> truths) {
-  std::vector<SemanticObject> things;
+  std::vector<SemanticObject> semantic_objects;
   std::vector<Object> objects;
   MapArchive archive;
   for (const PlacedObject& placed : simulator.objects()) {
-    things.push_back(semantic_object(placed, truths[placed.id.value - 1]));
+    semantic_objects.push_back(semantic_object(placed, truths[placed.id.value - 1]));
     HYPERMAP_ASSIGN_OR_RETURN(const ClassId class_id, archive.classes.add(placed.class_name));
     objects.push_back(certain_object(placed, class_id));
   }
   const ObjectId next_id{static_cast<std::uint32_t>(objects.size() + 1)};
   HYPERMAP_ASSIGN_OR_RETURN(archive.objects, ObjectMap::restore(std::move(objects), next_id));
-  HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer semantic, SemanticLayer::create(std::move(things)));
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer semantic,
+                            SemanticLayer::create(std::move(semantic_objects)));
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid,
                             true_occupancy(simulator.furnished(), scene.waypoints));
   HYPERMAP_TRY(archive.hypermap.add_layer(

@@ -29,9 +29,9 @@ namespace fs = std::filesystem;
 
 constexpr double kDepthUnitsPerM = 5000.0;
 
-/// What a frame leaves behind once its pictures are written.
+/// What a frame leaves behind once its images are written.
 struct FrameRecord {
-  RgbdFrame frame;  ///< Without pictures.
+  RgbdFrame frame;  ///< Without images.
   std::vector<VisibleObject> visible;
   std::vector<int> depth_pixels;
 };
@@ -61,7 +61,7 @@ std::string depth_name(const RgbdFrame& frame) {
   return "depth/" + frame.name + ".png";
 }
 
-/// Renders a frame and writes its pictures.
+/// Renders a frame and writes its images.
 Result<FrameRecord> make_frame(const Simulator& simulator,
                                std::size_t index,
                                const StagedFolder& folder) {
@@ -119,7 +119,7 @@ class FramePipeline {
     arena.execute([&] { run_stages(2 * static_cast<std::size_t>(arena.max_concurrency())); });
     if (error_) return tl::make_unexpected(*error_);
     for (SimulatedTruth& truth : report_.objects)
-      truth.excluded_because = exclusion(truth, simulator_.detector());
+      truth.exclusion_reason = exclusion(truth, simulator_.detector());
     HYPERMAP_TRY(write_lists());
     return std::move(report_);
   }

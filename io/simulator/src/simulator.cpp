@@ -68,7 +68,7 @@ struct Simulator::Impl {
   SceneRenderer renderer;
   SimulatedDetector detector;
 
-  /// Visible things with how much of them is unhidden; small ones are left out beforehand.
+  /// Visible objects with how much of them is unhidden; small ones are left out beforehand.
   [[nodiscard]] std::vector<VisibleObject> seen_in(const RenderedView& view,
                                                    const MapFromCamera& pose) const {
     std::vector<VisibleObject> seen = visible_objects(view.instances, class_names);

@@ -54,7 +54,7 @@ std::pair<double, double> extent_along(const Points& points, const Vector2d& dir
 
 /// Separating axes of a convex polygon (perhaps a line) and a cell of edge 1 that holds its lower
 /// and left edges, as `cell_at` has it.
-bool meets_cell(const std::vector<Vector2d>& polygon, Cell cell) {
+bool intersects_cell(const std::vector<Vector2d>& polygon, Cell cell) {
   const Vector2d corner(cell.col, cell.row);
   for (const Vector2d& axis : {Vector2d(1, 0), Vector2d(0, 1)}) {
     const auto [low, high] = extent_along(polygon, axis);
@@ -84,7 +84,8 @@ void mark_surface(const std::vector<Vector3d>& in_band, OccupancyGrid& grid) {
   for (int row = static_cast<int>(std::floor(low_y)); row <= high_y; ++row) {
     for (int col = static_cast<int>(std::floor(low_x)); col <= high_x; ++col) {
       const Cell cell{col, row};
-      if (grid.geometry().contains(cell) && meets_cell(shadow, cell)) grid.set(cell, kOccupiedCell);
+      if (grid.geometry().contains(cell) && intersects_cell(shadow, cell))
+        grid.set(cell, kOccupiedCell);
     }
   }
 }

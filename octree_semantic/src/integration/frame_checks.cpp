@@ -39,10 +39,10 @@ Result<void> check_labels(std::span<const PixelLabels> labels, std::size_t num_m
   return {};
 }
 
-Unexpected window_too_large(const KeyBox& reach, const IntegrationOptions& options) {
+Unexpected window_too_large(const KeyBox& key_bounds, const IntegrationOptions& options) {
   std::string size;
   for (std::size_t i = 0; i < 3; ++i) {
-    size += (i == 0 ? "" : " x ") + std::to_string(reach.max[i] - reach.min[i] + 1);
+    size += (i == 0 ? "" : " x ") + std::to_string(key_bounds.max[i] - key_bounds.min[i] + 1);
   }
   return fail(ErrorCode::kLimit,
               "a frame may reach over 2^31 voxels, this one over " + size +

@@ -20,6 +20,7 @@ namespace hypermap {
                                         std::size_t num_measurements);
 
 /// kLimit: what the window would need and which options to change.
-[[nodiscard]] Unexpected window_too_large(const KeyBox& reach, const IntegrationOptions& options);
+[[nodiscard]] Unexpected window_too_large(const KeyBox& key_bounds,
+                                          const IntegrationOptions& options);
 
 }  // namespace hypermap

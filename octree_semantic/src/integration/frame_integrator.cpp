@@ -41,7 +41,7 @@ Result<IntegrationReport> FrameIntegrator::integrate_cloud(
   HYPERMAP_TRY(validate(options));
   if (options.mode == IntegrationMode::kProjective) {
     return fail(ErrorCode::kInvalidArgument,
-                "a cloud has no picture to project into: use exact or discretize",
+                "a cloud has no image to project into: use exact or discretize",
                 "mode");
   }
   HYPERMAP_TRY(check_sensor(tree.grid(), sensor));

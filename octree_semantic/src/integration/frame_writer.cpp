@@ -108,7 +108,7 @@ void FrameWriter::stage_brick(BrickTable& bricks,
   if (!key) return;
   const bool is_hit = marked.hit.touched(brick_number);
   const std::uint32_t position = is_hit ? bricks.prepare(*key) : bricks.prepare_to_free(*key);
-  if (!is_hit && bricks.is_freest(position)) {
+  if (!is_hit && bricks.is_fully_free(position)) {
     report.num_free_voxels += count_bits(marked.passed.words(brick_number));
     return;
   }
@@ -141,7 +141,7 @@ void FrameWriter::commit(SemanticOctree& tree,
       report.num_labelled_voxels += static_cast<std::size_t>(labelled->count());
     }
     bricks.note_written(position, changed);
-    bricks.share_if_freest(position);
+    bricks.share_if_fully_free(position);
   }
   bricks.commit();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long because: one frame's working memory, grown and checked step by step, shares its scratch arrays.
+// Long because: one frame's working memory, grown and checked step by step, shares its scratch
+// arrays.
 #include "integration_workspace.hpp"
 
 #include "frame_checks.hpp"
@@ -42,12 +43,13 @@ void append(std::vector<T>& all, std::vector<T>& more) {
 
 Result<IntegrationReport> IntegrationWorkspace::integrate(SemanticOctree& tree,
                                                           const MeasuredPoints& points,
-                                                          const DepthPoints* picture,
+                                                          const DepthPoints* image,
                                                           std::span<const PixelLabels> labels,
                                                           const IntegrationOptions& options) {
   const double resolution_m = tree.resolution_m();
-  const KeyBox reach = points.reach(resolution_m, options.max_range_m);
-  if (!window_.cover(reach, WindowGeometry::kMaxCells)) return window_too_large(reach, options);
+  const KeyBox key_bounds = points.key_bounds(resolution_m, options.max_range_m);
+  if (!window_.cover(key_bounds, WindowGeometry::kMaxCells))
+    return window_too_large(key_bounds, options);
   IntegrationReport report;
   try {
     prepare(options);
@@ -57,11 +59,11 @@ Result<IntegrationReport> IntegrationWorkspace::integrate(SemanticOctree& tree,
         points.sensor(),
         options,
         window_,
-        by_voxel ? prepare_far(points.reach(resolution_m, kEverywhereM)) : nullptr);
+        by_voxel ? prepare_far(points.key_bounds(resolution_m, kEverywhereM)) : nullptr);
     find_ends(points, ends, options.mode, report);  // where measurements end
     if (by_voxel) ends.cast_from_voxels(slots_.front().ends);
     if (options.mode == IntegrationMode::kProjective) {
-      project(*picture, ends, resolution_m, options.max_range_m);  // what they looked through
+      project(*image, ends, resolution_m, options.max_range_m);  // what they looked through
     }
     cast_rays(resolution_m, points.sensor());  // what rays passed through
     const auto key_of = [this](std::size_t brick) { return this->key_of(brick); };
@@ -146,15 +148,15 @@ void IntegrationWorkspace::cast_rays(double resolution_m, const PointF& sensor) 
   for (std::size_t i = 1; i < slots_.size(); ++i) passed().take(slots_[i].passed);
 }
 
-void IntegrationWorkspace::project(const DepthPoints& picture,
+void IntegrationWorkspace::project(const DepthPoints& image,
                                    const EndPoints& ends,
                                    double resolution_m,
                                    double max_range_m) {
-  const RgbdFrame& frame = picture.frame();
+  const RgbdFrame& frame = image.frame();
   const EndSink& found = slots_.front().ends;
   pyramid_.build(frame.depth_m.pixels(), frame.camera.width_px, found.dropped, workers_);
   projection_.mark(frame, pyramid_, resolution_m, max_range_m, window_, workers_, passed());
-  add_sparse_rays(picture, pyramid_, ends, cell_of_measurement_, ray_ends());
+  add_sparse_rays(image, pyramid_, ends, cell_of_measurement_, ray_ends());
 }
 
 void IntegrationWorkspace::clear() noexcept {

@@ -24,11 +24,11 @@ namespace hypermap {
 /// All memory is kept from frame to frame; it is bounded by the window that a frame reaches over.
 class IntegrationWorkspace {
  public:
-  /// Errors: as FrameIntegrator::integrate, of what was not checked before. `picture` are the same
+  /// Errors: as FrameIntegrator::integrate, of what was not checked before. `image` are the same
   /// points when they come from a depth image, else null; mode projective needs it.
   [[nodiscard]] Result<IntegrationReport> integrate(SemanticOctree& tree,
                                                     const MeasuredPoints& points,
-                                                    const DepthPoints* picture,
+                                                    const DepthPoints* image,
                                                     std::span<const PixelLabels> labels,
                                                     const IntegrationOptions& options);
   /// As FrameIntegrator::label_boxes.
@@ -50,7 +50,7 @@ class IntegrationWorkspace {
                  IntegrationMode mode,
                  IntegrationReport& report);
   void cast_rays(double resolution_m, const PointF& sensor);
-  void project(const DepthPoints& picture,
+  void project(const DepthPoints& image,
                const EndPoints& ends,
                double resolution_m,
                double max_range_m);

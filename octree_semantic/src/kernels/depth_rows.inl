@@ -56,8 +56,8 @@ HWY_INLINE RowCounts unproject_lanes(const RowRays& rays,
   const auto measured = hn::And(finite, positive);
   // Infinite depths are not computed with: they would only make NaNs of several kinds; nor those
   // that single precision may not hold when turned: their squares are infinite as it is.
-  const auto tame = hn::Min(hn::IfThenElseZero(finite, depth), hn::Set(df, kTooFar));
-  const auto wide = hn::PromoteTo(d, hn::Max(tame, hn::Set(df, -kTooFar)));
+  const auto clamped = hn::Min(hn::IfThenElseZero(finite, depth), hn::Set(df, kTooFar));
+  const auto wide = hn::PromoteTo(d, hn::Max(clamped, hn::Set(df, -kTooFar)));
   const auto nan = hn::Set(df, kNan);
   hn::StoreU(hn::IfThenElse(measured, coordinate(rays, 0, column, wide), nan), df, points.x + u);
   hn::StoreU(coordinate(rays, 1, column, wide), df, points.y + u);

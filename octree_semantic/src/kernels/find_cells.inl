@@ -47,7 +47,7 @@ HWY_INLINE auto exact_offsets(const CellGrid& grid, std::size_t axis, hn::Vec<Ce
 
 struct QuickOffsets {
   hn::Vec<CellInts> offset;
-  hn::Mask<CellFloats> sure;  ///< Where double precision cannot say otherwise.
+  hn::Mask<CellFloats> certain;  ///< Where double precision cannot say otherwise.
 };
 
 /// The same in single precision. Two roundings of 2^-24 move a point by 1.2e-7 of its distance from
@@ -60,10 +60,10 @@ HWY_INLINE QuickOffsets quick_offsets(const CellGrid& grid,
   const auto floor = hn::Floor(voxels);
   const auto above_face = hn::Sub(voxels, floor);
   const auto below_face = hn::Sub(hn::Set(d, 1.0F), above_face);
-  const auto doubt = hn::Mul(hn::Abs(voxels), hn::Set(d, 2.5e-7F));
+  const auto error_bound = hn::Mul(hn::Abs(voxels), hn::Set(d, 2.5e-7F));
   const auto corner = hn::Set(CellInts(), static_cast<std::int32_t>(grid.corner[axis]));
   return {hn::Sub(hn::ConvertTo(CellInts(), floor), corner),
-          hn::Gt(hn::Min(above_face, below_face), doubt)};
+          hn::Gt(hn::Min(above_face, below_face), error_bound)};
 }
 
 HWY_INLINE auto is_inside(const CellGrid& grid, std::size_t axis, hn::Vec<CellInts> offset) {
@@ -132,8 +132,8 @@ HWY_INLINE LaneBits find_lanes(const CellGrid& grid,
   auto offset_x = quick_x.offset;
   auto offset_y = quick_y.offset;
   auto offset_z = quick_z.offset;
-  const auto sure = hn::And(quick_x.sure, hn::And(quick_y.sure, quick_z.sure));
-  if (!hn::AllFalse(d, hn::AndNot(sure, near))) {
+  const auto certain = hn::And(quick_x.certain, hn::And(quick_y.certain, quick_z.certain));
+  if (!hn::AllFalse(d, hn::AndNot(certain, near))) {
     offset_x = exact_offsets(grid, 0, near_x);
     offset_y = exact_offsets(grid, 1, near_y);
     offset_z = exact_offsets(grid, 2, near_z);

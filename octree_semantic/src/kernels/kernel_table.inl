@@ -11,10 +11,10 @@
 #include "kernels/find_cells.inl"
 #include "kernels/kernels.hpp"
 #include "kernels/march_rays.inl"
-#include "kernels/meet_box.inl"
+#include "kernels/intersect_box.inl"
 #include "kernels/merge_brick.inl"
 #include "kernels/merge_labels.inl"
-#include "kernels/see_corners.inl"
+#include "kernels/test_corners.inl"
 
 #include <hwy/highway.h>
 
@@ -28,9 +28,9 @@ inline const Kernels& kernel_table() {
                                   .summarise_row = summarise_row,
                                   .farthest = farthest,
                                   .find_cells = find_cells,
-                                  .see_corners = see_corners,
+                                  .test_corners = test_corners,
                                   .march_rays = march_rays,
-                                  .meet_box = meet_box,
+                                  .intersect_box = intersect_box,
                                   .merge_brick = merge_brick,
                                   .merge_labels = merge_labels};
   return kTable;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The inner loops of integration and of lines of sight, on plain arrays: compiled once for each
+/// The inner loops of integration and of occlusion rays, on plain arrays: compiled once for each
 /// instruction set, chosen when the program runs. No Eigen or PCL type may stand here (their layout
 /// depends on the set), and nothing of the standard library that is a function: the linker would
 /// keep one copy for all.
@@ -75,7 +75,7 @@ struct CornerProjection {
   std::int32_t width_px = 0;
   float width = 0.0F;
   float height = 0.0F;
-  /// Centre of the picture, plus half a pixel.
+  /// Centre of the image, plus half a pixel.
   float u0 = 0.0F;
   float v0 = 0.0F;
   float max_squared_m2 = 0.0F;
@@ -113,13 +113,13 @@ struct CellMarks {
   std::uint8_t* touched = nullptr;  ///< one byte for each brick.
 };
 
-/// Lines of sight that are followed together. Unit: voxels from the map's origin.
-inline constexpr std::size_t kSightLanes = 16;
-struct SightPacket {
-  alignas(64) float origin[3][kSightLanes] = {};
-  alignas(64) float direction[3][kSightLanes] = {};  ///< Of length 1.
-  alignas(64) float inverse[3][kSightLanes] = {};    ///< 1 / direction, finite.
-  alignas(64) float end[kSightLanes] = {};           ///< How far it goes.
+/// Occlusion rays that are traced together. Unit: voxels from the map's origin.
+inline constexpr std::size_t kRayLanes = 16;
+struct RayPacket {
+  alignas(64) float origin[3][kRayLanes] = {};
+  alignas(64) float direction[3][kRayLanes] = {};  ///< Of length 1.
+  alignas(64) float inverse[3][kRayLanes] = {};    ///< 1 / direction, finite.
+  alignas(64) float end[kRayLanes] = {};           ///< How far it goes.
 };
 /// Faces across the three axes, in voxels from the map's origin.
 struct BoxFaces {
@@ -183,23 +183,23 @@ struct Kernels {
                            std::size_t size,
                            std::uint32_t* cells,
                            const CellBits& bits);
-  /// Bits of the corners of a brick that the camera sees: in the picture and nearer than what was
-  /// measured there. `first`: the brick's first corner in the camera's axes, x and y times the
-  /// focal lengths. `check_range`: only those within the range.
-  void (*see_corners)(const CornerProjection& projection,
-                      const float* first,
-                      bool check_range,
-                      std::uint64_t* seen);
+  /// Bits of the visible corners of a brick: in the image and nearer than the depth measured there.
+  /// `first`: the brick's first corner in the camera's axes, x and y times the focal lengths.
+  /// `check_range`: only those within the range.
+  void (*test_corners)(const CornerProjection& projection,
+                       const float* first,
+                       bool check_range,
+                       std::uint64_t* visible);
   /// Marks the voxels that rays pass, from the first to the one before the last. On a tie of next
   /// faces z goes before y before x.
   /// Requires: all rays begin in the same voxel.
   void (*march_rays)(const MarchedRay* rays, std::size_t size, const CellMarks& marks);
-  /// Bits of the first `num_lanes` lines that meet a box, of those whose `valid` is not 0.
+  /// Bits of the first `num_lanes` rays that intersect a box, of those whose `valid` is not 0.
   /// Requires: num_lanes is 4, 8 or 16.
-  std::uint32_t (*meet_box)(const SightPacket& lines,
-                            const BoxFaces& box,
-                            const std::int32_t* valid,
-                            std::size_t num_lanes);
+  std::uint32_t (*intersect_box)(const RayPacket& lines,
+                                 const BoxFaces& box,
+                                 const std::int32_t* valid,
+                                 std::size_t num_lanes);
   /// Adds a hit to the voxels of `hit` and a miss to those of `passed` that are not hit, and
   /// clamps. 8 words of bits each.
   MergeCounts (*merge_brick)(const BrickArrays& brick,

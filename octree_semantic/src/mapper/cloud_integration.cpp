@@ -44,7 +44,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   StopWatch watch(clock_);
   HYPERMAP_TRY(validate(cloud));
   HYPERMAP_TRY(check_sensor(octree_.grid(), cloud.sensor));
-  hand_over_voxels();  // what an earlier frame left to be done
+  apply_pending_relabels();  // what an earlier frame left to be done
   auto seen = observe_cloud(cloud,
                             {.max_range_m = options_.cloud.max_range_m,
                              .leaf_size_m = options_.objects.segmentation.leaf_size_m,
@@ -76,7 +76,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   note_frame(cloud.index, cloud.stamp);
   report.seconds.integrate = watch.lap();
   try {
-    hand_over_voxels();
+    apply_pending_relabels();
   } catch (const std::bad_alloc&) {
     return report;  // the next frame goes on with what is left
   }

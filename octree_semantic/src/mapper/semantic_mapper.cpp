@@ -14,7 +14,7 @@
 namespace hypermap {
 namespace {
 
-/// Those detections that the depth confirms; counts those that nobody looked at.
+/// Observations of the detections that the depth confirms; counts those dropped by the deadline.
 std::vector<Observation> observe(const RgbdFrame& frame,
                                  std::span<const Detection> detections,
                                  const SemanticMapperOptions& options,
@@ -58,7 +58,7 @@ Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
   return ids;
 }
 
-std::vector<ObjectId> seen_objects(const AssociationReport& association) {
+std::vector<ObjectId> detected_objects(const AssociationReport& association) {
   std::vector<ObjectId> seen = association.object_of_observation;
   std::erase(seen, kNoObject);
   std::sort(seen.begin(), seen.end());
@@ -153,7 +153,7 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   FrameReport report;
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(frame));
-  hand_over_voxels();  // what an earlier frame left to be done
+  apply_pending_relabels();  // what an earlier frame left to be done
   HYPERMAP_ASSIGN_OR_RETURN(auto detections,
                             stack_detections(frame.detections, options_.objects.stacking));
   report.num_detections = detections.size();
@@ -179,12 +179,12 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   prepare_to_adopt(labels, association.merged);
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
                             integrator_.integrate(octree_, frame, labels, options_.integration));
-  // From here on the frame is in the map.
+  // Invariant: from here on the frame is in the map.
   adopt(std::move(objects), labels, association.merged);
   note_frame(frame.index, frame.stamp);
   report.seconds.integrate = watch.lap();
 
-  weaken_unseen(frame, association, report);
+  apply_missed_detections(frame, association, report);
   report.published = publish_if_due();
   report.seconds.visibility = watch.lap();
   return report;
@@ -206,7 +206,7 @@ void SemanticMapper::publish() {
 bool SemanticMapper::publish_if_due() {
   const auto every = static_cast<std::uint64_t>(options_.publish_every_n_frames);
   if (every == 0 || num_frames_ - num_published_frames_ < every) return false;
-  if (!handovers_.empty()) return false;  // some voxels still name an object that is gone
+  if (!pending_relabels_.empty()) return false;  // some voxels still name an object that is gone
   try {
     publish();
   } catch (const std::bad_alloc&) {
@@ -234,55 +234,55 @@ Result<void> SemanticMapper::check(const RgbdFrame& frame) const {
   return check_sensor(octree_.grid(), frame.map_from_camera.origin());
 }
 
-/// Whatever fails here leaves the frame in the map and objects as they are.
-void SemanticMapper::weaken_unseen(const RgbdFrame& frame,
-                                   const AssociationReport& association,
-                                   FrameReport& report) {
+/// Invariant: on any failure the frame is in the map and the objects are unchanged.
+void SemanticMapper::apply_missed_detections(const RgbdFrame& frame,
+                                             const AssociationReport& association,
+                                             FrameReport& report) {
   try {
-    hand_over_voxels();
+    apply_pending_relabels();
     if (report.num_deadline_dropped > 0) return;
-    const std::vector<ObjectId> seen_now = seen_objects(association);
-    const auto verdicts = judge(frame, seen_now);
-    if (!verdicts) return;
+    const std::vector<ObjectId> detected = detected_objects(association);
+    const auto results = evaluate_objects(frame, detected);
+    if (!results) return;
     ObjectMap objects = objects_;
     const AbsenceReport absences = apply_absences(
-        objects, *verdicts, options_.objects.absence, seen_now, frame.index, frame.stamp);
-    handovers_.reserve(absences.removed.size());
+        objects, *results, options_.objects.absence, detected, frame.index, frame.stamp);
+    pending_relabels_.reserve(absences.removed.size());
     report.num_removed = absences.removed.size();
-    report.judged = true;
+    report.visibility_evaluated = true;
     objects_ = std::move(objects);
     for (const ObjectId id : absences.removed) {
-      handovers_.push_back({id, kNoObject, take_voxel_bounds(id)});
+      pending_relabels_.push_back({id, kNoObject, take_voxel_bounds(id)});
     }
-    hand_over_voxels();
+    apply_pending_relabels();
   } catch (const std::bad_alloc&) {
-    return;  // the next frame goes on with what is left of `handovers_`
+    return;  // the next frame goes on with `pending_relabels_`
   }
 }
 
-Result<std::vector<VisibilityVerdict>> SemanticMapper::judge(const RgbdFrame& frame,
-                                                             std::span<const ObjectId> seen_now) {
+Result<std::vector<VisibilityResult>> SemanticMapper::evaluate_objects(
+    const RgbdFrame& frame, std::span<const ObjectId> detected) {
   const double max_range_m = options_.integration.max_range_m;
   switch (options_.objects.absence.policy) {
     case VisibilityPolicy::kHull: {
-      auto verdicts = judge_by_hull(objects_, frame, max_range_m);
+      auto results = evaluate_visibility_by_hull(objects_, frame, max_range_m);
       // A frame without any area has no visible area: nothing is weakened.
-      if (!verdicts && verdicts.error().code == ErrorCode::kNotFound) return {};
-      return verdicts;
+      if (!results && results.error().code == ErrorCode::kNotFound) return {};
+      return results;
     }
     case VisibilityPolicy::kPanels: {
       const auto panels =
           BinnedDepthMap::create(frame, options_.objects.binned_depth, options_.num_threads);
-      return judge_by_panels(objects_, panels, options_.objects.absence);
+      return evaluate_visibility_by_panels(objects_, panels, options_.objects.absence);
     }
     case VisibilityPolicy::kRays:
       break;
   }
-  const auto answer = [&](std::span<const SightLine> lines) -> Result<std::vector<std::uint8_t>> {
+  const auto query = [&](std::span<const OcclusionRay> rays) -> Result<std::vector<std::uint8_t>> {
     HYPERMAP_TRY(occlusion_.update(octree_));
-    return occlusion_.occluded(lines, options_.num_threads);
+    return occlusion_.occluded(rays, options_.num_threads);
   };
-  return judge_visibility(objects_, frame, answer, options_.visibility, seen_now);
+  return evaluate_visibility(objects_, frame, query, options_.visibility, detected);
 }
 
 }  // namespace hypermap

@@ -44,7 +44,7 @@ void SemanticMapper::prepare_to_adopt(std::span<const PixelLabels> labels,
     if (label.object != kNoObject) voxel_bounds_.try_emplace(label.object, no_voxel());
   }
   for (const ObjectMerge& merge : merges) voxel_bounds_.try_emplace(merge.into, no_voxel());
-  handovers_.reserve(merges.size());
+  pending_relabels_.reserve(merges.size());
 }
 
 void SemanticMapper::adopt(ObjectMap objects,
@@ -54,7 +54,7 @@ void SemanticMapper::adopt(ObjectMap objects,
   for (const auto& [from, into] : merges) {
     const Box bounds = take_voxel_bounds(from);
     grow_voxel_bounds(into, bounds);
-    handovers_.push_back({from, into, bounds});
+    pending_relabels_.push_back({from, into, bounds});
   }
   const auto boxes = integrator_.label_boxes();
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -77,11 +77,11 @@ Box SemanticMapper::take_voxel_bounds(ObjectId id) noexcept {
 
 /// In their order, for one may take what another gave. One that fails is tried again: it starts
 /// with what is left of its voxels.
-void SemanticMapper::hand_over_voxels() {
-  while (!handovers_.empty()) {
-    const Handover& first = handovers_.front();
+void SemanticMapper::apply_pending_relabels() {
+  while (!pending_relabels_.empty()) {
+    const PendingRelabel& first = pending_relabels_.front();
     octree_.relabel_object(first.from, first.into, first.bounds);
-    handovers_.erase(handovers_.begin());
+    pending_relabels_.erase(pending_relabels_.begin());
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a ray meets an occupied voxel of one brick. Unit: voxels, from the origin of the map.
+/// Whether a ray hits an occupied voxel of one brick. Unit: voxels, from the origin of the map.
 #pragma once
 
 #include "octree/brick.hpp"
@@ -69,8 +69,8 @@ struct RayPart {
 /// Source: J. Amanatides and A. Woo, "A fast voxel traversal algorithm", Eurographics 1987.
 /// Boundary: within a thousandth of a voxel and a millionth of the coordinates from an edge, either
 /// answer. Requires: something is occupied.
-[[nodiscard]] inline bool meets_occupied(const OccupiedBrick& brick,
-                                         const WalkedRay& ray) noexcept {
+[[nodiscard]] inline bool hits_occupied_voxel(const OccupiedBrick& brick,
+                                              const WalkedRay& ray) noexcept {
   constexpr std::array<unsigned, kBrickEdge> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
   constexpr unsigned kAxisBits = 0b001'001'001;
   const RayPart part = part_in(brick.box, ray);

@@ -10,17 +10,17 @@
 namespace hypermap {
 namespace {
 
-/// What a ray to one point of the object found.
-enum class Sight : std::uint8_t { kOutside, kUntold, kOpen, kThrough, kHidden };
+/// Result of a ray to one point of the object.
+enum class RayOutcome : std::uint8_t { kOutside, kNoDepth, kOpen, kThrough, kHidden };
 
-struct SightCounts {
+struct RayCounts {
   int total = 0;
   int in_view = 0;
-  int open = 0;     // the object's surface is there
-  int through = 0;  // what lies behind it is seen
-  int hidden = 0;   // something stands in front
+  int open = 0;     // the measured depth is that of the object
+  int through = 0;  // the measured depth is behind the object
+  int hidden = 0;   // the measured depth, or the map, is in front of the object
 
-  [[nodiscard]] int told() const { return open + through + hidden; }
+  [[nodiscard]] int num_decided() const { return open + through + hidden; }
 };
 
 double share(int part, int whole) {
@@ -55,47 +55,46 @@ double entry_share(const Box& box, const Eigen::Vector3d& from, const Eigen::Vec
   return std::min(entry, 1.0);
 }
 
-/// Judges rays of one frame by what it measured; where it measured nothing, there is a line to ask
-/// the map about.
-class RayJudge {
+/// Evaluates rays of one frame by its depth; those without depth become occlusion rays in the map.
+class RayEvaluator {
  public:
-  RayJudge(const RgbdFrame& frame, const VisibilityOptions& options)
+  RayEvaluator(const RgbdFrame& frame, const VisibilityOptions& options)
       : frame_(&frame),
         options_(&options),
         max_range_m_(options.max_range_m.value_or(kDefaultMaxRangeM)),
         camera_from_map_(frame.map_from_camera.inverse()),
         camera_in_map_(frame.map_from_camera.origin()) {}
 
-  /// kUntold: the last of `lines()` is about this point.
-  [[nodiscard]] Sight judge(const Eigen::Vector3d& point_in_map, const Box& box) {
+  /// kNoDepth: the last of `rays()` ends at this point.
+  [[nodiscard]] RayOutcome evaluate(const Eigen::Vector3d& point_in_map, const Box& box) {
     const PointInCamera point = camera_from_map_ * PointInMap{point_in_map};
     const auto pixel = frame_->camera.project(point);
-    if (!pixel || !(point.xyz.norm() <= max_range_m_)) return Sight::kOutside;
-    if (!in_picture(*pixel)) return Sight::kOutside;
+    if (!pixel || !(point.xyz.norm() <= max_range_m_)) return RayOutcome::kOutside;
+    if (!in_image(*pixel)) return RayOutcome::kOutside;
     const double depth_m = point.xyz.z();
     const double tolerance_m =
         options_->depth_tolerance_m + options_->depth_tolerance_per_m2 * depth_m * depth_m;
     const double entry_m = depth_m * entry_share(box, camera_in_map_.xyz, point_in_map);
     const auto measured = measured_around(*pixel, depth_m);
     if (!measured) {
-      lines_.push_back({camera_in_map_, PointInMap{point_in_map}, 2.0 * tolerance_m});
-      return Sight::kUntold;
+      rays_.push_back({camera_in_map_, PointInMap{point_in_map}, 2.0 * tolerance_m});
+      return RayOutcome::kNoDepth;
     }
-    if (*measured > depth_m + tolerance_m) return Sight::kThrough;
+    if (*measured > depth_m + tolerance_m) return RayOutcome::kThrough;
     // In front of the point but within the object's box: its own near side.
-    return *measured < entry_m - tolerance_m ? Sight::kHidden : Sight::kOpen;
+    return *measured < entry_m - tolerance_m ? RayOutcome::kHidden : RayOutcome::kOpen;
   }
 
-  [[nodiscard]] const std::vector<SightLine>& lines() const { return lines_; }
+  [[nodiscard]] const std::vector<OcclusionRay>& rays() const { return rays_; }
 
  private:
-  [[nodiscard]] bool in_picture(const PixelPoint& pixel) const {
+  [[nodiscard]] bool in_image(const PixelPoint& pixel) const {
     return pixel.u_px >= -0.5 && pixel.v_px >= -0.5 && pixel.u_px < frame_->camera.width_px - 0.5 &&
            pixel.v_px < frame_->camera.height_px - 0.5;
   }
 
-  /// The measured depth of the pixel and its neighbours that is nearest to the expected one: at an
-  /// outline a pixel more or less should not decide.
+  /// The measured depth of the pixel and its neighbours that is nearest to the expected one: robust
+  /// against one pixel at outlines.
   [[nodiscard]] std::optional<double> measured_around(const PixelPoint& pixel,
                                                       double expected_m) const {
     const int u = static_cast<int>(std::lround(pixel.u_px));
@@ -117,78 +116,79 @@ class RayJudge {
   double max_range_m_;
   Transform<frame::Camera, frame::Map> camera_from_map_;
   PointInMap camera_in_map_;
-  std::vector<SightLine> lines_;
+  std::vector<OcclusionRay> rays_;
 };
 
-/// What the rays to each object found, one object after another.
-struct Sights {
-  std::vector<Sight> all;
+/// Results of the rays to each object, one object after another.
+struct RayOutcomes {
+  std::vector<RayOutcome> all;
   std::vector<std::size_t> ends;  ///< Behind the last one of each object.
 };
 
-/// What the frame left untold the map may tell: there is something that must hide the point.
-Result<void> ask_the_map(std::vector<Sight>& sights,
-                         std::span<const SightLine> lines,
-                         const AnswerLines& answer) {
-  if (lines.empty()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<std::uint8_t> hidden, answer(lines));
+/// Rays without depth are occluded when the map's own geometry occludes them.
+Result<void> query_occlusion(std::vector<RayOutcome>& outcomes,
+                             std::span<const OcclusionRay> rays,
+                             const OcclusionQuery& query) {
+  if (rays.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<std::uint8_t> hidden, query(rays));
   std::size_t next = 0;
-  for (Sight& sight : sights) {
-    if (sight == Sight::kUntold && hidden[next++] != 0) sight = Sight::kHidden;
+  for (RayOutcome& outcome : outcomes) {
+    if (outcome == RayOutcome::kNoDepth && hidden[next++] != 0) outcome = RayOutcome::kHidden;
   }
   return {};
 }
 
-Result<Sights> look_at(const ObjectMap& objects,
-                       std::span<const ObjectId> ids,
-                       const RgbdFrame& frame,
-                       const AnswerLines& answer,
-                       const VisibilityOptions& options) {
-  RayJudge judge(frame, options);
-  Sights sights;
+Result<RayOutcomes> cast_rays(const ObjectMap& objects,
+                              std::span<const ObjectId> ids,
+                              const RgbdFrame& frame,
+                              const OcclusionQuery& query,
+                              const VisibilityOptions& options) {
+  RayEvaluator evaluator(frame, options);
+  RayOutcomes outcomes;
   for (const ObjectId id : ids) {
     const Object& object = objects.at(id);
     for (const Eigen::Vector3d& point : sample_points(object, options.max_rays)) {
-      sights.all.push_back(judge.judge(point, object.box));
+      outcomes.all.push_back(evaluator.evaluate(point, object.box));
     }
-    sights.ends.push_back(sights.all.size());
+    outcomes.ends.push_back(outcomes.all.size());
   }
-  HYPERMAP_TRY(ask_the_map(sights.all, judge.lines(), answer));
-  return sights;
+  HYPERMAP_TRY(query_occlusion(outcomes.all, evaluator.rays(), query));
+  return outcomes;
 }
 
-SightCounts count(std::span<const Sight> sights) {
-  SightCounts counts;
-  for (const Sight sight : sights) {
+RayCounts count(std::span<const RayOutcome> outcomes) {
+  RayCounts counts;
+  for (const RayOutcome outcome : outcomes) {
     ++counts.total;
-    counts.in_view += sight != Sight::kOutside ? 1 : 0;
-    counts.open += sight == Sight::kOpen ? 1 : 0;
-    counts.through += sight == Sight::kThrough ? 1 : 0;
-    counts.hidden += sight == Sight::kHidden ? 1 : 0;
+    counts.in_view += outcome != RayOutcome::kOutside ? 1 : 0;
+    counts.open += outcome == RayOutcome::kOpen ? 1 : 0;
+    counts.through += outcome == RayOutcome::kThrough ? 1 : 0;
+    counts.hidden += outcome == RayOutcome::kHidden ? 1 : 0;
   }
   return counts;
 }
 
-Visibility state_of(const SightCounts& counts, const VisibilityOptions& options) {
-  if (share(counts.in_view, counts.total) < options.min_in_view_share || counts.told() == 0) {
+Visibility state_of(const RayCounts& counts, const VisibilityOptions& options) {
+  if (share(counts.in_view, counts.total) < options.min_in_view_share ||
+      counts.num_decided() == 0) {
     return Visibility::kOutOfView;
   }
   const int seen = counts.open + counts.through;
-  if (seen == 0 || share(seen, counts.told()) < options.min_open_share) {
+  if (seen == 0 || share(seen, counts.num_decided()) < options.min_open_share) {
     return Visibility::kOccluded;
   }
   if (share(counts.through, seen) >= options.absent_share) return Visibility::kAbsent;
-  const bool partly = share(counts.hidden, counts.told()) >= options.partly_occluded_share;
+  const bool partly = share(counts.hidden, counts.num_decided()) >= options.partly_occluded_share;
   return partly ? Visibility::kPartlyOccluded : Visibility::kVisible;
 }
 
-/// Detected in this very frame, so it is there and not wholly hidden, whatever the rays say.
+/// A detected object is neither absent nor fully occluded, whatever the rays found.
 Visibility state_of_detected(Visibility by_rays) {
   return by_rays == Visibility::kPartlyOccluded ? by_rays : Visibility::kVisible;
 }
 
-/// Box around all that the camera overlooks up to the range.
-Box overlooked(const RgbdFrame& frame, double max_range_m) {
+/// Bounds of the view frustum up to the range.
+Box frustum_bounds(const RgbdFrame& frame, double max_range_m) {
   const Eigen::Vector3d origin = frame.map_from_camera.origin().xyz;
   Box box{origin, origin};
   for (const double u : {-0.5, frame.camera.width_px - 0.5}) {
@@ -204,32 +204,33 @@ Box overlooked(const RgbdFrame& frame, double max_range_m) {
 
 }  // namespace
 
-Result<std::vector<VisibilityVerdict>> judge_visibility(const ObjectMap& objects,
-                                                        const RgbdFrame& frame,
-                                                        const AnswerLines& answer,
-                                                        const VisibilityOptions& options,
-                                                        std::span<const ObjectId> seen_now) {
+Result<std::vector<VisibilityResult>> evaluate_visibility(const ObjectMap& objects,
+                                                          const RgbdFrame& frame,
+                                                          const OcclusionQuery& query,
+                                                          const VisibilityOptions& options,
+                                                          std::span<const ObjectId> detected) {
   const std::vector<ObjectId> ids =
-      objects.query(overlooked(frame, options.max_range_m.value_or(kDefaultMaxRangeM)));
-  HYPERMAP_ASSIGN_OR_RETURN(const Sights sights, look_at(objects, ids, frame, answer, options));
+      objects.query(frustum_bounds(frame, options.max_range_m.value_or(kDefaultMaxRangeM)));
+  HYPERMAP_ASSIGN_OR_RETURN(const RayOutcomes outcomes,
+                            cast_rays(objects, ids, frame, query, options));
   const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
-  std::vector<VisibilityVerdict> verdicts;
+  std::vector<VisibilityResult> results;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Object& object = objects.at(ids[i]);
-    const std::size_t end = sights.ends[i];
-    const SightCounts counts = count(std::span(sights.all).subspan(begin, end - begin));
+    const std::size_t end = outcomes.ends[i];
+    const RayCounts counts = count(std::span(outcomes.all).subspan(begin, end - begin));
     begin = end;
-    const bool is_seen = std::binary_search(seen_now.begin(), seen_now.end(), ids[i]);
+    const bool is_detected = std::binary_search(detected.begin(), detected.end(), ids[i]);
     const Visibility by_rays = state_of(counts, options);
-    verdicts.push_back({.object = ids[i],
-                        .state = is_seen ? state_of_detected(by_rays) : by_rays,
-                        .visible_fraction = share(counts.open, counts.total),
-                        .absent_fraction = share(counts.through, counts.total),
-                        .bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera),
-                        .distance_m = (camera - object.centroid_in_map).norm()});
+    results.push_back({.object = ids[i],
+                       .state = is_detected ? state_of_detected(by_rays) : by_rays,
+                       .visible_fraction = share(counts.open, counts.total),
+                       .absent_fraction = share(counts.through, counts.total),
+                       .bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera),
+                       .distance_m = (camera - object.centroid_in_map).norm()});
   }
-  return verdicts;
+  return results;
 }
 
 }  // namespace hypermap

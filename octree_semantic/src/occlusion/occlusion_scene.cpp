@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This file and sight_packet are all of this folder that knows Embree (its API of version 3).
+// This file and ray_packet are all of this folder that knows Embree (its API of version 3).
 #include "hypermap/octree_semantic/occlusion/occlusion_scene.hpp"
 
 #include "brick_walk.hpp"
 #include "octree/brick_access.hpp"
-#include "sight_packet.hpp"
+#include "ray_packet.hpp"
 
 #include <embree3/rtcore.h>
 #include <tbb/blocked_range.h>
@@ -49,7 +49,7 @@ struct Region {
 };
 
 /// Called by Embree for each primitive when it builds its tree.
-void give_bounds(const RTCBoundsFunctionArguments* arguments) {
+void write_bounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& bricks = *static_cast<const OccupiedBricks*>(arguments->geometryUserPtr);
   const OccupiedBox& box = bricks[arguments->primID].box;
   RTCBounds& into = *arguments->bounds_o;
@@ -105,8 +105,9 @@ struct OcclusionScene::Scene {
   void note_change(std::uint32_t region);
   void commit();
 
-  /// After a failed build: releasing the scene would then end the program (Embree 3.13).
-  void keep_for_ever() {
+  /// Leaks scene and device after a failed build: releasing them would end the program
+  /// (Embree 3.13).
+  void leak_after_failure() {
     static_cast<void>(scene.release());
     static_cast<void>(device.release());
   }
@@ -120,7 +121,7 @@ std::uint32_t OcclusionScene::Scene::region_for(BrickKey key) {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
   rtcSetGeometryUserData(geometry, &region->bricks);
-  rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
+  rtcSetGeometryBoundsFunction(geometry, write_bounds, nullptr);
   rtcSetGeometryOccludedFunction(geometry, test_occlusion);
   rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
@@ -190,7 +191,7 @@ Result<OcclusionScene> OcclusionScene::create(std::size_t max_lanes) {
   rtcSetSceneBuildQuality(made->scene.get(), RTC_BUILD_QUALITY_LOW);
   rtcCommitScene(made->scene.get());
   if (auto built = check(made->device); !built) {
-    made->keep_for_ever();
+    made->leak_after_failure();
     return Unexpected(std::move(built).error());
   }
   return OcclusionScene(std::move(made));
@@ -213,7 +214,7 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
     scene_->revision = bricks.revision();
     scene_->commit();
     if (auto built = check(scene_->device); !built) {
-      scene_->keep_for_ever();
+      scene_->leak_after_failure();
       return Unexpected(std::move(built).error());
     }
     return changed.size();
@@ -222,34 +223,34 @@ Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
   }
 }
 
-bool OcclusionScene::occluded(const SightLine& line) const {
-  LineFollower follower(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
-  return follower.hidden({&line, 1}) != 0;
+bool OcclusionScene::occluded(const OcclusionRay& ray) const {
+  RayPacketTracer tracer(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
+  return tracer.hidden({&ray, 1}) != 0;
 }
 
-std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const SightLine> lines,
+std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const OcclusionRay> rays,
                                                    int num_threads) const {
-  std::vector<std::uint8_t> answers(lines.size());
-  const auto answer = [&](std::size_t first, std::size_t last) {
-    LineFollower follower(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
-    for (std::size_t i = first; i < last; i += LineFollower::kMaxLines) {
-      const std::size_t size = std::min(LineFollower::kMaxLines, last - i);
-      const std::uint64_t hidden = follower.hidden(lines.subspan(i, size));
-      for (std::size_t k = 0; k < size; ++k) answers[i + k] = hidden >> k & 1U;
+  std::vector<std::uint8_t> results(rays.size());
+  const auto trace = [&](std::size_t first, std::size_t last) {
+    RayPacketTracer tracer(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
+    for (std::size_t i = first; i < last; i += RayPacketTracer::kMaxRays) {
+      const std::size_t size = std::min(RayPacketTracer::kMaxRays, last - i);
+      const std::uint64_t hidden = tracer.hidden(rays.subspan(i, size));
+      for (std::size_t k = 0; k < size; ++k) results[i + k] = hidden >> k & 1U;
     }
   };
   constexpr std::size_t kChunk = 1024;
-  if (num_threads <= 1 || lines.size() <= kChunk) {
-    answer(0, lines.size());
-    return answers;
+  if (num_threads <= 1 || rays.size() <= kChunk) {
+    trace(0, rays.size());
+    return results;
   }
   tbb::task_arena arena(std::min(num_threads, tbb::info::default_concurrency()));
   arena.execute([&] {
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, lines.size(), kChunk),
-        [&](const tbb::blocked_range<std::size_t>& range) { answer(range.begin(), range.end()); });
+        tbb::blocked_range<std::size_t>(0, rays.size(), kChunk),
+        [&](const tbb::blocked_range<std::size_t>& range) { trace(range.begin(), range.end()); });
   });
-  return answers;
+  return results;
 }
 
 std::size_t OcclusionScene::num_bricks() const noexcept {

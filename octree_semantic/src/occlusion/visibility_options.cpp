@@ -22,7 +22,7 @@ constexpr OptionRow kVisibilityRows[] = {
         {0, 10},
         {.unit = "1/m", .effect = "plus this times the depth squared."}),
     option::number<&VisibilityOptions::min_in_view_share>(
-        "min_in_view_share", {0, 1}, {.effect = "Less of the object in the picture: out of view."}),
+        "min_in_view_share", {0, 1}, {.effect = "Less of the object in the image: out of view."}),
     option::number<&VisibilityOptions::min_open_share>(
         "min_open_share", {0, 1}, {.effect = "Less of it open to the camera: occluded."}),
     option::number<&VisibilityOptions::absent_share>(

@@ -46,13 +46,13 @@ std::uint32_t BrickTable::prepare(BrickKey key) {
 std::uint32_t BrickTable::prepare_to_free(BrickKey key) {
   const std::uint32_t found = position(key);
   if (found == kNone) return make(key);
-  if (!is_freest(found)) unshare(found);
+  if (!is_fully_free(found)) unshare(found);
   return found;
 }
 
 std::uint32_t BrickTable::make(BrickKey key) {
   if (!pool_) pool_ = std::make_shared<BrickPool>();
-  if (shares_free_space_ && !freest_) make_freest();
+  if (shares_free_space_ && !fully_free_) make_fully_free();
   if (num_slots() < 2 * (num_bricks_ + 1)) grow_slots();
   const std::size_t page_index = num_bricks_ / kPageSize;
   if (page_index == pages_.size()) {
@@ -72,12 +72,12 @@ std::uint32_t BrickTable::make(BrickKey key) {
   return made;
 }
 
-void BrickTable::make_freest() {
+void BrickTable::make_fully_free() {
   BrickRef made = pool_->make_blank();
   Brick& brick = made.sole();
   brick.known.words.fill(~std::uint64_t{0});
   brick.log_odds.fill(fully_free_log_odds_);
-  freest_ = std::move(made);
+  fully_free_ = std::move(made);
 }
 
 void BrickTable::unshare(std::uint32_t position) {
@@ -87,9 +87,10 @@ void BrickTable::unshare(std::uint32_t position) {
   ++num_copied_;
 }
 
-void BrickTable::share_if_freest(std::uint32_t position) noexcept {
-  if (!freest_ || is_freest(position) || !same_unlabelled(brick(position), *freest_)) return;
-  sole_ref(position) = freest_;
+void BrickTable::share_if_fully_free(std::uint32_t position) noexcept {
+  if (!fully_free_ || is_fully_free(position) || !same_unlabelled(brick(position), *fully_free_))
+    return;
+  sole_ref(position) = fully_free_;
 }
 
 void BrickTable::note_written(std::uint32_t position, bool changed) noexcept {
@@ -170,9 +171,9 @@ std::size_t BrickTable::memory_bytes() const {
   std::size_t total = sizeof(*this) + pages_.memory_bytes() + slots_.memory_bytes() +
                       newest_.capacity() * sizeof(Moments);
   for (std::uint32_t i = 0; i < num_bricks_; ++i) {
-    if (!is_freest(i)) total += brick(i).memory_bytes();
+    if (!is_fully_free(i)) total += brick(i).memory_bytes();
   }
-  if (freest_) total += freest_->memory_bytes();
+  if (fully_free_) total += fully_free_->memory_bytes();
   if (pool_) total += pool_->num_idle() * sizeof(Brick);
   return total;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finds bricks by key, and tells which of them changed since a given moment.
+/// Finds bricks by key, and lists those that changed since a given revision.
 #pragma once
 
 #include "hypermap/core/base/cow_ref.hpp"
@@ -24,12 +24,12 @@ namespace hypermap {
 /// Bricks have a position 0, 1, 2, ... in the order in which they came to be, which stays the same
 /// for the life of the table. A brick may be blank (no voxel known); it counts as absent.
 ///
-/// Empty space makes up most of a map, and all its bricks are alike once each of their voxels is as
-/// free as it can be: those share one brick.
+/// Empty space makes up most of a map, and all its bricks are alike once each of their voxels is
+/// fully free: those share one brick.
 class BrickTable {
  public:
   BrickTable() = default;  ///< Shares no free space.
-  /// `fully_free`: the log-odds at which a voxel cannot become any freer.
+  /// `fully_free`: the log-odds of fully free voxels, the lower clamp.
   explicit BrickTable(MilliLogOdds fully_free)
       : fully_free_log_odds_(fully_free), shares_free_space_(true) {}
   BrickTable(const BrickTable&) = default;
@@ -56,21 +56,19 @@ class BrickTable {
   /// The position of the brick with this key, made when absent and unshared when shared, so that
   /// `writable` below cannot fail. Throws std::bad_alloc, and the content is unchanged then.
   std::uint32_t prepare(BrickKey key);
-  /// As `prepare`, for one who would only make voxels freer: where nothing is left to do
-  /// (`is_freest`) the brick stays shared and is not to be written.
+  /// As `prepare`, for free updates only: a brick that is fully free (`is_fully_free`) stays shared
+  /// and is not to be written.
   std::uint32_t prepare_to_free(BrickKey key);
-  /// Whether all of a brick's voxels are known to be as free as they can be, and it is the shared
-  /// one.
-  [[nodiscard]] bool is_freest(std::uint32_t position) const noexcept {
-    return freest_ && ref(position).shares(freest_);
+  /// Whether it is the shared brick whose voxels are all fully free.
+  [[nodiscard]] bool is_fully_free(std::uint32_t position) const noexcept {
+    return fully_free_ && ref(position).shares(fully_free_);
   }
   /// Requires, here and below: `prepare` returned this position and the table was not copied since.
   [[nodiscard]] Brick& writable(std::uint32_t position) noexcept {
     return sole_ref(position).sole();
   }
-  /// Shares a brick that has become as free as it can be. Its memory serves the next brick that
-  /// ceases to be.
-  void share_if_freest(std::uint32_t position) noexcept;
+  /// Shares a brick that became fully free. Its memory serves the next brick that ceases to be.
+  void share_if_fully_free(std::uint32_t position) noexcept;
   /// Notes that a brick was written in the coming revision, and whether its occupied voxels or
   /// labels changed.
   void note_written(std::uint32_t position, bool changed) noexcept;
@@ -126,7 +124,7 @@ class BrickTable {
   void grow_slots();
   std::uint32_t make(BrickKey key);
   void unshare(std::uint32_t position);
-  void make_freest();
+  void make_fully_free();
 
   std::shared_ptr<BrickPool> pool_;  // first: it outlives the bricks; null until there is one
   PageTree<BrickPage> pages_;
@@ -137,7 +135,7 @@ class BrickTable {
   Revision revision_ = 0;
   MilliLogOdds fully_free_log_odds_ = 0;
   bool shares_free_space_ = false;
-  BrickRef freest_;  ///< Null until there is a brick.
+  BrickRef fully_free_;  ///< Null until there is a brick.
 };
 
 }  // namespace hypermap

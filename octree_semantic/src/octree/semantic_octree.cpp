@@ -74,7 +74,7 @@ Result<SemanticOctree> SemanticOctree::from_leaves(const OctreeOptions& options,
     HYPERMAP_TRY(tree.set_leaf(leaf));
   }
   BrickTable& bricks = tree.bricks_.sole();
-  for (std::uint32_t i = 0; i < bricks.size(); ++i) bricks.share_if_freest(i);
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) bricks.share_if_fully_free(i);
   return tree;
 }
 

@@ -16,7 +16,7 @@ bool in_order(const ClassWeight& a, const ClassWeight& b) {
   return a.log_odds > b.log_odds || (a.log_odds == b.log_odds && a.class_id < b.class_id);
 }
 
-bool beyond(MilliLogOdds value, MilliLogOdds limit) {
+bool exceeds(MilliLogOdds value, MilliLogOdds limit) {
   return value < -limit || value > limit;
 }
 
@@ -37,16 +37,16 @@ void VoxelLabel::vote(ObjectId id) noexcept {
 Result<void> validate(const VoxelLabel& label, MilliLogOdds limit) {
   for (std::size_t i = 0; i < label.classes.size(); ++i) {
     const ClassWeight& weight = label.classes[i];
-    if (beyond(weight.log_odds, limit)) {
+    if (exceeds(weight.log_odds, limit)) {
       return fail(
           ErrorCode::kInvalidArgument,
           "must lie within +-" + std::to_string(limit) + ", is " + std::to_string(weight.log_odds),
           "classes");
     }
     for (std::size_t j = i + 1; j < label.classes.size(); ++j) {
-      const bool twice =
+      const bool duplicate =
           weight.class_id != ClassWeight::kNone && weight.class_id == label.classes[j].class_id;
-      if (twice || !in_order(weight, label.classes[j])) {
+      if (duplicate || !in_order(weight, label.classes[j])) {
         return fail(ErrorCode::kInvalidArgument,
                     "must be sorted, best first, no class twice, class " +
                         std::to_string(label.classes[j].class_id) + " is not",
@@ -54,7 +54,7 @@ Result<void> validate(const VoxelLabel& label, MilliLogOdds limit) {
       }
     }
   }
-  if (beyond(label.rest, limit)) {
+  if (exceeds(label.rest, limit)) {
     return fail(ErrorCode::kInvalidArgument,
                 "must lie within +-" + std::to_string(limit) + ", is " + std::to_string(label.rest),
                 "rest");

@@ -50,7 +50,7 @@ Result<void> check_finite(const LayerQuery& query) {
   return query.area ? check_finite(*query.area) : Result<void>();
 }
 
-Result<Answers> ask(const Hypermap& map, const QueryScope& scope, const LayerQuery& query) {
+Result<Answers> run_query(const Hypermap& map, const QueryScope& scope, const LayerQuery& query) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, map.at(scope.layer));
   return query_layer(*layer, map.frames(), scope.frame_id, query);
 }
@@ -77,25 +77,25 @@ Result<Answers> query_layer(const Layer& layer,
 Result<Answers> query_at(const Hypermap& map,
                          const QueryScope& scope,
                          const Eigen::Vector2d& point) {
-  return ask(map, scope, {.at = PlanPoint{.xy = point}});
+  return run_query(map, scope, {.at = PlanPoint{.xy = point}});
 }
 
 Result<Answers> query_area(const Hypermap& map, const QueryScope& scope, const Polygon& area) {
-  return ask(map, scope, {.area = area});
+  return run_query(map, scope, {.area = area});
 }
 
 Result<Answers> query_string(const Hypermap& map,
                              const QueryScope& scope,
                              std::string_view text,
                              const std::optional<Polygon>& area) {
-  return ask(map, scope, {.text = std::string(text), .area = area});
+  return run_query(map, scope, {.text = std::string(text), .area = area});
 }
 
 Result<Answers> query_int(const Hypermap& map,
                           const QueryScope& scope,
                           std::int64_t value,
                           const std::optional<Polygon>& area) {
-  return ask(map, scope, {.value = value, .area = area});
+  return run_query(map, scope, {.value = value, .area = area});
 }
 
 std::vector<std::string> distinct_names(const std::vector<LayerAnswer>& answers) {

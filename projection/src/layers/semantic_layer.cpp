@@ -150,9 +150,9 @@ Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects)
   for (const SemanticObject& object : objects) HYPERMAP_TRY(validate(object));
   std::sort(
       objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  const auto twice = std::adjacent_find(
+  const auto duplicate = std::adjacent_find(
       objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
-  if (twice != objects.end()) return invalid(*twice, "is borne by two objects", "id");
+  if (duplicate != objects.end()) return invalid(*duplicate, "is borne by two objects", "id");
   SemanticLayer layer;
   std::vector<REntry> entries;
   for (const SemanticObject& object : objects) {

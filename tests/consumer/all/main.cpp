@@ -10,6 +10,6 @@ int main() {
   const auto saved = hypermap::write_archive({});
   if (!saved) return 1;
   // A machine without EGL says so; that it can be asked is what is tried here.
-  const auto picture = hypermap::render_snapshot({}, {.width_px = 64, .height_px = 64});
-  return picture || picture.error().code == hypermap::ErrorCode::kUnavailable ? 0 : 1;
+  const auto image = hypermap::render_snapshot({}, {.width_px = 64, .height_px = 64});
+  return image || image.error().code == hypermap::ErrorCode::kUnavailable ? 0 : 1;
 }

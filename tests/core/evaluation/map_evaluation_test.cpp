@@ -6,7 +6,7 @@
 namespace hypermap {
 namespace {
 
-EvaluatedObject thing(const std::string& name, double x, double y, double side = 0.5) {
+EvaluatedObject evaluated_object(const std::string& name, double x, double y, double side = 0.5) {
   const double h = side / 2.0;
   EvaluatedObject out;
   out.class_name = name;
@@ -20,8 +20,10 @@ TEST(Evaluation, ByHand) {
   // Two chairs, one found 0.1 m aside; a table that nobody found; a sofa that is not there.
   // Precision 1/2, recall 1/3, F1 = 2 * 1 / (2 + 3) = 0.4. In place the found chair shares
   // 0.4 * 0.5 = 0.2 of 0.5 - 0.2 = 0.3: 2/3, the mean over three truths is 2/9.
-  const std::vector truth{thing("chair", 0, 0), thing("chair", 5, 0), thing("table", 0, 5)};
-  const std::vector map{thing("chair", 0.1, 0), thing("sofa", 9, 9)};
+  const std::vector truth{evaluated_object("chair", 0, 0),
+                          evaluated_object("chair", 5, 0),
+                          evaluated_object("table", 0, 5)};
+  const std::vector map{evaluated_object("chair", 0.1, 0), evaluated_object("sofa", 9, 9)};
   const auto report = evaluate(map, truth);
   const OneToOneMetric& all = report.all.one_to_one;
   EXPECT_DOUBLE_EQ(*all.precision, 0.5);
@@ -37,8 +39,10 @@ TEST(Evaluation, ByHand) {
 TEST(Evaluation, TheTextsMetricLetsOneMapObjectServeSeveralTruths) {
   // [hypermap] 5.2.1: distances 0.1 and 4.9, both shapes equal after alignment; the table's class
   // is not in the map and does not count.
-  const std::vector truth{thing("chair", 0, 0), thing("chair", 5, 0), thing("cup", 0, 5)};
-  const std::vector map{thing("chair", 0.1, 0)};
+  const std::vector truth{evaluated_object("chair", 0, 0),
+                          evaluated_object("chair", 5, 0),
+                          evaluated_object("cup", 0, 5)};
+  const std::vector map{evaluated_object("chair", 0.1, 0)};
   const NearestMetric& metric = evaluate(map, truth).all.nearest;
   EXPECT_EQ(metric.n, 2U);
   EXPECT_EQ(metric.num_truth, 3U);
@@ -49,8 +53,8 @@ TEST(Evaluation, TheTextsMetricLetsOneMapObjectServeSeveralTruths) {
 TEST(Evaluation, GatesDependOnTheSizeOfTheTruth) {
   // docs/EVALUATION.md: 0.5 m, 0.25 m for truths under 30 cm; the gate itself matches.
   const auto matched = [](double side, double distance) {
-    return evaluate(std::vector{thing("cup", distance, 0, side)},
-                    std::vector{thing("cup", 0, 0, side)})
+    return evaluate(std::vector{evaluated_object("cup", distance, 0, side)},
+                    std::vector{evaluated_object("cup", 0, 0, side)})
         .all.one_to_one.matched;
   };
   EXPECT_EQ(matched(0.4, 0.5), 1U);
@@ -61,18 +65,19 @@ TEST(Evaluation, GatesDependOnTheSizeOfTheTruth) {
 }
 
 TEST(Evaluation, AThingThatIsThereTwiceIsADuplicate) {
-  const auto report = evaluate(std::vector{thing("chair", 0.1, 0), thing("chair", -0.2, 0)},
-                               std::vector{thing("chair", 0, 0)});
+  const auto report =
+      evaluate(std::vector{evaluated_object("chair", 0.1, 0), evaluated_object("chair", -0.2, 0)},
+               std::vector{evaluated_object("chair", 0, 0)});
   EXPECT_EQ(report.all.one_to_one.duplicates, 1U);
   EXPECT_EQ(report.duplicates, std::vector<std::size_t>{1});
   EXPECT_EQ(report.false_positives, std::vector<std::size_t>{1});
 }
 
 TEST(Evaluation, ExcludedTruthsAreNeitherRightNorWrong) {
-  EvaluatedObject hidden = thing("chair", 0, 0);
+  EvaluatedObject hidden = evaluated_object("chair", 0, 0);
   hidden.excluded = true;
-  const auto report =
-      evaluate(std::vector{thing("chair", 0.1, 0)}, std::vector{hidden, thing("cup", 3, 3, 0.1)});
+  const auto report = evaluate(std::vector{evaluated_object("chair", 0.1, 0)},
+                               std::vector{hidden, evaluated_object("cup", 3, 3, 0.1)});
   EXPECT_EQ(report.all.one_to_one.excluded, 1U);
   EXPECT_EQ(report.all.one_to_one.num_map, 0U);
   EXPECT_EQ(report.all.one_to_one.num_truth, 1U);
@@ -81,21 +86,24 @@ TEST(Evaluation, ExcludedTruthsAreNeitherRightNorWrong) {
 }
 
 TEST(Evaluation, OtherSpellingsAreTheSameClass) {
-  const auto report = evaluate(std::vector{thing("couch", 0, 0), thing("tv", 3, 0)},
-                               std::vector{thing("sofa", 0, 0), thing("tvmonitor", 3, 0)});
+  const auto report =
+      evaluate(std::vector{evaluated_object("couch", 0, 0), evaluated_object("tv", 3, 0)},
+               std::vector{evaluated_object("sofa", 0, 0), evaluated_object("tvmonitor", 3, 0)});
   EXPECT_EQ(report.all.one_to_one.matched, 2U);
 }
 
 TEST(Evaluation, TheAssignmentIsTheBestOneNotTheFirst) {
   // Greedily the first chair would take the truth at 0 (0.2 away) and leave the second without.
-  const auto report = evaluate(std::vector{thing("chair", 0.2, 0), thing("chair", -0.3, 0)},
-                               std::vector{thing("chair", 0, 0), thing("chair", 0.6, 0)});
+  const auto report =
+      evaluate(std::vector{evaluated_object("chair", 0.2, 0), evaluated_object("chair", -0.3, 0)},
+               std::vector{evaluated_object("chair", 0, 0), evaluated_object("chair", 0.6, 0)});
   EXPECT_EQ(report.all.one_to_one.matched, 2U);
 }
 
 TEST(Evaluation, SmallFootprintsAreJudgedApart) {
-  const auto report = evaluate(std::vector{thing("cup", 0, 0, 0.1), thing("chair", 2, 0)},
-                               std::vector{thing("cup", 0, 0, 0.1), thing("chair", 2, 0)});
+  const auto report =
+      evaluate(std::vector{evaluated_object("cup", 0, 0, 0.1), evaluated_object("chair", 2, 0)},
+               std::vector{evaluated_object("cup", 0, 0, 0.1), evaluated_object("chair", 2, 0)});
   EXPECT_EQ(report.all.one_to_one.num_judged, 1U);
   EXPECT_EQ(report.all.one_to_one.num_small, 1U);
 }
@@ -103,9 +111,10 @@ TEST(Evaluation, SmallFootprintsAreJudgedApart) {
 TEST(Evaluation, OnlyChosenClassesCount) {
   EvaluationOptions options;
   options.classes = {"Couch"};
-  const auto report = evaluate(std::vector{thing("sofa", 0, 0), thing("cup", 1, 0)},
-                               std::vector{thing("sofa", 0, 0), thing("cup", 1, 0)},
-                               options);
+  const auto report =
+      evaluate(std::vector{evaluated_object("sofa", 0, 0), evaluated_object("cup", 1, 0)},
+               std::vector{evaluated_object("sofa", 0, 0), evaluated_object("cup", 1, 0)},
+               options);
   EXPECT_EQ(report.all.one_to_one.num_truth, 1U);
   EXPECT_EQ(report.classes.size(), 1U);
 }

@@ -29,7 +29,7 @@ ObjectMap map_of_one(int times = 5) {
   return map;
 }
 
-VisibilityVerdict verdict(Visibility state, double visible = 1.0) {
+VisibilityResult result_of(Visibility state, double visible = 1.0) {
   return {.object = ObjectId{1},
           .state = state,
           .visible_fraction = visible,
@@ -37,7 +37,7 @@ VisibilityVerdict verdict(Visibility state, double visible = 1.0) {
           .distance_m = 2.0};
 }
 
-double existence_after(const VisibilityVerdict& v, const AbsenceOptions& options = {}) {
+double existence_after(const VisibilityResult& v, const AbsenceOptions& options = {}) {
   ObjectMap map = map_of_one();
   (void)apply_absences(map, std::array{v}, options);
   return map.at(ObjectId{1}).existence.value();
@@ -45,19 +45,19 @@ double existence_after(const VisibilityVerdict& v, const AbsenceOptions& options
 
 TEST(Absences, WhatIsVisibleAndNotDetectedLosesAFifth) {
   // [hypermap] 3.4.5: 5 - 0.2.
-  EXPECT_DOUBLE_EQ(existence_after(verdict(Visibility::kVisible)), 4.8);
+  EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kVisible)), 4.8);
 }
 
 TEST(Absences, WhatIsHiddenOrOutOfViewLosesNothing) {
-  EXPECT_DOUBLE_EQ(existence_after(verdict(Visibility::kOccluded)), 5.0);
-  EXPECT_DOUBLE_EQ(existence_after(verdict(Visibility::kOutOfView)), 5.0);
-  EXPECT_DOUBLE_EQ(existence_after(verdict(Visibility::kPartlyOccluded, 0.25)), 4.95);
+  EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kOccluded)), 5.0);
+  EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kOutOfView)), 5.0);
+  EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kPartlyOccluded, 0.25)), 4.95);
 }
 
 TEST(Absences, WhatIsGoneLosesMoreAndItsClassesWithIt) {
   ObjectMap map = map_of_one();
   const Object before = map.at(ObjectId{1});
-  const auto report = apply_absences(map, std::array{verdict(Visibility::kAbsent)}, {});
+  const auto report = apply_absences(map, std::array{result_of(Visibility::kAbsent)}, {});
   const Object& after = map.at(ObjectId{1});
   EXPECT_EQ(report.num_absent, 1U);
   EXPECT_DOUBLE_EQ(after.existence.value(), 4.0);
@@ -65,21 +65,22 @@ TEST(Absences, WhatIsGoneLosesMoreAndItsClassesWithIt) {
   const std::size_t bin = before.histogram.bin_of(-M_PI / 2);
   // [smap] Eq. (3.12), (3.13) at 2 m: 2 / (1 + 1) = 1, of which the bin gets 0.6.
   EXPECT_NEAR((before.histogram.bins()[bin] - after.histogram.bins()[bin]).value(), 0.6, 1e-9);
-  EXPECT_EQ(after.ledger.state().newest.back().visibility, Visibility::kAbsent);
+  EXPECT_EQ(after.observation_log.state().newest.back().visibility, Visibility::kAbsent);
 }
 
 TEST(Absences, WhatThisFrameDetectedIsSparedUnlessTheSourceDoesNot) {
   ObjectMap map = map_of_one();
   const std::array seen{ObjectId{1}};
-  (void)apply_absences(map, std::array{verdict(Visibility::kVisible)}, {}, seen);
+  (void)apply_absences(map, std::array{result_of(Visibility::kVisible)}, {}, seen);
   EXPECT_DOUBLE_EQ(map.at(ObjectId{1}).existence.value(), 5.0);
   // [hypermap] 3.4.5: it is not checked; net + 0.8.
-  (void)apply_absences(map, std::array{verdict(Visibility::kVisible)}, {.spare_seen = false}, seen);
+  (void)apply_absences(
+      map, std::array{result_of(Visibility::kVisible)}, {.spare_seen = false}, seen);
   EXPECT_DOUBLE_EQ(map.at(ObjectId{1}).existence.value(), 4.8);
 }
 
 TEST(Absences, NobodyExpectsADetectionFromFartherThanEver) {
-  VisibilityVerdict far = verdict(Visibility::kVisible);
+  VisibilityResult far = result_of(Visibility::kVisible);
   far.distance_m = 4.0;  // it was detected from 2.2 m
   EXPECT_DOUBLE_EQ(existence_after(far), 5.0);
   EXPECT_DOUBLE_EQ(existence_after(far, {.expected_range_factor = 0.0}), 4.8);
@@ -89,11 +90,11 @@ TEST(Absences, WhatNobodyBelievesInIsRemoved) {
   ObjectMap map = map_of_one(1);
   std::vector<ObjectId> removed;
   for (int i = 0; i < 4; ++i) {
-    removed = apply_absences(map, std::array{verdict(Visibility::kAbsent)}, {}).removed;
+    removed = apply_absences(map, std::array{result_of(Visibility::kAbsent)}, {}).removed;
     EXPECT_EQ(map.empty(), i == 3);  // 1 - 4 = -3 is the first below -2
   }
   EXPECT_EQ(removed, std::vector{ObjectId{1}});
-  EXPECT_EQ(apply_absences(map, std::array{verdict(Visibility::kAbsent)}, {}).num_absent, 0U);
+  EXPECT_EQ(apply_absences(map, std::array{result_of(Visibility::kAbsent)}, {}).num_absent, 0U);
 }
 
 TEST(Absences, TheConfidenceRuleRemovesBelowTheThreshold) {
@@ -104,7 +105,7 @@ TEST(Absences, TheConfidenceRuleRemovesBelowTheThreshold) {
   ObjectMap map = map_of_one();
   int frames = 0;
   while (!map.empty() && frames < 100) {
-    (void)apply_absences(map, std::array{verdict(Visibility::kAbsent)}, options);
+    (void)apply_absences(map, std::array{result_of(Visibility::kAbsent)}, options);
     ++frames;
   }
   // Five observations of ln(0.8/0.2) - ln(0.1/0.9) = 3.58 each: l = 17.9, which falls by 0.5 a
@@ -127,8 +128,8 @@ RgbdFrame wall_at(double depth_m) {
 
 Visibility state_by_panels(double wall_m) {
   const auto depth = BinnedDepthMap::create(wall_at(wall_m));
-  const auto verdicts = judge_by_panels(map_of_one(), depth, {});
-  return verdicts.empty() ? Visibility::kOutOfView : verdicts.at(0).state;
+  const auto results = evaluate_visibility_by_panels(map_of_one(), depth, {});
+  return results.empty() ? Visibility::kOutOfView : results.at(0).state;
 }
 
 // [smap] Eq. (3.23), [smap] Eq. (3.24), [smap] Eq. (3.25): each corner takes the panel nearest by
@@ -144,12 +145,13 @@ TEST(PanelPolicy, PanelsBeforeInsideAndAfterTellTheState) {
 
 TEST(HullPolicy, WhatLiesInTheSeenAreaIsVisibleEvenIfHidden) {
   // [hypermap] 3.4.4: the hull of the cloud from above; a wall 3 m away has the object before it.
-  const auto verdicts = judge_by_hull(map_of_one(), wall_at(3.0), 5.0).value();
-  ASSERT_EQ(verdicts.size(), 1U);
-  EXPECT_EQ(verdicts[0].state, Visibility::kVisible);
-  EXPECT_NEAR(verdicts[0].distance_m, std::hypot(2.0, 0.1), 1e-2);
-  EXPECT_TRUE(judge_by_hull(map_of_one(), wall_at(1.0), 5.0)->empty());
-  EXPECT_EQ(judge_by_hull(map_of_one(), wall_at(0.0), 5.0).error().code, ErrorCode::kNotFound);
+  const auto results = evaluate_visibility_by_hull(map_of_one(), wall_at(3.0), 5.0).value();
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].state, Visibility::kVisible);
+  EXPECT_NEAR(results[0].distance_m, std::hypot(2.0, 0.1), 1e-2);
+  EXPECT_TRUE(evaluate_visibility_by_hull(map_of_one(), wall_at(1.0), 5.0)->empty());
+  EXPECT_EQ(evaluate_visibility_by_hull(map_of_one(), wall_at(0.0), 5.0).error().code,
+            ErrorCode::kNotFound);
 }
 
 TEST(AbsenceOptions, BadValuesAreNamed) {

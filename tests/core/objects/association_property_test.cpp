@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random rooms of things, seen in parts, by a detector that errs: nothing twice.
+/// Random rooms of objects, seen in parts, by a detector that errs: nothing twice.
 #include "hypermap/core/objects/association.hpp"
-#include "hypermap/core/objects/publication.hpp"
+#include "hypermap/core/objects/confirmation.hpp"
 #include "support/object_builders.hpp"
 
 #include <gtest/gtest.h>
@@ -19,30 +19,30 @@ using testing_support::observed;
 using testing_support::scores;
 using testing_support::surface_of;
 
-struct Thing {
+struct TrueObject {
   Box box;
   ClassId class_id;
 };
 
-bool is_free(const std::vector<Thing>& things, const Box& box, double gap_m) {
+bool is_free(const std::vector<TrueObject>& truths, const Box& box, double gap_m) {
   const Box around{box.min_in_map.array() - gap_m, box.max_in_map.array() + gap_m};
-  return std::none_of(things.begin(), things.end(), [&](const Thing& thing) {
-    return thing.box.intersects(around);
+  return std::none_of(truths.begin(), truths.end(), [&](const TrueObject& truth) {
+    return truth.box.intersects(around);
   });
 }
 
-/// Things of 8 cm to 1.2 m, at least 10 cm apart.
-std::vector<Thing> furnish_room(std::mt19937& random) {
+/// Objects of 8 cm to 1.2 m, at least 10 cm apart.
+std::vector<TrueObject> furnish_room(std::mt19937& random) {
   std::uniform_real_distribution<double> place(-3.0, 3.0);
   std::uniform_real_distribution<double> log_size(std::log(0.08), std::log(1.2));
-  std::vector<Thing> things;
-  for (int tries = 0; tries < 1000 && things.size() < 20; ++tries) {
+  std::vector<TrueObject> truths;
+  for (int tries = 0; tries < 1000 && truths.size() < 20; ++tries) {
     const double size = std::exp(log_size(random));
     const Box box = box_at({place(random), place(random), 0.5 * size}, {size, 0.7 * size, size});
-    if (!is_free(things, box, 0.1)) continue;
-    things.push_back({box, ClassId{static_cast<std::uint32_t>(random() % kNumClasses)}});
+    if (!is_free(truths, box, 0.1)) continue;
+    truths.push_back({box, ClassId{static_cast<std::uint32_t>(random() % kNumClasses)}});
   }
-  return things;
+  return truths;
 }
 
 /// What a camera in direction `bearing` sees of the box: the sides towards it and the top, with
@@ -68,17 +68,17 @@ std::vector<Eigen::Vector3f> part_seen(const Box& box, double bearing, std::mt19
   return points;
 }
 
-std::vector<Observation> frame_of(const std::vector<Thing>& things,
+std::vector<Observation> frame_of(const std::vector<TrueObject>& truths,
                                   std::uint64_t index,
                                   std::mt19937& random) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   std::vector<Observation> frame;
-  for (const Thing& thing : things) {
+  for (const TrueObject& truth : truths) {
     if (share(random) < 0.5) continue;  // out of view or missed
     const bool is_wrong = share(random) < 0.05;
     const ClassId id =
-        is_wrong ? ClassId{static_cast<std::uint32_t>(random() % kNumClasses)} : thing.class_id;
-    auto points = part_seen(thing.box, 0.15 * static_cast<double>(index), random);
+        is_wrong ? ClassId{static_cast<std::uint32_t>(random() % kNumClasses)} : truth.class_id;
+    auto points = part_seen(truth.box, 0.15 * static_cast<double>(index), random);
     if (points.size() < 20) continue;
     frame.push_back(observed(std::move(points), scores(id, 0.4 + 0.5 * share(random)), index));
   }
@@ -89,23 +89,23 @@ class RandomRoom : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomRoom, HasEachThingOnce) {
   std::mt19937 random(GetParam());
-  const std::vector<Thing> things = furnish_room(random);
+  const std::vector<TrueObject> truths = furnish_room(random);
   ObjectMap map;
   for (std::uint64_t index = 0; index < 60; ++index) {
-    (void)associate(map, frame_of(things, index, random), {});
+    (void)associate(map, frame_of(truths, index, random), {});
   }
-  const auto ids = published(map, {});
-  EXPECT_EQ(ids.size(), things.size());
-  for (const Thing& thing : things) {
+  const auto ids = confirmed_objects(map, {});
+  EXPECT_EQ(ids.size(), truths.size());
+  for (const TrueObject& truth : truths) {
     int num_here = 0;
     for (const ObjectId id : ids) {
       const Object& object = map.at(id);
-      if (!thing.box.contains(object.centroid_in_map)) continue;
+      if (!truth.box.contains(object.centroid_in_map)) continue;
       ++num_here;
-      EXPECT_EQ(best_class(object)->id, thing.class_id);
+      EXPECT_EQ(best_class(object)->id, truth.class_id);
       // Three standard deviations of the noise and two of the largest cells.
-      EXPECT_LT((object.box.min_in_map - thing.box.min_in_map).cwiseAbs().maxCoeff(), 0.1);
-      EXPECT_LT((object.box.max_in_map - thing.box.max_in_map).cwiseAbs().maxCoeff(), 0.1);
+      EXPECT_LT((object.box.min_in_map - truth.box.min_in_map).cwiseAbs().maxCoeff(), 0.1);
+      EXPECT_LT((object.box.max_in_map - truth.box.max_in_map).cwiseAbs().maxCoeff(), 0.1);
     }
     EXPECT_EQ(num_here, 1);
   }
@@ -117,9 +117,9 @@ TEST(RandomRoom, TwoRunsGiveTheSameObjects) {
   std::vector<ObjectMap> maps(2);
   for (ObjectMap& map : maps) {
     std::mt19937 random(99);
-    const std::vector<Thing> things = furnish_room(random);
+    const std::vector<TrueObject> truths = furnish_room(random);
     for (std::uint64_t index = 0; index < 10; ++index) {
-      (void)associate(map, frame_of(things, index, random), {});
+      (void)associate(map, frame_of(truths, index, random), {});
     }
   }
   EXPECT_EQ(maps[0], maps[1]);

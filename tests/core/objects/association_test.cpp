@@ -28,12 +28,12 @@ using testing_support::with;
 TEST(Learning, ANewObjectHasWhatTheSourcesGiveIt) {
   // [hypermap] 3.4.5: existence 1. [smap] Eq. (3.18): ln(0.8/0.2) - ln(0.1/0.9) = 3.5835189 for
   // one of ten classes. [smap] Eq. (3.21): ln(0.8/0.2) = 1.3862944.
-  const Object object = first_seen(seen(kChairBox, kChairClass), {});
+  const Object object = make_object(seen(kChairBox, kChairClass), {});
   EXPECT_DOUBLE_EQ(object.existence.value(), 1.0);
   EXPECT_NEAR(object.belief.log_odds(kChairClass).value(), 3.5835189, 1e-7);
   EXPECT_NEAR(object.box_confidence.value(), 1.3862944, 1e-7);
   EXPECT_EQ(object.num_observations, 1U);
-  EXPECT_EQ(object.ledger.state().first->class_id, kChairClass);
+  EXPECT_EQ(object.observation_log.state().first->class_id, kChairClass);
 }
 
 TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
@@ -41,9 +41,9 @@ TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
   // l_c = 2 ln 4 = 2.7725887, g = 1 / (1 + 16) = 0.0588235: x moves by 0.17 g = 0.01.
   AssociationOptions options;
   options.box_from_points = false;
-  Object object = first_seen(seen(kChairBox, kChairClass), options);
+  Object object = make_object(seen(kChairBox, kChairClass), options);
   EXPECT_NEAR(object.box.min_in_map.x(), -0.25, 1e-6);
-  learn(object, seen(box_at({0.17, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass, 1), options);
+  update_object(object, seen(box_at({0.17, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass, 1), options);
   EXPECT_NEAR(object.box.min_in_map.x(), -0.24, 1e-6);
   EXPECT_NEAR(object.centroid_in_map.x(), 0.01, 1e-6);
 }
@@ -51,16 +51,16 @@ TEST(Learning, TheBoxFilterMovesLessTheMoreItKnows) {
 TEST(Learning, ACertainBoxDoesNotFreezeTheObject) {
   AssociationOptions options;
   options.box_from_points = false;
-  Object object = first_seen(seen(kChairBox, kChairClass), options);
+  Object object = make_object(seen(kChairBox, kChairClass), options);
   Observation moved = seen(box_at({1, 0, 0.45}, {0.5, 0.5, 0.9}), kChairClass);
   moved.segment.box_confidence = Probability(1.0);
-  for (int i = 0; i < 200; ++i) learn(object, moved, options);
+  for (int i = 0; i < 200; ++i) update_object(object, moved, options);
   EXPECT_NEAR(object.centroid_in_map.x(), 1.0, 0.01);
 }
 
 TEST(Learning, ExistenceIsCapped) {
-  Object object = first_seen(seen(kChairBox, kChairClass), {});
-  for (int i = 0; i < 50; ++i) learn(object, seen(kChairBox, kChairClass), {});
+  Object object = make_object(seen(kChairBox, kChairClass), {});
+  for (int i = 0; i < 50; ++i) update_object(object, seen(kChairBox, kChairClass), {});
   EXPECT_DOUBLE_EQ(object.existence.value(), 20.0);
 }
 

@@ -62,7 +62,7 @@ TEST(Presets, HypermapIsItsText) {
   EXPECT_FALSE(o.absence.spare_seen);
   EXPECT_DOUBLE_EQ(o.absence.min_existence.value(), -5.0);
   EXPECT_EQ(o.absence.policy, VisibilityPolicy::kHull);
-  EXPECT_DOUBLE_EQ(o.publication.min_existence->value(), 2.0);
+  EXPECT_DOUBLE_EQ(o.confirmation.min_existence->value(), 2.0);
   EXPECT_EQ(o.footprint, ShapePolicy::kBest);
 }
 

@@ -16,7 +16,7 @@ using testing_support::surface_of;
 constexpr ClassId kObservedClass{3};
 
 Object object_of(const Box& box, ClassId id = kObservedClass) {
-  return first_seen(observed(surface_of(box), scores(id, 0.8)), {});
+  return make_object(observed(surface_of(box), scores(id, 0.8)), {});
 }
 
 TEST(Object, ConfidenceIsTheWeightedSumOfThreeTerms) {
@@ -68,9 +68,9 @@ TEST(Object, TwoObservationsDoNotOutweighSixtyWhenMerged) {
   const Box box = box_at({0, 0, 0.2}, {0.4, 0.4, 0.4});
   Object often = object_of(box, kObservedClass);
   for (int i = 0; i < 59; ++i)
-    learn(often, observed(surface_of(box), scores(kObservedClass, 0.9)), {});
+    update_object(often, observed(surface_of(box), scores(kObservedClass, 0.9)), {});
   Object seldom = object_of(box, ClassId{5});
-  learn(seldom, observed(surface_of(box), scores(ClassId{5}, 0.99)), {});
+  update_object(seldom, observed(surface_of(box), scores(ClassId{5}, 0.99)), {});
   EXPECT_EQ(best_class(merged(seldom, often, LogOdds(20.0)))->id, kObservedClass);
 }
 

@@ -46,7 +46,7 @@ TEST(BinnedDepthMap, SkipsWhatIsNoMeasurementOrOutOfRange) {
   EXPECT_EQ(BinnedDepthMap::create(frame).at(0, 0).num_points, 1U);
 }
 
-TEST(BinnedDepthMap, CountsEachPixelOnceWhenPanelsDoNotDivideThePicture) {
+TEST(BinnedDepthMap, CountsEachPixelOnceWhenPanelsDoNotDivideTheImage) {
   RgbdFrame frame = small_frame(1.0F);
   for (const auto& [columns, rows] : {std::pair{7, 5}, {48, 32}, {100, 64}, {1, 1}}) {
     const BinnedDepthMap map = BinnedDepthMap::create(frame, {.columns = columns, .rows = rows});

@@ -33,7 +33,7 @@ TEST(PixelsIn, TakesPixelsWhoseCentreIsInTheHalfOpenBox) {
   EXPECT_EQ(pixels_in({1.0, 2.0, 2.0, 3.0}, 10, 10), (PixelRect{1, 2, 2, 3}));
 }
 
-TEST(PixelsIn, CutsAtThePictureAndGrowsByTheMargin) {
+TEST(PixelsIn, CutsAtTheImageAndGrowsByTheMargin) {
   EXPECT_EQ(pixels_in({-5.0, 3.0, 1e300, 5.0}, 10, 8), (PixelRect{0, 3, 10, 5}));
   EXPECT_EQ(pixels_in({3.0, 3.0, 5.0, 5.0}, 10, 8, 1.0, 2.0), (PixelRect{2, 1, 6, 7}));
 }

@@ -21,10 +21,10 @@ using test::kTable;
 using test::office;
 using test::office_view;
 using test::SceneView;
-using test::Thing;
+using test::OfficeObject;
 
 struct Expected {
-  Thing thing;
+  OfficeObject object;
   double least_overlap;
 };
 
@@ -33,11 +33,11 @@ class Foreground : public testing::TestWithParam<Expected> {};
 TEST_P(Foreground, FindsTheThingAndNotWhatCarriesIt) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const SceneView view = office_view(seed);
-    const auto found = segment(view.frame, detection_of(view, GetParam().thing), {});
+    const auto found = segment(view.frame, detection_of(view, GetParam().object), {});
     ASSERT_TRUE(found.has_value()) << to_string(found.error());
-    EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, GetParam().thing),
+    EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, GetParam().object),
               GetParam().least_overlap);
-    const Box truth = office().box_of(GetParam().thing);
+    const Box truth = office().box_of(GetParam().object);
     EXPECT_TRUE((found->box.min_in_map.array() > truth.min_in_map.array() - 0.03).all());
     EXPECT_TRUE((found->box.max_in_map.array() < truth.max_in_map.array() + 0.03).all());
   }

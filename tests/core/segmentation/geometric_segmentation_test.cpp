@@ -32,7 +32,7 @@ RgbdFrame plate() {
   return frame;
 }
 
-Detection whole_picture() {
+Detection whole_image() {
   Detection detection;
   detection.box_px = {0, 0, 20, 20};
   return detection;
@@ -45,7 +45,7 @@ GeometricSegmentationOptions smap_for_small_clouds() {
   return options;
 }
 
-// [smap] Eq. (3.6), Eq. (3.7): the crop [1..3) x [2..6) of the picture has 2 x 4 pixels.
+// [smap] Eq. (3.6), Eq. (3.7): the crop [1..3) x [2..6) of the image has 2 x 4 pixels.
 TEST(ClusterPolicy, CropsToTheBox) {
   GeometricSegmentationOptions options = smap_for_small_clouds();
   options.leaf_size_m = 0.0;
@@ -65,7 +65,7 @@ TEST(ClusterPolicy, CropsToTheBox) {
 TEST(ClusterPolicy, ThinsByAVoxelGrid) {
   GeometricSegmentationOptions options = smap_for_small_clouds();
   options.leaf_size_m = 0.035;
-  const auto found = segment(plate(), whole_picture(), options);
+  const auto found = segment(plate(), whole_image(), options);
   ASSERT_EQ(found->points_in_map.size(), 9U);
   EXPECT_TRUE(found->points_in_map[0].isApprox(Eigen::Vector3f(0.015F, 0.015F, 1.0F), 1e-5F));
   EXPECT_EQ(found->pixel_indices.size(), 121U);
@@ -93,7 +93,7 @@ TEST(ClusterPolicy, KeepsTheLargestOfTwoClusters) {
   for (int v = 0; v < 11; ++v) frame.depth_m.at(10, v) = 1.3F;  // a smaller group, 30 cm behind
   GeometricSegmentationOptions options = smap_for_small_clouds();
   options.leaf_size_m = 0.0;
-  const auto found = segment(frame, whole_picture(), options);
+  const auto found = segment(frame, whole_image(), options);
   EXPECT_EQ(found->pixel_indices.size(), 110U);
   EXPECT_NEAR(found->box.max_in_map.z(), 1.0, 1e-6);
 }
@@ -104,15 +104,15 @@ TEST(ClusterPolicy, DropsStatisticalOutliers) {
   GeometricSegmentationOptions options = smap_for_small_clouds();
   options.leaf_size_m = 0.0;
   options.cluster_gap_m = 0.0;
-  EXPECT_EQ(segment(frame, whole_picture(), options)->pixel_indices.size(), 122U);
+  EXPECT_EQ(segment(frame, whole_image(), options)->pixel_indices.size(), 122U);
   options.outlier_neighbours = 8;
   options.outlier_stddev = 3.0;
-  EXPECT_EQ(segment(frame, whole_picture(), options)->pixel_indices.size(), 121U);
+  EXPECT_EQ(segment(frame, whole_image(), options)->pixel_indices.size(), 121U);
 }
 
-// Table D.1: clusters of fewer than 50 voxels of 3 cm are no thing, so a cup is none for [smap].
+// Table D.1: clusters of fewer than 50 voxels of 3 cm are no object, so a cup is none for [smap].
 TEST(ClusterPolicy, LosesSmallThingsAsPrinted) {
-  const auto found = segment(plate(), whole_picture(), smap_segmentation());
+  const auto found = segment(plate(), whole_image(), smap_segmentation());
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().code, ErrorCode::kNotFound);
   EXPECT_NE(found.error().what.find("clusters"), std::string::npos);
@@ -140,11 +140,11 @@ class EveryPolicy : public testing::TestWithParam<SegmentationPolicy> {
 TEST_P(EveryPolicy, SaysThatNothingIsThere) {
   RgbdFrame frame = plate();
   for (float& depth : frame.depth_m.pixels()) depth = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(segment(frame, whole_picture(), options()).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(segment(frame, whole_image(), options()).error().code, ErrorCode::kNotFound);
   Detection outside;
   outside.box_px = {50, 50, 60, 60};
   EXPECT_EQ(segment(plate(), outside, options()).error().code, ErrorCode::kNotFound);
-  Detection empty_mask = whole_picture();
+  Detection empty_mask = whole_image();
   empty_mask.mask = MaskImage(20, 20);
   EXPECT_EQ(segment(plate(), empty_mask, options()).error().code, ErrorCode::kNotFound);
 }
@@ -167,8 +167,8 @@ TEST_P(EveryPolicy, SurvivesHolesInTheDepth) {
 TEST_P(EveryPolicy, GivesTheSameWithAnyNumberOfThreads) {
   const SceneView view = office_view(7);
   std::vector<Detection> detections;
-  for (const int thing : {kScreen, kKeyboard, kMouse, kCup}) {
-    detections.push_back(detection_of(view, thing));
+  for (const int label : {kScreen, kKeyboard, kMouse, kCup}) {
+    detections.push_back(detection_of(view, label));
   }
   const auto one = segment_all(view.frame, detections, options(), 1);
   const auto three = segment_all(view.frame, detections, options(), 3);

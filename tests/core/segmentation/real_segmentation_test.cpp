@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kCloud = "clouds/mOSD/learn0.pcd";
 
-/// Two things (labels 20 and 30) on a table (label 1). The camera's pitch is not stored; the plane
+/// Two objects (labels 20 and 30) on a table (label 1). The camera's pitch is not stored; the plane
 /// through the pixels labelled as table is 36.9 degrees off its axis, which is a slope of 3 to 4.
 test::SceneView labelled_table() {
   const test::PcdCloud cloud = test::read_pcd(test::shared_data(kCloud));

@@ -34,7 +34,7 @@ TEST(RgbdFrame, WithoutColourOrDetectionsIsFine) {
   EXPECT_TRUE(validate(small_frame()).has_value());
 }
 
-TEST(RgbdFrame, NamesThePictureWhoseSizeDisagrees) {
+TEST(RgbdFrame, NamesTheImageWhoseSizeDisagrees) {
   RgbdFrame frame = small_frame();
   frame.depth_m = DepthImage(3, 4);
   EXPECT_EQ(field_of(frame), "depth_m");

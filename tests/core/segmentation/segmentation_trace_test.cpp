@@ -61,7 +61,7 @@ TEST(SegmentationTrace, ListsTheStepsOfTheSources) {
               testing::ElementsAre("crop", "range", "regions", "voxel grid"));
 }
 
-// [hypermap] 5.2.2: with 3 degrees things fall into many small segments, with 20 they hold
+// [hypermap] 5.2.2: with 3 degrees objects fall into many small segments, with 20 they hold
 // together.
 TEST(SegmentationTrace, ShowsMoreAndSmallerRegionsAtThreeDegreesThanAtTwenty) {
   const SceneView view = corner_view();
@@ -95,10 +95,10 @@ TEST(RenderLabels, PaintsNoSegmentRedAndLeavesTheBackground) {
   labels.at(1, 0) = kLabelNone;
   labels.at(2, 0) = 1;
   labels.at(3, 0) = 2;
-  const ColorImage picture = render_labels(labels, ColorImage(4, 1, {9, 9, 9}));
-  EXPECT_EQ(picture.at(0, 0), (Rgb8{9, 9, 9}));
-  EXPECT_EQ(picture.at(1, 0), (Rgb8{255, 0, 0}));
-  EXPECT_NE(picture.at(2, 0), picture.at(3, 0));
+  const ColorImage image = render_labels(labels, ColorImage(4, 1, {9, 9, 9}));
+  EXPECT_EQ(image.at(0, 0), (Rgb8{9, 9, 9}));
+  EXPECT_EQ(image.at(1, 0), (Rgb8{255, 0, 0}));
+  EXPECT_NE(image.at(2, 0), image.at(3, 0));
   EXPECT_EQ(render_labels(labels).at(0, 0), (Rgb8{0, 0, 0}));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks the index of files that must load or be refused, so that a new file is judged without a new
-// test.
+// Walks the index of files that must load or be refused, so that a new file is checked without a
+// new test.
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "support/hostile_index.hpp"
@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Judges each file of a section by its name. `load` gives an error text, empty when it loads.
+/// Checks each file of a section by its name. `load` gives an error text, empty when it loads.
 template <class Load>
-void judge_section(const std::string& kind, std::size_t min_files, const Load& load) {
+void check_section(const std::string& kind, std::size_t min_files, const Load& load) {
   const std::vector<test::HostileFile> files = test::hostile_files(kind);
   ASSERT_GE(files.size(), min_files);
   for (const test::HostileFile& file : files) {
@@ -41,7 +41,7 @@ fs::path hostile(const std::string& name) {
 
 TEST(HostileFiles, ArchivesGiveWhatTheIndexSays) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
-  judge_section("zip", 29, [](const fs::path& path) -> std::string {
+  check_section("zip", 29, [](const fs::path& path) -> std::string {
     const auto archive = load_archive(path);
     if (!archive) return to_string(archive.error());
     return archive->findings.empty() ? "" : to_string(archive->findings.front().error);
@@ -71,7 +71,7 @@ TEST(HostileFiles, GoodArchivesAreAllTheSameMapAndSurviveARoundTrip) {
 /// trees whose inner nodes contradict their children, and here they are computed anew and counted.
 TEST(HostileFiles, OctreesGiveWhatTheIndexSays) {
   HYPERMAP_REQUIRE_SHARED_DATA("hostile/INDEX.md");
-  judge_section("octree", 35, [](const fs::path& path) -> std::string {
+  check_section("octree", 35, [](const fs::path& path) -> std::string {
     const auto tree = read_octomap(path);
     if (!tree) return to_string(tree.error());
     return tree->findings.empty() ? "" : to_string(tree->findings.front().error);

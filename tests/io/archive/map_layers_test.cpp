@@ -45,11 +45,11 @@ MapArchive archive_with_a_false_alarm() {
   return archive;
 }
 
-TEST(PublishedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
+TEST(ConfirmedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
   const MapArchive archive = archive_with_a_false_alarm();
-  const std::array shown{ObjectId{1}};
+  const std::array confirmed{ObjectId{1}};
   std::vector<LeafSample> seen;
-  published_leaves(archive, shown)([&](const LeafSample& leaf) { seen.push_back(leaf); });
+  confirmed_leaves(archive, confirmed)([&](const LeafSample& leaf) { seen.push_back(leaf); });
   ASSERT_EQ(seen.size(), 2U);
   for (const LeafSample& leaf : seen) {
     const bool of_chair = leaf.centre_in_map.x() < 1.0;
@@ -59,14 +59,14 @@ TEST(PublishedLeaves, BearTheClassOfTheObjectThatTheMapStandsFor) {
   }
 }
 
-TEST(PublishedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
+TEST(ConfirmedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
   // A frame's segment took the floor in; the object, of which all frames tell, ends at x = 0.4.
   MapArchive archive = archive_with_a_false_alarm();
-  const std::array shown{ObjectId{1}};
+  const std::array confirmed{ObjectId{1}};
   const auto class_at = [&](double x) {
     EXPECT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, x, ObjectId{1}, kChair)));
     std::optional<ClassId> found;
-    published_leaves(archive, shown)([&](const LeafSample& leaf) {
+    confirmed_leaves(archive, confirmed)([&](const LeafSample& leaf) {
       if (std::abs(leaf.centre_in_map.x() - x) < 0.5 * leaf.edge_m) found = leaf.best_class;
     });
     return found;
@@ -76,9 +76,9 @@ TEST(PublishedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
   EXPECT_EQ(class_at(1.1), std::nullopt);
 }
 
-TEST(PublishedLeaves, WithoutObjectsNothingBearsAClass) {
+TEST(ConfirmedLeaves, WithoutObjectsNothingBearsAClass) {
   const MapArchive archive = archive_with_a_false_alarm();
-  published_leaves(archive,
+  confirmed_leaves(archive,
                    {})([](const LeafSample& leaf) { EXPECT_EQ(leaf.best_class, std::nullopt); });
 }
 

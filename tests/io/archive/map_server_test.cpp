@@ -32,14 +32,14 @@ std::string refused_map(const std::string& yaml) {
   return metadata ? "" : to_string(metadata.error());
 }
 
-Picture gray(std::vector<std::uint8_t> samples, int channels = 1) {
+DecodedImage gray(std::vector<std::uint8_t> samples, int channels = 1) {
   const int width_px = static_cast<int>(samples.size()) / channels;
   return {
       .width_px = width_px, .height_px = 1, .channels = channels, .samples8 = std::move(samples)};
 }
 
-std::vector<int> cells(const Picture& picture, const MapMetadata& metadata, MapDialect dialect) {
-  const auto grid = grid_from_picture(picture, metadata, dialect);
+std::vector<int> cells(const DecodedImage& image, const MapMetadata& metadata, MapDialect dialect) {
+  const auto grid = grid_from_image(image, metadata, dialect);
   EXPECT_TRUE(grid);
   return {grid->value.cells().begin(), grid->value.cells().end()};
 }
@@ -97,10 +97,10 @@ TEST(MapServer, ScaleIsAHundredRInTheThesisAndNinetyNineInRos) {
 
 TEST(MapServer, RawValuesAreTakenAsTheyAre) {
   const MapMetadata metadata{.image = "a", .mode = MapMode::kRaw};
-  const Picture picture = gray({0, 100, 101, 200, 255});
-  EXPECT_THAT(cells(picture, metadata, MapDialect::kHypermap), ElementsAre(0, 100, -1, -1, -1));
-  EXPECT_THAT(cells(picture, metadata, MapDialect::kMapServer), ElementsAre(0, 100, -1, -1, -1));
-  const auto grid = grid_from_picture(picture, metadata, MapDialect::kHypermap);
+  const DecodedImage image = gray({0, 100, 101, 200, 255});
+  EXPECT_THAT(cells(image, metadata, MapDialect::kHypermap), ElementsAre(0, 100, -1, -1, -1));
+  EXPECT_THAT(cells(image, metadata, MapDialect::kMapServer), ElementsAre(0, 100, -1, -1, -1));
+  const auto grid = grid_from_image(image, metadata, MapDialect::kHypermap);
   ASSERT_EQ(grid->findings.size(), 1U);
   EXPECT_THAT(grid->findings[0].error.what, HasSubstr("2 raw values"));
 }
@@ -109,23 +109,23 @@ TEST(MapServer, AlphaMakesUnknownInOneDialectAndIsAveragedInTheOther) {
   // (0, alpha 128): unknown here; ROS averages: 64 -> p = 0.749 > 0.65: occupied.
   // (0, alpha 255): occupied here; ROS: 127.5 -> p = 0.5: unknown.
   const MapMetadata metadata{.image = "a"};
-  const Picture picture = gray({0, 128, 0, 255, 255, 255}, 2);
-  EXPECT_THAT(cells(picture, metadata, MapDialect::kHypermap), ElementsAre(-1, 100, 0));
-  EXPECT_THAT(cells(picture, metadata, MapDialect::kMapServer), ElementsAre(100, -1, 0));
+  const DecodedImage image = gray({0, 128, 0, 255, 255, 255}, 2);
+  EXPECT_THAT(cells(image, metadata, MapDialect::kHypermap), ElementsAre(-1, 100, 0));
+  EXPECT_THAT(cells(image, metadata, MapDialect::kMapServer), ElementsAre(100, -1, 0));
 }
 
 TEST(MapServer, ColoursSixteenBitAndOtherMaxvalsAreScaled) {
   const MapMetadata metadata{.image = "a"};
   EXPECT_THAT(cells(gray({0, 0, 30, 255, 255, 255}, 3), metadata, MapDialect::kHypermap),
               ElementsAre(100, 0));
-  const Picture wide{
+  const DecodedImage wide{
       .width_px = 2, .height_px = 1, .bits = 16, .samples16 = {1000, 0}, .max_value = 1000};
   EXPECT_THAT(cells(wide, metadata, MapDialect::kHypermap), ElementsAre(0, 100));
 }
 
-TEST(MapServer, TheTopRowOfThePictureIsTheLastRowOfTheGrid) {
-  const Picture picture{.width_px = 1, .height_px = 2, .samples8 = {0, 255}};
-  EXPECT_THAT(cells(picture, {.image = "a"}, MapDialect::kHypermap), ElementsAre(0, 100));
+TEST(MapServer, TheTopRowOfTheImageIsTheLastRowOfTheGrid) {
+  const DecodedImage image{.width_px = 1, .height_px = 2, .samples8 = {0, 255}};
+  EXPECT_THAT(cells(image, {.image = "a"}, MapDialect::kHypermap), ElementsAre(0, 100));
 }
 
 OccupancyLayer all_values() {
@@ -146,11 +146,11 @@ TEST(MapServer, TheScaleFormKeepsEveryValueAtFullPrecision) {
   ASSERT_TRUE(metadata) << files->yaml;
   EXPECT_EQ(metadata->value.occupied_thresh, 1.0);
   EXPECT_EQ(metadata->value.free_thresh, 0.0);
-  const auto picture = decode_picture(files->picture, {.file = "occupancy.png"});
-  const auto grid = grid_from_picture(*picture, metadata->value, MapDialect::kHypermap);
+  const auto image = decode_image(files->image, {.file = "occupancy.png"});
+  const auto grid = grid_from_image(*image, metadata->value, MapDialect::kHypermap);
   EXPECT_EQ(grid->value, layer.grid);
   EXPECT_EQ(metadata->value.extra, layer.extra);
-  EXPECT_EQ(write_scale_map(layer, "occupancy.png")->picture, files->picture);
+  EXPECT_EQ(write_scale_map(layer, "occupancy.png")->image, files->image);
   EXPECT_FALSE(write_scale_map({}, "x.png"));
 }
 
@@ -158,22 +158,22 @@ TEST(MapServer, ThePixelsOfTheScaleFormAreTheFirstImplementations) {
   // formats.md: 100 -> (0, 255), 0 -> (255, 255), unknown -> (127, 0).
   const OccupancyLayer layer{
       *OccupancyGrid::create({.cols = 3, .rows = 1}, std::vector<std::int8_t>{100, 0, -1})};
-  const auto picture = decode_picture(write_scale_map(layer, "x.png")->picture, {.file = "x.png"});
-  EXPECT_THAT(picture->samples8, ElementsAre(0, 255, 255, 255, 127, 0));
+  const auto image = decode_image(write_scale_map(layer, "x.png")->image, {.file = "x.png"});
+  EXPECT_THAT(image->samples8, ElementsAre(0, 255, 255, 255, 127, 0));
 }
 
 TEST(MapServer, TheTrinaryFormReadsTheSameInBothDialectsAndWithNav2sThreshold) {
   const OccupancyLayer layer{
       *OccupancyGrid::create({.cols = 4, .rows = 1}, std::vector<std::int8_t>{100, 0, -1, 40})};
   const auto files = write_trinary_map(layer, "x.pgm");
-  EXPECT_EQ(files->picture, std::string("P5\n4 1\n255\n\0\xFE\xCD\xCD", 15));
+  EXPECT_EQ(files->image, std::string("P5\n4 1\n255\n\0\xFE\xCD\xCD", 15));
   EXPECT_EQ(files->yaml,
             "image: x.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
             "free_thresh: 0.196\nmode: trinary\n");
   const auto metadata = parse_map_metadata(files->yaml, kMapSource);
-  const auto picture = decode_picture(files->picture, {.file = "x.pgm"});
+  const auto image = decode_image(files->image, {.file = "x.pgm"});
   for (const MapDialect dialect : {MapDialect::kHypermap, MapDialect::kMapServer}) {
-    EXPECT_THAT(cells(*picture, metadata->value, dialect), ElementsAre(100, 0, -1, -1));
+    EXPECT_THAT(cells(*image, metadata->value, dialect), ElementsAre(100, 0, -1, -1));
   }
 }
 

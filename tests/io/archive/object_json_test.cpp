@@ -38,16 +38,17 @@ Object random_object(std::mt19937& engine) {
   object.shapes.add(square(real(engine), real(engine), 0.3));
   object.points.observe(std::vector<Eigen::Vector3f>{{1.0F, 2.0F, 0.5F}, {-1.0F, 0.1F, 0.2F}});
   for (std::uint64_t i = 0; i < 5; ++i)
-    object.ledger.add({.frame_index = i + (std::uint64_t{1} << 40),
-                       .stamp = {static_cast<std::int64_t>(1400000000123456789 + i)},
-                       .kind = i % 2 == 0 ? LedgerKind::kDetection : LedgerKind::kVerdict,
-                       .visibility = Visibility::kPartlyOccluded,
-                       .detector = DetectorId{1},
-                       .class_id = ClassId{2},
-                       .score = 0.1F,
-                       .bearing_rad = static_cast<float>(real(engine)),
-                       .distance_m = 2.7182817F,
-                       .effect = -0.3F});
+    object.observation_log.add(
+        {.frame_index = i + (std::uint64_t{1} << 40),
+         .stamp = {static_cast<std::int64_t>(1400000000123456789 + i)},
+         .kind = i % 2 == 0 ? ObservationKind::kDetection : ObservationKind::kMissedDetection,
+         .visibility = Visibility::kPartlyOccluded,
+         .detector = DetectorId{1},
+         .class_id = ClassId{2},
+         .score = 0.1F,
+         .bearing_rad = static_cast<float>(real(engine)),
+         .distance_m = 2.7182817F,
+         .effect = -0.3F});
   object.first_seen = {1400000000123456789};
   object.last_seen = {-5};
   object.num_observations = 4000000000U;

@@ -19,8 +19,8 @@ using test::write_text;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-std::string first_finding(const FileJudgement& judgement) {
-  return judgement.findings.empty() ? "nothing found" : to_string(judgement.findings[0].error);
+std::string first_finding(const FileCheckResult& result) {
+  return result.findings.empty() ? "nothing found" : to_string(result.findings[0].error);
 }
 
 TEST(FileCheck, KindsAreFoundByContent) {
@@ -63,9 +63,9 @@ TEST(FileCheck, ExitCodesFollowTheWorstFinding) {
   std::string extra = test::intrinsics_json(5000);
   extra.insert(1, "\"fz\": 1, ");
   write_text(dir / "extra.json", extra);
-  const FileJudgement judgement = check_file(dir / "extra.json");
-  EXPECT_EQ(judgement.exit_code(), 1);
-  EXPECT_THAT(first_finding(judgement), HasSubstr("extra.json:1: $.fz: unknown key, did you mean"));
+  const FileCheckResult result = check_file(dir / "extra.json");
+  EXPECT_EQ(result.exit_code(), 1);
+  EXPECT_THAT(first_finding(result), HasSubstr("extra.json:1: $.fz: unknown key, did you mean"));
   EXPECT_EQ(check_file(dir / "extra.json", {.strict = true}).exit_code(), 2);
   EXPECT_EQ(check_file(dir / "absent.json").exit_code(), 3);
   write_text(dir / "bad.json", "{\"width\": 640}");
@@ -75,7 +75,7 @@ TEST(FileCheck, ExitCodesFollowTheWorstFinding) {
 TEST(FileCheck, ADatasetIsReadFrameByFrame) {
   const TempDir dir;
   const test::SyntheticDataset data = test::write_tum(dir / "t");
-  const FileJudgement good = check_file(data.folder);
+  const FileCheckResult good = check_file(data.folder);
   EXPECT_EQ(good.exit_code(), 0) << first_finding(good);
   EXPECT_EQ(good.summary, "tum, 4 frames, 1 detection");
   write_text(data.folder / data.depth_of_1, "cut");
@@ -89,10 +89,10 @@ TEST(FileCheck, FilesThatAConfigurationNamesAndThatAreAbsentAreFindings) {
              "  - {class: OccupancyGridLayer, name: occ, frame_id: map, load_file: true}\n"
              "  - {class: SemanticLayer, name: sem, frame_id: map, load_file: true, file: s}\n");
   write_text(dir / "occ.yaml", "");
-  const FileJudgement judgement = check_file(dir / "c.yaml");
-  EXPECT_EQ(judgement.exit_code(), 1) << first_finding(judgement);
-  ASSERT_THAT(judgement.findings, SizeIs(1));
-  EXPECT_THAT(first_finding(judgement), HasSubstr("layers[1].file"));
+  const FileCheckResult result = check_file(dir / "c.yaml");
+  EXPECT_EQ(result.exit_code(), 1) << first_finding(result);
+  ASSERT_THAT(result.findings, SizeIs(1));
+  EXPECT_THAT(first_finding(result), HasSubstr("layers[1].file"));
 }
 
 TEST(FileCheck, AFileOfOptionsIsJudgedByItsNamesAndRanges) {
@@ -129,17 +129,17 @@ TEST_P(HostileFiles, AreJudgedAsTheIndexSays) {
   for (const test::HostileFile& file : files) {
     FileCheckOptions options{.as = GetParam()};
     if (GetParam() == FileKind::kDepth) options.size = {32, 24};
-    const FileJudgement judgement = check_file(file.path, options);
-    const std::string said = file.path.filename().string() + ": " + first_finding(judgement);
+    const FileCheckResult result = check_file(file.path, options);
+    const std::string said = file.path.filename().string() + ": " + first_finding(result);
     if (file.may_be_repaired) {
-      EXPECT_EQ(judgement.exit_code(), 1) << said;
+      EXPECT_EQ(result.exit_code(), 1) << said;
     } else if (file.must_load) {
-      EXPECT_LE(judgement.exit_code(), 1) << said;
+      EXPECT_LE(result.exit_code(), 1) << said;
     } else {
-      EXPECT_EQ(judgement.exit_code(), 2) << said;
+      EXPECT_EQ(result.exit_code(), 2) << said;
       EXPECT_THAT(said, HasSubstr(file.path.string()));
-      ASSERT_FALSE(judgement.findings.empty());
-      EXPECT_FALSE(judgement.findings[0].error.what.empty()) << said;
+      ASSERT_FALSE(result.findings.empty());
+      EXPECT_FALSE(result.findings[0].error.what.empty()) << said;
     }
     // By content alone, 16 bits of grey are depth, and 8 bits are none.
     if (GetParam() != FileKind::kDepth && GetParam() != FileKind::kImage) {
@@ -162,10 +162,10 @@ TEST(FileCheck, HostileMapDescriptionsAreRefused) {
   for (const test::HostileFile& file : test::hostile_files("yaml")) {
     const auto kind = find_file_kind(file.path);
     ASSERT_TRUE(kind) << to_string(kind.error());
-    const FileJudgement judgement = check_file(file.path);
-    const std::string said = file.path.filename().string() + ": " + first_finding(judgement);
+    const FileCheckResult result = check_file(file.path);
+    const std::string said = file.path.filename().string() + ": " + first_finding(result);
     // What the good ones name lies elsewhere, which is a finding.
-    EXPECT_EQ(judgement.exit_code(), file.must_load ? 1 : 2) << said;
+    EXPECT_EQ(result.exit_code(), file.must_load ? 1 : 2) << said;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps, configurations and semantic layers as `check` judges them: found by content, then by their
+// Maps, configurations and semantic layers as `check` reports them: found by content, then by their
 // reader.
 #include "hypermap/io/check/file_check.hpp"
 #include "hypermap/io/codec/pgm_image.hpp"
@@ -18,9 +18,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string said_by(const FileJudgement& judgement) {
-  std::string out = judgement.summary;
-  for (const Finding& finding : judgement.findings) out += "\n" + to_string(finding.error);
+std::string said_by(const FileCheckResult& result) {
+  std::string out = result.summary;
+  for (const Finding& finding : result.findings) out += "\n" + to_string(finding.error);
   return out;
 }
 
@@ -35,12 +35,12 @@ TEST_P(HostileMapFiles, AreJudgedAsTheIndexSays) {
   const auto files = test::hostile_files(folder);
   ASSERT_FALSE(files.empty());
   for (const test::HostileFile& file : files) {
-    const FileJudgement judgement = check_file(file.path, {.as = kind});
+    const FileCheckResult result = check_file(file.path, {.as = kind});
     if (file.must_load) {
-      EXPECT_LE(judgement.exit_code(), 1) << file.path << said_by(judgement);
+      EXPECT_LE(result.exit_code(), 1) << file.path << said_by(result);
     } else {
-      EXPECT_EQ(judgement.exit_code(), 2) << file.path << said_by(judgement);
-      EXPECT_THAT(said_by(judgement), HasSubstr(file.path.filename().string()));
+      EXPECT_EQ(result.exit_code(), 2) << file.path << said_by(result);
+      EXPECT_THAT(said_by(result), HasSubstr(file.path.filename().string()));
     }
   }
 }
@@ -53,16 +53,16 @@ INSTANTIATE_TEST_SUITE_P(InsistedOn,
                          HostileMapFiles,
                          ::testing::Values(Section{"wkt", FileKind::kSemantic}));
 
-TEST(MapFilesCheck, AMapIsJudgedWithItsPicture) {
+TEST(MapFilesCheck, AMapIsJudgedWithItsImage) {
   const test::TempDir dir;
   std::ofstream(dir / "map.yaml") << "image: a.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
                                      "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  const FileJudgement alone = check_file(dir / "map.yaml");
+  const FileCheckResult alone = check_file(dir / "map.yaml");
   EXPECT_EQ(alone.exit_code(), 1);
   EXPECT_THAT(said_by(alone), HasSubstr("a.pgm, which is not there"));
   EXPECT_EQ(check_file(dir / "map.yaml", {.as = std::nullopt, .strict = true}).exit_code(), 2);
   std::ofstream(dir / "a.pgm") << *encode_pgm(Image<std::uint8_t>(2, 3, 254));
-  const FileJudgement whole = check_file(dir / "map.yaml");
+  const FileCheckResult whole = check_file(dir / "map.yaml");
   EXPECT_EQ(whole.exit_code(), 0) << said_by(whole);
   EXPECT_EQ(whole.summary, "map of 2 x 3 cells");
   std::ofstream(dir / "a.pgm") << "P5 2 3 255\nabc";

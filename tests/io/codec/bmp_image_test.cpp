@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,17 +45,17 @@ std::string bmp(const BmpParts& parts) {
 }
 
 std::vector<std::uint8_t> pixels(const std::string& bytes) {
-  const auto picture = decode_picture(bytes, kBmpSource);
-  EXPECT_TRUE(picture) << (picture ? "" : to_string(picture.error()));
-  if (!picture) return {};
-  EXPECT_EQ(picture->channels, 3);
-  return picture->samples8;
+  const auto image = decode_image(bytes, kBmpSource);
+  EXPECT_TRUE(image) << (image ? "" : to_string(image.error()));
+  if (!image) return {};
+  EXPECT_EQ(image->channels, 3);
+  return image->samples8;
 }
 
 std::string refused_bmp(const BmpParts& parts) {
-  const auto picture = decode_picture(bmp(parts), kBmpSource);
-  EXPECT_FALSE(picture);
-  return picture ? "" : to_string(picture.error());
+  const auto image = decode_image(bmp(parts), kBmpSource);
+  EXPECT_FALSE(image);
+  return image ? "" : to_string(image.error());
 }
 
 // Blue, green, red; two bytes of padding. The lower row comes first.
@@ -107,7 +107,7 @@ TEST(BmpImage, PixelsAreThoseOfOpenCv) {
       cv::imencode(".bmp", mat, bytes);
       const cv::Mat read = cv::imdecode(bytes, cv::IMREAD_COLOR);
       const ColorImage image =
-          to_color(*decode_picture(std::string(bytes.begin(), bytes.end()), kBmpSource));
+          to_color(*decode_image(std::string(bytes.begin(), bytes.end()), kBmpSource));
       for (int v = 0; v < 5; ++v) {
         for (int u = 0; u < width; ++u) {
           const auto bgr = read.at<cv::Vec3b>(v, u);
@@ -129,7 +129,7 @@ TEST(BmpImage, FaultsAreNamed) {
   EXPECT_THAT(refused_bmp({.bits = 16, .raster = kRows24}), HasSubstr("compression or depth"));
   EXPECT_THAT(refused_bmp({.raster = kRows24, .header_bytes = 12}), HasSubstr("OS/2"));
   EXPECT_THAT(refused_bmp({.raster = kRows24, .header_bytes = 0xFFFFFFF0}), HasSubstr("early"));
-  EXPECT_FALSE(decode_picture("BM", kBmpSource));
+  EXPECT_FALSE(decode_image("BM", kBmpSource));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // JPEG by libjpeg-turbo; OpenCV, which decodes with the same library, is the judge of the pixels.
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,12 +41,12 @@ cv::Mat decoded_by_opencv(const std::string& bytes, bool is_gray) {
 }
 
 void expect_as_opencv(const std::string& bytes) {
-  const auto picture = decode_picture(bytes, kJpegSource);
-  ASSERT_TRUE(picture) << to_string(picture.error());
-  const cv::Mat mat = decoded_by_opencv(bytes, picture->channels == 1);
-  ASSERT_EQ(picture->width_px, mat.cols);
-  ASSERT_EQ(picture->height_px, mat.rows);
-  ASSERT_EQ(picture->samples8,
+  const auto image = decode_image(bytes, kJpegSource);
+  ASSERT_TRUE(image) << to_string(image.error());
+  const cv::Mat mat = decoded_by_opencv(bytes, image->channels == 1);
+  ASSERT_EQ(image->width_px, mat.cols);
+  ASSERT_EQ(image->height_px, mat.rows);
+  ASSERT_EQ(image->samples8,
             std::vector<std::uint8_t>(mat.datastart, mat.datastart + mat.total() * mat.elemSize()));
 }
 
@@ -83,7 +83,7 @@ TEST(JpegImage, AnOrientationIsNotApplied) {
     const std::string turned = with_orientation(plain);
     EXPECT_EQ(cv::imdecode(std::vector<char>(turned.begin(), turned.end()), cv::IMREAD_COLOR).cols,
               10);
-    EXPECT_EQ(*decode_picture(turned, kJpegSource), *decode_picture(plain, kJpegSource));
+    EXPECT_EQ(*decode_image(turned, kJpegSource), *decode_image(plain, kJpegSource));
   }
 }
 
@@ -91,9 +91,9 @@ TEST(JpegImage, AFileCutInItsPixelsAndEndedByHandIsRefused) {
   const std::string whole = encoded_jpeg(scene_mat(64, 64, CV_8UC3));
   const std::size_t scan = whole.find("\xFF\xDA") + 14;
   for (std::size_t size = scan; size < whole.size() - 20; size += 97) {
-    const auto picture = decode_picture(whole.substr(0, size) + "\xFF\xD9", kJpegSource);
-    ASSERT_FALSE(picture) << size;
-    EXPECT_THAT(to_string(picture.error()), HasSubstr("a.jpg: raster: cannot be decoded"));
+    const auto image = decode_image(whole.substr(0, size) + "\xFF\xD9", kJpegSource);
+    ASSERT_FALSE(image) << size;
+    EXPECT_THAT(to_string(image.error()), HasSubstr("a.jpg: raster: cannot be decoded"));
   }
 }
 
@@ -106,10 +106,10 @@ TEST(JpegImage, NoDamageIsMoreThanAnError) {
       state = state * 1103515245U + 12345U;
       damaged[(state >> 8U) % damaged.size()] = static_cast<char>(state >> 24U);
     }
-    const auto picture = decode_picture(damaged, kJpegSource);
-    if (picture) {
-      EXPECT_EQ(picture->samples8.size(),
-                picture->num_pixels() * static_cast<std::size_t>(picture->channels));
+    const auto image = decode_image(damaged, kJpegSource);
+    if (image) {
+      EXPECT_EQ(image->samples8.size(),
+                image->num_pixels() * static_cast<std::size_t>(image->channels));
     }
   }
 }
@@ -120,9 +120,9 @@ TEST(JpegImage, CountlessScansAreRefused) {
   const std::size_t last = whole.rfind("\xFF\xDA");
   std::string bytes = whole.substr(0, last);
   for (int i = 0; i < 600; ++i) bytes += whole.substr(last, whole.size() - 2 - last);
-  const auto picture = decode_picture(bytes + "\xFF\xD9", kJpegSource);
-  ASSERT_FALSE(picture);
-  EXPECT_THAT(to_string(picture.error()), HasSubstr("over 500 scans"));
+  const auto image = decode_image(bytes + "\xFF\xD9", kJpegSource);
+  ASSERT_FALSE(image);
+  EXPECT_THAT(to_string(image.error()), HasSubstr("over 500 scans"));
 }
 
 }  // namespace

@@ -15,15 +15,15 @@ using ::testing::HasSubstr;
 const SourceName kSource{.file = "a.pgm"};
 
 std::vector<std::uint8_t> samples(const std::string& bytes) {
-  const auto picture = decode_pgm(bytes, kSource);
-  EXPECT_TRUE(picture) << (picture ? "" : to_string(picture.error()));
-  return picture ? picture->samples8 : std::vector<std::uint8_t>{};
+  const auto image = decode_pgm(bytes, kSource);
+  EXPECT_TRUE(image) << (image ? "" : to_string(image.error()));
+  return image ? image->samples8 : std::vector<std::uint8_t>{};
 }
 
 std::string refused(const std::string& bytes) {
-  const auto picture = decode_pgm(bytes, kSource);
-  EXPECT_FALSE(picture) << printable(bytes);
-  return picture ? "" : to_string(picture.error());
+  const auto image = decode_pgm(bytes, kSource);
+  EXPECT_FALSE(image) << printable(bytes);
+  return image ? "" : to_string(image.error());
 }
 
 TEST(PgmImage, BinaryAndTextAreReadWithComments) {
@@ -36,11 +36,11 @@ TEST(PgmImage, BinaryAndTextAreReadWithComments) {
 }
 
 TEST(PgmImage, AboveMaxval255TwoBytesTheHighOneFirst) {
-  const auto picture = decode_pgm(std::string("P5 1 2 1000\n\3\xE8\0\1", 16), kSource);
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->bits, 16);
-  EXPECT_EQ(picture->max_value, 1000);
-  EXPECT_EQ(picture->samples16, (std::vector<std::uint16_t>{1000, 1}));  // 0x03E8 = 1000
+  const auto image = decode_pgm(std::string("P5 1 2 1000\n\3\xE8\0\1", 16), kSource);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->bits, 16);
+  EXPECT_EQ(image->max_value, 1000);
+  EXPECT_EQ(image->samples16, (std::vector<std::uint16_t>{1000, 1}));  // 0x03E8 = 1000
 }
 
 TEST(PgmImage, FaultsAreNamed) {
@@ -74,7 +74,7 @@ TEST(PgmImage, WhatIsWrittenReadsTheSame) {
   EXPECT_FALSE(encode_pgm(Image<std::uint8_t>()));
 }
 
-TEST(PgmImage, NoCutIsReadAsAPicture) {
+TEST(PgmImage, NoCutIsReadAsAnImage) {
   const std::string bytes = "P5\n# comment\n3 2\n255\nabcdef";
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode_pgm(bytes.substr(0, size), kSource)) << size;

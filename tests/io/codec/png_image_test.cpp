@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/png_image.hpp"
 
-#include "support/picture_builders.hpp"
+#include "support/image_builders.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,16 +24,16 @@ using ::testing::HasSubstr;
 
 const SourceName kPngSource{.file = "a.png"};
 
-Picture decoded(const std::string& bytes) {
-  auto picture = decode_png(bytes, kPngSource);
-  EXPECT_TRUE(picture) << (picture ? "" : to_string(picture.error()));
-  return picture ? *picture : Picture{};
+DecodedImage decoded(const std::string& bytes) {
+  auto image = decode_png(bytes, kPngSource);
+  EXPECT_TRUE(image) << (image ? "" : to_string(image.error()));
+  return image ? *image : DecodedImage{};
 }
 
 Error refused_png(const std::string& bytes) {
-  const auto picture = decode_png(bytes, kPngSource);
-  EXPECT_FALSE(picture);
-  return picture ? Error{} : picture.error();
+  const auto image = decode_png(bytes, kPngSource);
+  EXPECT_FALSE(image);
+  return image ? Error{} : image.error();
 }
 
 template <class Pixel>
@@ -72,18 +72,18 @@ std::vector<std::vector<std::uint8_t>> adam7_rows(std::uint32_t width,
   return rows;
 }
 
-TEST(PngImage, AOneByOneGrayPictureIsReadByHand) {
+TEST(PngImage, AOneByOneGrayImageIsReadByHand) {
   // filter 0, sample 0x2A
-  const Picture picture = decoded(png(ihdr(1, 1, 8, 0), {{0, 0x2A}}));
-  EXPECT_EQ(picture.width_px, 1);
-  EXPECT_EQ(picture.channels, 1);
-  EXPECT_EQ(picture.samples8, std::vector<std::uint8_t>{0x2A});
+  const DecodedImage image = decoded(png(ihdr(1, 1, 8, 0), {{0, 0x2A}}));
+  EXPECT_EQ(image.width_px, 1);
+  EXPECT_EQ(image.channels, 1);
+  EXPECT_EQ(image.samples8, std::vector<std::uint8_t>{0x2A});
 }
 
 TEST(PngImage, SixteenBitIsBigEndian) {
-  const Picture picture = decoded(png(ihdr(1, 1, 16, 0), {{0, 0x12, 0x34}}));
-  EXPECT_EQ(picture.bits, 16);
-  EXPECT_EQ(picture.samples16, std::vector<std::uint16_t>{0x1234});
+  const DecodedImage image = decoded(png(ihdr(1, 1, 16, 0), {{0, 0x12, 0x34}}));
+  EXPECT_EQ(image.bits, 16);
+  EXPECT_EQ(image.samples16, std::vector<std::uint16_t>{0x1234});
 }
 
 TEST(PngImage, BitsAreSpreadOverTheFullRange) {
@@ -97,15 +97,15 @@ TEST(PngImage, BitsAreSpreadOverTheFullRange) {
 TEST(PngImage, APaletteBecomesColoursAndItsTransparencyAlpha) {
   const std::string bytes =
       png(ihdr(2, 1, 8, 3), {{0, 1, 0}}, chunk("PLTE", {1, 2, 3, 4, 5, 6}) + chunk("tRNS", {9}));
-  const Picture picture = decoded(bytes);
-  EXPECT_EQ(picture.channels, 4);
-  EXPECT_EQ(picture.samples8, (std::vector<std::uint8_t>{4, 5, 6, 255, 1, 2, 3, 9}));
+  const DecodedImage image = decoded(bytes);
+  EXPECT_EQ(image.channels, 4);
+  EXPECT_EQ(image.samples8, (std::vector<std::uint8_t>{4, 5, 6, 255, 1, 2, 3, 9}));
 }
 
 TEST(PngImage, AKeyColourBecomesAlpha) {
-  const Picture picture = decoded(png(ihdr(2, 1, 8, 0), {{0, 7, 8}}, chunk("tRNS", {0, 8})));
-  EXPECT_EQ(picture.channels, 2);
-  EXPECT_EQ(picture.samples8, (std::vector<std::uint8_t>{7, 255, 8, 0}));
+  const DecodedImage image = decoded(png(ihdr(2, 1, 8, 0), {{0, 7, 8}}, chunk("tRNS", {0, 8})));
+  EXPECT_EQ(image.channels, 2);
+  EXPECT_EQ(image.samples8, (std::vector<std::uint8_t>{7, 255, 8, 0}));
 }
 
 TEST(PngImage, EachFilterIsUndone) {
@@ -114,28 +114,28 @@ TEST(PngImage, EachFilterIsUndone) {
   // Row 3: Paeth 1 + above 10 = 11; left 11, above 11, above-left 10 -> p = 12, ties go to left:
   // 11;
   //        left 11, above 12, above-left 11 -> p = 12 -> above: 12.
-  const Picture picture =
+  const DecodedImage image =
       decoded(png(ihdr(3, 4, 8, 0), {{1, 10, 1, 1}, {2, 1, 1, 1}, {3, 5, 0, 0}, {4, 1, 0, 0}}));
-  EXPECT_EQ(picture.samples8,
+  EXPECT_EQ(image.samples8,
             (std::vector<std::uint8_t>{10, 11, 12, 11, 12, 13, 10, 11, 12, 11, 11, 12}));
 }
 
-TEST(PngImage, AnInterlacedPictureIsPutTogether) {
+TEST(PngImage, AnInterlacedImageIsPutTogether) {
   // 2 x 2, Adam7: pass 1 has (0,0), pass 6 (1,0), pass 7 row 1.
   EXPECT_EQ(decoded(png(ihdr(2, 2, 8, 0, 1), {{0, 1}, {0, 2}, {0, 3, 4}})).samples8,
             (std::vector<std::uint8_t>{1, 2, 3, 4}));
 }
 
-TEST(PngImage, InterlacedPicturesOfEverySizeAreThoseOfOpenCv) {
+TEST(PngImage, InterlacedImagesOfEverySizeAreThoseOfOpenCv) {
   for (const int color : {0, 2, 6}) {
     for (std::uint32_t width = 1; width <= 9; ++width) {
       for (std::uint32_t height = 1; height <= 9; ++height) {
         const std::string bytes =
             png(ihdr(width, height, 8, color, 1), adam7_rows(width, height, color));
-        const Picture picture = decoded(bytes);
+        const DecodedImage image = decoded(bytes);
         const cv::Mat mat = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()),
                                          color == 0 ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
-        const ColorImage image = to_color(picture);
+        const ColorImage image = to_color(image);
         for (int v = 0; v < mat.rows; ++v) {
           for (int u = 0; u < mat.cols; ++u) {
             const auto bgr =
@@ -189,13 +189,13 @@ TEST(PngImage, WhatOpenCvWritesReadsTheSame) {
   cv::randu(mat, 0, 65536);
   std::vector<std::uint8_t> bytes;
   ASSERT_TRUE(cv::imencode(".png", mat, bytes));
-  const Picture picture = decoded(std::string(bytes.begin(), bytes.end()));
-  ASSERT_EQ(picture.channels, 3);
+  const DecodedImage image = decoded(std::string(bytes.begin(), bytes.end()));
+  ASSERT_EQ(image.channels, 3);
   for (int v = 0; v < mat.rows; ++v) {
     for (int u = 0; u < mat.cols; ++u) {
       const std::size_t at = (static_cast<std::size_t>(v) * 45 + static_cast<std::size_t>(u)) * 3;
-      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[2], picture.samples16[at]);
-      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[0], picture.samples16[at + 2]);
+      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[2], image.samples16[at]);
+      ASSERT_EQ(mat.at<cv::Vec3w>(v, u)[0], image.samples16[at + 2]);
     }
   }
 }
@@ -210,7 +210,7 @@ TEST(PngImage, GrayAlphaAndColourAreWritten) {
   EXPECT_FALSE(encode_png(ColorImage()));
 }
 
-TEST(PngImage, NoCutAndNoFlippedBitIsReadAsAnotherPicture) {
+TEST(PngImage, NoCutAndNoFlippedBitIsReadAsAnotherImage) {
   const auto image = noise<std::uint8_t>(9, 7);
   const std::string bytes = *encode_png(image);
   for (std::size_t size = 0; size < bytes.size(); ++size) {

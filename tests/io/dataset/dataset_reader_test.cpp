@@ -59,7 +59,7 @@ TEST_P(EveryLayout, FramesComeInOrderWithDepthPoseColourAndDetections) {
   EXPECT_TRUE(registry_.find("chair").has_value());
 }
 
-TEST_P(EveryLayout, AMissingPictureConcernsOneFrame) {
+TEST_P(EveryLayout, AMissingImageConcernsOneFrame) {
   std::filesystem::remove(dataset_.folder / dataset_.depth_of_1);
   const auto reader = opened(dataset_.folder, registry_);
   ASSERT_NE(reader, nullptr);
@@ -69,7 +69,7 @@ TEST_P(EveryLayout, AMissingPictureConcernsOneFrame) {
   EXPECT_EQ(read_error(*reader, 2), "was read");
 }
 
-TEST_P(EveryLayout, AnUnreadablePictureConcernsOneFrameAndIsNamed) {
+TEST_P(EveryLayout, AnUnreadableImageConcernsOneFrameAndIsNamed) {
   write_text(dataset_.folder / dataset_.depth_of_1, test::pgm16(1).substr(0, 40));
   const auto reader = opened(dataset_.folder, registry_);
   ASSERT_NE(reader, nullptr);
@@ -77,8 +77,8 @@ TEST_P(EveryLayout, AnUnreadablePictureConcernsOneFrameAndIsNamed) {
   EXPECT_EQ(read_error(*reader, 0), "was read");
 }
 
-TEST_P(EveryLayout, AnUnreadableColourPictureIsNamedUnlessColourIsNotWanted) {
-  write_text(dataset_.folder / dataset_.color_of_1, "no picture");
+TEST_P(EveryLayout, AnUnreadableColourImageIsNamedUnlessColourIsNotWanted) {
+  write_text(dataset_.folder / dataset_.color_of_1, "no image");
   const auto reader = opened(dataset_.folder, registry_);
   ASSERT_NE(reader, nullptr);
   EXPECT_THAT(read_error(*reader, 1), HasSubstr(dataset_.color_of_1));
@@ -95,7 +95,7 @@ TEST_P(EveryLayout, AWrongSizeInTheMiddleConcernsOneFrame) {
   EXPECT_EQ(read_error(*reader, 2), "was read");
 }
 
-TEST_P(EveryLayout, AnEightBitDepthPictureIsRefused) {
+TEST_P(EveryLayout, AnEightBitDepthImageIsRefused) {
   write_text(dataset_.folder / dataset_.depth_of_1, test::pgm8(7));
   const auto reader = opened(dataset_.folder, registry_);
   ASSERT_NE(reader, nullptr);
@@ -160,7 +160,7 @@ TEST(DatasetReader, StampsPairWithinTheToleranceOnly) {
   EXPECT_TRUE(narrow->read(1));
   EXPECT_TRUE(narrow->read(1)->color.empty());
   EXPECT_THAT(narrow->summary().unpaired,
-              Contains("depth/101.000.pgm: no colour picture within 0.006 s"));
+              Contains("depth/101.000.pgm: no colour image within 0.006 s"));
   ClassRegistry other;
   const auto narrower = opened(tum.folder, other, {.stamp_tolerance_s = 0.001});
   EXPECT_THAT(read_error(*narrower, 1), HasSubstr("no pose within 0.001 s of 101.0"));
@@ -225,10 +225,10 @@ TEST(DatasetReader, DepthOfAnotherCameraIsRegisteredToColour) {
   EXPECT_EQ(frame->depth_m.at(7, 5), 2.0F);
 }
 
-TEST(DatasetReader, LabelPicturesOfScanNetBecomeDetections) {
+TEST(DatasetReader, LabelImagesOfScanNetBecomeDetections) {
   const TempDir dir;
   const SyntheticDataset data = test::write_scannet(dir / "s");
-  // 20 x 20 pictures, so that a region can have its 64 pixels: a bed (4) on the left, 10 x 20.
+  // 20 x 20 images, so that a region can have its 64 pixels: a bed (4) on the left, 10 x 20.
   const std::string matrix = "8 0 9.5\n0 8 9.5\n0 0 1\n";
   write_text(data.folder / "intrinsic/intrinsic_color.txt", matrix);
   write_text(data.folder / "intrinsic/intrinsic_depth.txt", matrix);

@@ -27,12 +27,12 @@ TEST(DatasetRefusals, AFolderOfNoLayoutSaysWhatWasLookedFor) {
   EXPECT_THAT(refusal(dir / "file"), HasSubstr("is no folder"));
 }
 
-TEST(DatasetRefusals, IntrinsicsOfAnotherSizeThanThePicturesAreRefused) {
+TEST(DatasetRefusals, IntrinsicsOfAnotherSizeThanTheImagesAreRefused) {
   const TempDir dir;
   const SyntheticDataset tum = test::write_tum(dir / "t");
   write_text(tum.folder / "intrinsics.json",
              R"({"width": 640, "height": 480, "fx": 500, "fy": 500, "cx": 320, "cy": 240})");
-  EXPECT_THAT(refusal(tum.folder), HasSubstr("must be the pictures' 8 x 6, is 640 x 480"));
+  EXPECT_THAT(refusal(tum.folder), HasSubstr("must be the images' 8 x 6, is 640 x 480"));
 }
 
 TEST(DatasetRefusals, ADescriptionWithAFaultNamesFileLineAndField) {
@@ -49,7 +49,7 @@ TEST(DatasetRefusals, ADescriptionWithAFaultNamesFileLineAndField) {
               HasSubstr("must be one of stamp, number, order"));
   EXPECT_THAT(described(good + "color: ../x/*.png\n"), HasSubstr("inside the dataset's folder"));
   EXPECT_THAT(described(good + "up_axis: up\n"), HasSubstr("up_axis"));
-  EXPECT_THAT(described(good), HasSubstr("has no depth picture"));
+  EXPECT_THAT(described(good), HasSubstr("has no depth image"));
 }
 
 TEST(DatasetRefusals, ListsThatLeaveTheFolderOrRepeatAStampAreRefused) {

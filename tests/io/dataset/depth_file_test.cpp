@@ -16,12 +16,12 @@ using ::testing::HasSubstr;
 
 TEST(DepthFile, UnitsBecomeMetresAndInvalidValuesZero) {
   const TempDir dir;
-  std::string picture = test::pgm16(2500, 2, 2);
-  picture[picture.size() - 1] = '\xFF';  // the last pixel: 65535
-  picture[picture.size() - 2] = '\xFF';
-  picture[picture.size() - 3] = '\0';  // the one before: 0
-  picture[picture.size() - 4] = '\0';
-  write_text(dir / "d.pgm", picture);
+  std::string image = test::pgm16(2500, 2, 2);
+  image[image.size() - 1] = '\xFF';  // the last pixel: 65535
+  image[image.size() - 2] = '\xFF';
+  image[image.size() - 3] = '\0';  // the one before: 0
+  image[image.size() - 4] = '\0';
+  write_text(dir / "d.pgm", image);
   const auto depth = read_depth(dir / "d.pgm", {.units_per_m = 5000.0});
   ASSERT_TRUE(depth) << to_string(depth.error());
   EXPECT_EQ(depth->at(0, 0), 0.5F);
@@ -32,9 +32,9 @@ TEST(DepthFile, UnitsBecomeMetresAndInvalidValuesZero) {
   EXPECT_EQ(other->at(1, 1), 13.107F);  // 65535 / 5000
 }
 
-TEST(DepthFile, WhatIsNoDepthPictureIsRefusedByName) {
+TEST(DepthFile, WhatIsNoDepthImageIsRefusedByName) {
   const TempDir dir;
-  const auto refused = [&](const std::string& content, PictureSize size = {}) {
+  const auto refused = [&](const std::string& content, ImageSize size = {}) {
     write_text(dir / "d.pgm", content);
     const auto depth = read_depth(dir / "d.pgm", {}, size);
     return depth ? std::string("was accepted") : to_string(depth.error());
@@ -47,11 +47,11 @@ TEST(DepthFile, WhatIsNoDepthPictureIsRefusedByName) {
   EXPECT_THAT(to_string(read_depth(dir / "absent.png", {}).error()), HasSubstr("absent.png"));
 }
 
-TEST(DepthFile, ColourAndSizeAreReadFromAnyPicture) {
+TEST(DepthFile, ColourAndSizeAreReadFromAnyImage) {
   const TempDir dir;
   write_text(dir / "c.pgm", test::pgm8(77, 3, 2));
   EXPECT_EQ(read_color(dir / "c.pgm")->at(2, 1), (Rgb8{77, 77, 77}));
-  EXPECT_EQ(*read_picture_size(dir / "c.pgm"), (PictureSize{3, 2}));
+  EXPECT_EQ(*read_image_size(dir / "c.pgm"), (ImageSize{3, 2}));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(DetectionsFile, AnErrorInALineNamesTheLine) {
       HasSubstr("d.json:2: $.detections[0].score: must be in 0 .. 1, is 2"));
 }
 
-TEST(DetectionsFile, ABoxBeyondThePictureIsClippedAndCounted) {
+TEST(DetectionsFile, ABoxBeyondTheImageIsClippedAndCounted) {
   const auto loaded =
       parse_detections(frame(R"({"label": "a", "score": 1, "bbox": [-10, -10, 99999, 50]})"), "d");
   ASSERT_TRUE(loaded) << to_string(loaded.error());
@@ -117,7 +117,7 @@ TEST(DetectionsFile, MasksAreColumnMajorRuns) {
   EXPECT_EQ(encode(mask), runs);
 }
 
-TEST(DetectionsFile, AMaskMustFillThePicture) {
+TEST(DetectionsFile, AMaskMustFillTheImage) {
   const auto with_mask = [](const std::string& mask) {
     return detections_refusal(
         R"({"image": "a", "width": 2, "height": 3, "detections": [{"label": "a", "score": 1,)"
@@ -127,7 +127,7 @@ TEST(DetectionsFile, AMaskMustFillThePicture) {
   EXPECT_EQ(with_mask(R"({"size": [3, 2], "counts": [1, 3, 2]})"), "was accepted");
   EXPECT_THAT(with_mask(R"({"size": [3, 2], "counts": [1, 3]})"), HasSubstr("sum to 6"));
   EXPECT_THAT(with_mask(R"({"size": [2, 3], "counts": [6]})"),
-              HasSubstr("must be the picture's 3 x 2"));
+              HasSubstr("must be the image's 3 x 2"));
   EXPECT_THAT(with_mask(R"({"size": [3, 2], "counts": [-1, 7]})"), HasSubstr("counts[0]"));
   EXPECT_THAT(with_mask(R"({"size": [65535, 65535], "counts": [1]})"),
               HasSubstr("pixels are read"));
@@ -175,7 +175,7 @@ TEST(DetectionsFile, SpellingsOfAClassAreOneClass) {
       HasSubstr("another spelling"));
 }
 
-TEST(DetectionsFile, ResolvingChecksThePicturesSize) {
+TEST(DetectionsFile, ResolvingChecksTheImagesSize) {
   ClassRegistry registry;
   const DetectionSet set = parsed_detections(frame(kChair));
   const auto known = register_classes(set.class_names, registry).value();
@@ -233,7 +233,7 @@ TEST(DetectionsFile, CocoTablesMayLieBesideTheList) {
   EXPECT_EQ(loaded->value.frames[0].detections[0].label, "tv");
 }
 
-TEST(DetectionsFile, YoloTextIsInSharesOfThePicture) {
+TEST(DetectionsFile, YoloTextIsInSharesOfTheImage) {
   const TempDir dir;
   write_text(dir / "labels" / "0001.txt", "1 0.5 0.5 0.5 0.25 0.75\n");
   write_text(dir / "labels" / "0002.txt", "");

@@ -87,7 +87,7 @@ TEST(IntrinsicsFile, FieldsOutOfRangeAreNamed) {
   EXPECT_THAT(with("width", "-640"), HasSubstr("$.width"));
   EXPECT_THAT(with("width", "640.5"), HasSubstr("$.width"));
   EXPECT_THAT(with("width", "1000000000"), HasSubstr("in 1 .. 65535"));
-  EXPECT_THAT(with("cx", "961"), HasSubstr("cx: must be inside the picture"));
+  EXPECT_THAT(with("cx", "961"), HasSubstr("cx: must be inside the image"));
   EXPECT_EQ(with("cx", "960"), "was accepted");
   EXPECT_THAT(with("depth_scale", "0"), HasSubstr("depth_scale: must be > 0"));
   EXPECT_THAT(intrinsics_refusal(R"({"width": 640, "height": 480, "fx": 525})"),
@@ -105,10 +105,10 @@ TEST(IntrinsicsFile, DistortionIsAFindingUnlessItIsZero) {
   EXPECT_THAT(read(camera_info + "D: [0.1, 0, 0, 0, 0]\n")->findings, SizeIs(1));
 }
 
-TEST(IntrinsicsFile, TheSizeComesFromThePicturesWhenNoneIsStated) {
+TEST(IntrinsicsFile, TheSizeComesFromTheImagesWhenNoneIsStated) {
   EXPECT_EQ(camera_of(camera(std::nullopt, std::nullopt), 640, 480)->width_px, 640);
   EXPECT_THAT(to_string(camera_of(camera(640, 480), 320, 240).error()),
-              HasSubstr("must be the pictures' 320 x 240, is 640 x 480"));
+              HasSubstr("must be the images' 320 x 240, is 640 x 480"));
 }
 
 TEST(IntrinsicsFile, WhatIsWrittenReadsBackTheSame) {

@@ -67,7 +67,7 @@ TEST(RealDatasets, TheLivingRoomIsReadByItsDescriptionAndByLooking) {
   EXPECT_EQ(described->camera(), found->camera());
   EXPECT_EQ(found->summary().layout, "open3d");
   EXPECT_THAT(found->summary().findings, SizeIs(1));  // intrinsics that the folder lacks
-  // Picture 00005 has record 5, not record 1.
+  // Image 00005 has record 5, not record 1.
   EXPECT_NEAR(described->read(1)->map_from_camera.origin().xyz.x(), 0.00679, 0.05);
   EXPECT_EQ(described->read(1)->map_from_camera.isometry().matrix(),
             found->read(1)->map_from_camera.isometry().matrix());

@@ -32,7 +32,7 @@ OnnxDetectorOptions tiny_options() {
   return {.input_side_px = kSide, .class_names = {"cup", "chair"}};
 }
 
-/// A network that gives the same rows for every picture: all zero but row 5 (stride 8, column 1,
+/// A network that gives the same rows for every image: all zero but row 5 (stride 8, column 1,
 /// row 1) and those in `more`.
 std::string tiny_network(const std::vector<std::pair<std::size_t, std::vector<float>>>& rows) {
   std::vector<float> values(kRows * kLength, 0.0F);
@@ -42,18 +42,18 @@ std::string tiny_network(const std::vector<std::pair<std::size_t, std::vector<fl
   return test::constant_onnx(kSide, static_cast<std::int64_t>(kRows), kLength, values);
 }
 
-Result<std::vector<Detection>> detect_with(const std::string& model, const ColorImage& picture) {
+Result<std::vector<Detection>> detect_with(const std::string& model, const ColorImage& image) {
   const TempDir dir;
   write_text(dir / "m.onnx", model);
   ClassRegistry registry;
   auto detector = OnnxDetector::load(dir / "m.onnx", tiny_options(), registry);
   if (!detector) return tl::make_unexpected(detector.error());
-  return detector->detect(picture);
+  return detector->detect(image);
 }
 
 TEST(OnnxDetector, ARowIsDecodedByItsCellAndStride) {
   // Row 5 is column 1, row 1 of stride 8: centre (0.5 + 1) * 8 = 12 across, (0.25 + 1) * 8 = 10
-  // down; size e^0 * 8 = 8 by e^ln2 * 8 = 16. The picture is 64 x 64, the input 32: scale 0.5, so
+  // down; size e^0 * 8 = 8 by e^ln2 * 8 = 16. The image is 64 x 64, the input 32: scale 0.5, so
   // all doubles. Score 0.8 * 0.75 = 0.6; class vector 0.25, 0.75.
   const auto found =
       detect_with(tiny_network({{5, {0.5F, 0.25F, 0.0F, std::log(2.0F), 0.8F, 0.25F, 0.75F}}}),
@@ -70,7 +70,7 @@ TEST(OnnxDetector, ARowIsDecodedByItsCellAndStride) {
   EXPECT_NEAR(detection.class_scores[1].probability.value(), 0.75, 1e-6);
 }
 
-TEST(OnnxDetector, BoxesAreClippedToThePicture) {
+TEST(OnnxDetector, BoxesAreClippedToTheImage) {
   // Row 0: centre (0, 0), size 16: half of it lies outside.
   const auto found = detect_with(
       tiny_network({{0, {0.0F, 0.0F, std::log(2.0F), std::log(2.0F), 1.0F, 1.0F, 0.0F}}}),
@@ -160,9 +160,9 @@ TEST_P(RecordedOutput, IsReproducedWithinRounding) {
   const auto& frames = recorded->value.frames;
   const std::size_t step = std::getenv("HYPERMAP_SLOW_TESTS") != nullptr ? 1 : frames.size() / 6;
   for (std::size_t i = 0; i < frames.size(); i += step) {
-    const auto picture = read_color(test::shared_data(folder + "/" + frames[i].image));
-    ASSERT_TRUE(picture) << to_string(picture.error());
-    const auto found = detector->detect(*picture);
+    const auto image = read_color(test::shared_data(folder + "/" + frames[i].image));
+    ASSERT_TRUE(image) << to_string(image.error());
+    const auto found = detector->detect(*image);
     ASSERT_TRUE(found) << to_string(found.error());
     ASSERT_EQ(found->size(), frames[i].detections.size()) << frames[i].image;
     for (std::size_t k = 0; k < found->size(); ++k) {
@@ -186,16 +186,16 @@ INSTANTIATE_TEST_SUITE_P(LivingRoom, RecordedOutput, ::testing::Values("icl_nuim
 TEST(OnnxDetector, TheRealNetworkGivesTheSameNumbersTwice) {
   HYPERMAP_REQUIRE_SHARED_DATA("models/yolox_nano/yolox_nano.onnx");
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const auto picture =
+  const auto image =
       read_color(test::shared_data("rgbd/7scenes_redkitchen/frame-000000.color.jpg"));
-  ASSERT_TRUE(picture);
+  ASSERT_TRUE(image);
   ClassRegistry registry;
   const auto model = test::shared_data("models/yolox_nano/yolox_nano.onnx");
   auto one = OnnxDetector::load(model, {}, registry);
   auto two = OnnxDetector::load(model, {}, registry);
   ASSERT_TRUE(one && two);
-  EXPECT_EQ(one->detect(*picture).value(), two->detect(*picture).value());
-  EXPECT_EQ(one->detect(*picture).value(), two->detect(*picture).value());
+  EXPECT_EQ(one->detect(*image).value(), two->detect(*image).value());
+  EXPECT_EQ(one->detect(*image).value(), two->detect(*image).value());
 }
 
 }  // namespace

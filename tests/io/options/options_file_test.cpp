@@ -68,7 +68,7 @@ TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
   expected.mapper.octree.resolution_m = 0.1;
   expected.mapper.integration.mode = IntegrationMode::kExact;
   expected.mapper.objects.segmentation.foreground.max_planes = 5;
-  expected.mapper.objects.publication.min_existence = std::nullopt;
+  expected.mapper.objects.confirmation.min_existence = std::nullopt;
   expected.mapper.objects.transient_class_names = {"person", "cat"};
   expected.layers.max_height_m = 0.6;
   EXPECT_EQ(*options, expected);
@@ -128,7 +128,7 @@ TEST(OptionsFile, ARefusalNamesTheWholeWayToTheField) {
   options.layers.min_free_share = 0.0;
   EXPECT_EQ(validate(options).error().field, "projection.min_free_share");
   options = {};
-  options.mapper.objects.publication.min_existence = LogOdds(std::nan(""));
+  options.mapper.objects.confirmation.min_existence = LogOdds(std::nan(""));
   EXPECT_EQ(validate(options).error().field, "publication.min_existence");
 }
 

@@ -29,7 +29,7 @@ TEST(CameraPath, ACameraThatLooksAlongXHasItsAxesThere) {
   EXPECT_EQ(pose.origin().xyz, Vector3d(1, 2, 3));
 }
 
-TEST(CameraPath, ThePointLookedAtIsInTheMiddleOfThePicture) {
+TEST(CameraPath, ThePointLookedAtIsInTheMiddleOfTheImage) {
   const MapFromCamera pose = look_at({1, -2, 1.4}, {-3, 0.5, 0.2});
   const Vector3d in_camera = (pose.inverse() * PointInMap{{-3, 0.5, 0.2}}).xyz;
   EXPECT_NEAR(in_camera.x(), 0.0, 1e-12);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/test_data.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 
 #include "support/temp_dir.hpp"
+#include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -153,10 +153,10 @@ TEST(SceneFile, AnUnknownPatternIsRefused) {
 }
 
 TEST(SceneFile, TooManyThingsAreALimitError) {
-  std::string things;
+  std::string evaluated;
   for (int i = 0; i < 1001; ++i)
-    things += "  - {name: c" + std::to_string(i) + ", class: cup, shape: cup, at: [1, 1]}\n";
-  const auto scene = parse_scene(scene_text(things), "s.yaml");
+    evaluated += "  - {name: c" + std::to_string(i) + ", class: cup, shape: cup, at: [1, 1]}\n";
+  const auto scene = parse_scene(scene_text(evaluated), "s.yaml");
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().code, ErrorCode::kLimit);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/test_data.hpp"
 #include "hypermap/io/simulator/scene_renderer.hpp"
 
 #include "hypermap/io/simulator/scene_file.hpp"
+#include "support/test_data.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -43,7 +43,7 @@ RenderedView view_of(const FurnishedScene& scene, const PinholeCamera& camera = 
 }
 
 TEST(SceneRenderer, AWallSquareToTheCameraHasOneDepth) {
-  // Depth is along the optical axis, so the corners of the picture are no farther than its middle.
+  // Depth is along the optical axis, so the corners of the image are no farther than its middle.
   const RenderedView view = view_of(wall_scene());
   for (const float depth : view.depth_m.pixels()) EXPECT_NEAR(depth, 4.0F, 1e-5F);
   for (const ObjectId id : view.instances.pixels()) EXPECT_EQ(id, kNoObject);
@@ -130,9 +130,9 @@ TEST(SceneRenderer, AThingHalfBehindAnotherIsHalfUnhidden) {
   EXPECT_NEAR(shares[0], 0.5, 0.03);
 }
 
-TEST(SceneRenderer, WhatThePictureCutsOffCountsAsHidden) {
+TEST(SceneRenderer, WhatTheImageCutsOffCountsAsHidden) {
   FurnishedScene scene = wall_scene();
-  // At 2 m the picture reaches to y = -(63.5 - 31.5) / 50 * 2 = -1.28; the thing from -0.88 to
+  // At 2 m the image reaches to y = -(63.5 - 31.5) / 50 * 2 = -1.28; the object from -0.88 to
   // -1.68 is cut in the middle.
   scene.objects.push_back(box_object(1, {2.0, -1.68, -0.4}, {2.01, -0.88, 0.4}));
   const auto renderer = SceneRenderer::create(scene);
@@ -143,9 +143,8 @@ TEST(SceneRenderer, WhatThePictureCutsOffCountsAsHidden) {
   EXPECT_NEAR(shares[0], 0.5, 0.06);
 }
 
-TEST(SceneRenderer, AnyNumberOfThreadsGivesTheSamePicture) {
-  const auto scene =
-      load_scene(test::source_path("data/scenes/laboratory.yaml"));
+TEST(SceneRenderer, AnyNumberOfThreadsGivesTheSameImage) {
+  const auto scene = load_scene(test::source_path("data/scenes/laboratory.yaml"));
   ASSERT_TRUE(scene) << to_string(scene.error());
   const auto furnished = furnish(*scene, 1);
   ASSERT_TRUE(furnished);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/test_data.hpp"
 #include "hypermap/io/simulator/scene.hpp"
 
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "support/sanitized.hpp"
+#include "support/test_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -138,8 +138,8 @@ void expect_apart(const std::vector<PlacedObject>& objects, std::uint64_t seed) 
   }
 }
 
-/// Whatever the seed: things that stand on the floor keep clear of each other, and the camera keeps
-/// clear of all that is as high as it.
+/// Whatever the seed: objects that stand on the floor keep clear of each other, and the camera
+/// keeps clear of all that is as high as it.
 TEST(Scene, InTheScenesThatShipNothingCollides) {
   const std::filesystem::path scenes = test::source_path("data/scenes");
   for (const char* name : {"laboratory.yaml", "floor.yaml"}) {

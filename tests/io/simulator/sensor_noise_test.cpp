@@ -122,7 +122,7 @@ TEST(SensorNoise, NoTrueDepthGivesNoMeasurement) {
   EXPECT_EQ(num_holes(measure(plane(std::nanf("")), {})), 300 * 200);
 }
 
-TEST(SensorNoise, SameNamesGiveTheSamePictureAndOthersAnother) {
+TEST(SensorNoise, SameNamesGiveTheSameImageAndOthersAnother) {
   const DepthImage depth = plane(2.0F);
   const Image<float> cosine = facing(depth);
   EXPECT_EQ(measured_depth(depth, cosine, {}, 1, 2), measured_depth(depth, cosine, {}, 1, 2));

@@ -106,7 +106,7 @@ TEST(SimulatedDataset, AnyNumberOfThreadsGivesTheSameBytes) {
   ASSERT_TRUE(simulate(room_scene(), options, dir / "three"));
   const auto one = contents(dir / "one");
   EXPECT_EQ(one, contents(dir / "three"));
-  EXPECT_EQ(one.size(), 6U + 6U + 6U);  // pictures, depth, lists and truth
+  EXPECT_EQ(one.size(), 6U + 6U + 6U);  // images, depth, lists and truth
   options.seed = 2;
   ASSERT_TRUE(simulate(room_scene(), options, dir / "other"));
   EXPECT_NE(one.at("depth/000000.png"), contents(dir / "other").at("depth/000000.png"));
@@ -130,7 +130,7 @@ TEST(SimulatedDataset, AFailureLeavesNothing) {
   scene.objects[0].shape = "piano";
   EXPECT_FALSE(simulate(scene, small_options(), dir / "out"));
   EXPECT_TRUE(fs::is_empty(dir.path()));
-  // A truth that no archive can hold: found at the very end, with all pictures written.
+  // A truth that no archive can hold: found at the very end, with all images written.
   scene = room_scene();
   scene.objects[0].class_name = std::string(300, 'x');
   EXPECT_FALSE(simulate(scene, small_options(), dir / "out"));

@@ -16,7 +16,7 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr int kFrames = 4000;
 
-/// A chair of 100 x 80 pixels in the middle of the picture, and what a detector makes of it.
+/// A chair of 100 x 80 pixels in the middle of the image, and what a detector makes of it.
 struct Rig {
   explicit Rig(const SimulatedDetectorOptions& options, std::string_view class_name = "chair")
       : instances(kWidth, kHeight),
@@ -92,9 +92,9 @@ TEST(SimulatedDetector, ItNamesTheEightyClassesOfCoco) {
                            "umbrella",
                            "backpack",
                            "bench"})
-    EXPECT_TRUE(rig.detector.can_name(name)) << name;
+    EXPECT_TRUE(rig.detector.knows_class(name)) << name;
   for (const char* name : {"table", "cupboard", "fan", "noteboard", "bin"})
-    EXPECT_FALSE(rig.detector.can_name(name)) << name;
+    EXPECT_FALSE(rig.detector.knows_class(name)) << name;
 }
 
 TEST(SimulatedDetector, ThingsWithoutAWordAreNotDetected) {
@@ -239,7 +239,7 @@ TEST(SimulatedDetector, ClassVectorsSumToOneAndScoresStayInTheirRange) {
   }
 }
 
-TEST(SimulatedDetector, BoxesStayInThePictureAndKeepAnArea) {
+TEST(SimulatedDetector, BoxesStayInTheImageAndKeepAnArea) {
   Rig rig({.miss_rate = 0.0, .box_jitter = 1.0});
   rig.objects[0].box_px = {0, 0, 12, 480};
   for (std::uint64_t frame = 0; frame < 2000; ++frame) {

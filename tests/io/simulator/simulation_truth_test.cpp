@@ -84,7 +84,7 @@ TEST(SimulationTruth, TheArchiveHoldsFootprintsBoxesAndReasons) {
   ASSERT_TRUE(simulator);
   std::vector<SimulatedTruth> truths{{"bench", "bench", 5000, 1, ""}, {"bin", "bin", 900, 1, ""}};
   for (SimulatedTruth& truth : truths)
-    truth.excluded_because = exclusion(truth, simulator->detector());
+    truth.exclusion_reason = exclusion(truth, simulator->detector());
   const auto archive = make_truth(*simulator, scene, truths);
   ASSERT_TRUE(archive) << to_string(archive.error());
   const auto layer = archive->hypermap.at("semantic");

@@ -95,7 +95,7 @@ TEST(Simulator, ThingsThatDoNotCountSayWhy) {
   const test::TempDir dir;
   const auto report = simulate(room_scene(), small_options(), dir / "out");
   ASSERT_TRUE(report) << to_string(report.error());
-  const auto reason = [&](std::size_t i) { return report->objects.at(i).excluded_because; };
+  const auto reason = [&](std::size_t i) { return report->objects.at(i).exclusion_reason; };
   EXPECT_THAT(reason(0), HasSubstr("no word"));                      // table
   EXPECT_EQ(reason(1), "");                                          // tvmonitor
   EXPECT_EQ(reason(2), "");                                          // chair
@@ -120,12 +120,12 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   EXPECT_EQ(loaded->value.classes, expected->classes);
   const auto layer = loaded->value.hypermap.at("semantic");
   ASSERT_TRUE(layer);
-  const auto things = evaluated_objects(*(*layer)->content.as<SemanticLayer>());
-  ASSERT_EQ(things.size(), 5U);
-  EXPECT_TRUE(things[0].excluded);   // table
-  EXPECT_FALSE(things[2].excluded);  // chair
-  EXPECT_NEAR(things[2].size_m, 0.86, 1e-5);
-  const EvaluationReport perfect = evaluate(things, things);
+  const auto evaluated = evaluated_objects(*(*layer)->content.as<SemanticLayer>());
+  ASSERT_EQ(evaluated.size(), 5U);
+  EXPECT_TRUE(evaluated[0].excluded);   // table
+  EXPECT_FALSE(evaluated[2].excluded);  // chair
+  EXPECT_NEAR(evaluated[2].size_m, 0.86, 1e-5);
+  const EvaluationReport perfect = evaluate(evaluated, evaluated);
   EXPECT_EQ(perfect.all.one_to_one.f1, 1.0);
   EXPECT_NEAR(*perfect.all.one_to_one.jaccard_in_place, 1.0, 1e-9);
 }
@@ -146,13 +146,13 @@ TEST(Simulator, BadOptionsNameTheirField) {
   EXPECT_EQ(field([](auto& o) { o.num_frames = 1; }), "");
 }
 
-/// The camera's way shows every nameable thing of the laboratory well enough to count.
+/// The camera's way shows every nameable object of the laboratory well enough to count.
 TEST(Simulator, TheLaboratoryShowsAllThatItHolds) {
   const auto scene = load_scene(test::source_path("data/scenes/laboratory.yaml"));
   ASSERT_TRUE(scene) << to_string(scene.error());
   SimulationOptions options;
   options.num_frames = 40;
-  // A picture of a sixteenth of the pixels where a sanitizer makes rays dear.
+  // An image of a sixteenth of the pixels where a sanitizer makes rays dear.
   if (test::kSanitized) options.camera = kSmall;
   const int enough_px = test::kSanitized ? 200 / 16 : 200;
   const auto simulator = Simulator::create(*scene, options);

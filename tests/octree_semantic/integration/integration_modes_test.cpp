@@ -39,7 +39,7 @@ TEST_P(IntegrationModes, AnyNumberOfThreadsGivesTheSameMap) {
 }
 
 TEST_P(IntegrationModes, TheOrderOfMeasurementsDoesNotMatter) {
-  if (GetParam() == IntegrationMode::kProjective) return;  // a picture has one order
+  if (GetParam() == IntegrationMode::kProjective) return;  // an image has one order
   const std::vector<LabelledFrame> frames = room_frames(2, 80);
   SemanticOctree in_order = empty_tree(0.05);
   SemanticOctree shuffled = empty_tree(0.05);

@@ -20,13 +20,13 @@ RgbdFrame wide_frame(float depth_m) {
   return frame;
 }
 
-TEST(ProjectiveIntegration, ProjectionFreesWhatThePictureLooksThrough) {
-  // A wall at x = 2.05: at 1 m the picture is 2 m wide and high.
+TEST(ProjectiveIntegration, ProjectionFreesWhatTheImageLooksThrough) {
+  // A wall at x = 2.05: at 1 m the image is 2 m wide and high.
   SemanticOctree tree = empty_tree();
   integrate(tree, wide_frame(2.0F), kProjective);
   EXPECT_EQ(occupancy(tree, {1.05, 0.05, 0.05}), -0.405);
   EXPECT_EQ(occupancy(tree, {1.05, 0.95, -0.85}), -0.405);
-  EXPECT_FALSE(occupancy(tree, {1.05, 1.25, 0.05})) << "outside the picture";
+  EXPECT_FALSE(occupancy(tree, {1.05, 1.25, 0.05})) << "outside the image";
   EXPECT_FALSE(occupancy(tree, {-0.15, 0.05, 0.05})) << "behind the camera";
   EXPECT_EQ(occupancy(tree, {2.05, 0.05, 0.05}), 0.847);
   EXPECT_FALSE(occupancy(tree, {2.25, 0.05, 0.05})) << "behind the wall";
@@ -51,7 +51,7 @@ TEST(ProjectiveIntegration, PixelsWithoutDepthFreeNothing) {
 }
 
 TEST(ProjectiveIntegration, AHitWinsOverProjection) {
-  // A thin thing at 1 m before a wall at 2 m: its voxel is seen past on both sides.
+  // A thin object at 1 m before a wall at 2 m: its voxel is seen past on both sides.
   SemanticOctree tree = empty_tree();
   RgbdFrame frame = wide_frame(2.0F);
   for (int v = 0; v < 64; ++v) frame.depth_m.at(32, v) = 1.0F;
@@ -75,7 +75,7 @@ TEST(ProjectiveIntegration, SparsePixelsFreeTheirRays) {
   });
 }
 
-TEST(ProjectiveIntegration, ACloudHasNoPictureToProjectInto) {
+TEST(ProjectiveIntegration, ACloudHasNoImageToProjectInto) {
   SemanticOctree tree = empty_tree();
   const auto report = FrameIntegrator().integrate_cloud(
       tree, {{0, 0, 0}}, std::vector{Eigen::Vector3f(1, 0, 0)}, {}, kProjective);

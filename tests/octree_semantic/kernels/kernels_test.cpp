@@ -90,11 +90,11 @@ TEST_P(KernelsOfEverySet, SummarisesRowsToTheSameBits) {
 }
 
 TEST_P(KernelsOfEverySet, SeesTheSameCorners) {
-  std::vector<float> picture = depths(64UL * 48UL, random_);
-  for (float& depth_m : picture) {
+  std::vector<float> image = depths(64UL * 48UL, random_);
+  for (float& depth_m : image) {
     if (!(depth_m > 0.0F && depth_m < 100.0F)) depth_m = 0.0F;
   }
-  CornerProjection projection{.depth_m = picture.data(),
+  CornerProjection projection{.depth_m = image.data(),
                               .width_px = 64,
                               .width = 64.0F,
                               .height = 48.0F,
@@ -117,8 +117,8 @@ TEST_P(KernelsOfEverySet, SeesTheSameCorners) {
     for (const bool check_range : {false, true}) {
       std::vector<std::uint64_t> ours(8);
       std::vector<std::uint64_t> theirs(8);
-      set().see_corners(projection, first, check_range, ours.data());
-      scalar_.see_corners(projection, first, check_range, theirs.data());
+      set().test_corners(projection, first, check_range, ours.data());
+      scalar_.test_corners(projection, first, check_range, theirs.data());
       EXPECT_EQ(ours, theirs);
       for (const std::uint64_t word : ours) num_seen += std::popcount(word);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays that march from voxel to voxel, and lines of sight that meet a box: every instruction set of
-// this processor against walks by the definition.
+// Rays that march from voxel to voxel, and occlusion rays that intersect a box: every instruction
+// set of this processor against walks by the definition.
 #include "kernels/kernels.hpp"
 #include "octree_semantic/support/every_kernel_set.hpp"
 
@@ -134,30 +134,30 @@ TEST_P(RayKernels, MarchesThroughTheVoxelsOfAWalkStepByStep) {
   }
 }
 
-SightPacket some_sight_lines(std::mt19937& random) {
+RayPacket random_rays(std::mt19937& random) {
   std::uniform_real_distribution<float> within(-20.0F, 20.0F);
-  SightPacket lines;
-  for (std::size_t lane = 0; lane < kSightLanes; ++lane) {
+  RayPacket rays;
+  for (std::size_t lane = 0; lane < kRayLanes; ++lane) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      lines.origin[axis][lane] = within(random);
+      rays.origin[axis][lane] = within(random);
       // Now and then along an axis, and on a face.
       const float direction = random() % 5 == 0 ? 0.0F : within(random);
-      lines.direction[axis][lane] = direction;
-      lines.inverse[axis][lane] = direction == 0.0F ? 1e30F : 1.0F / direction;
-      if (random() % 5 == 0) lines.origin[axis][lane] = std::round(lines.origin[axis][lane]);
+      rays.direction[axis][lane] = direction;
+      rays.inverse[axis][lane] = direction == 0.0F ? 1e30F : 1.0F / direction;
+      if (random() % 5 == 0) rays.origin[axis][lane] = std::round(rays.origin[axis][lane]);
     }
-    lines.end[lane] = std::abs(within(random)) / 20.0F;
+    rays.end[lane] = std::abs(within(random)) / 20.0F;
   }
-  return lines;
+  return rays;
 }
 
 /// By the definition: is some of the way between all pairs of faces?
-bool meets(const SightPacket& lines, std::size_t lane, const BoxFaces& box) {
+bool intersects(const RayPacket& rays, std::size_t lane, const BoxFaces& box) {
   float first = 0.0F;
-  float last = lines.end[lane];
+  float last = rays.end[lane];
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float low = (box.low[axis] - lines.origin[axis][lane]) * lines.inverse[axis][lane];
-    const float high = (box.high[axis] - lines.origin[axis][lane]) * lines.inverse[axis][lane];
+    const float low = (box.low[axis] - rays.origin[axis][lane]) * rays.inverse[axis][lane];
+    const float high = (box.high[axis] - rays.origin[axis][lane]) * rays.inverse[axis][lane];
     first = std::max(first, std::min(low, high));
     last = std::min(last, std::max(low, high));
   }
@@ -167,7 +167,7 @@ bool meets(const SightPacket& lines, std::size_t lane, const BoxFaces& box) {
 TEST_P(RayKernels, FindsTheLinesThatMeetABox) {
   int num_meeting = 0;
   for (int round = 0; round < 500; ++round) {
-    const SightPacket lines = some_sight_lines(random_);
+    const RayPacket rays = random_rays(random_);
     BoxFaces box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       box.low[axis] = static_cast<float>(static_cast<int>(random_() % 30) - 20);
@@ -178,9 +178,9 @@ TEST_P(RayKernels, FindsTheLinesThatMeetABox) {
       std::uint32_t expected = 0;
       for (std::size_t lane = 0; lane < num_lanes; ++lane) {
         valid[lane] = random_() % 4 == 0 ? 0 : -1;
-        if (valid[lane] != 0 && meets(lines, lane, box)) expected |= 1U << lane;
+        if (valid[lane] != 0 && intersects(rays, lane, box)) expected |= 1U << lane;
       }
-      EXPECT_EQ(set().meet_box(lines, box, valid.data(), num_lanes), expected);
+      EXPECT_EQ(set().intersect_box(rays, box, valid.data(), num_lanes), expected);
       num_meeting += std::popcount(expected);
     }
   }
@@ -189,25 +189,25 @@ TEST_P(RayKernels, FindsTheLinesThatMeetABox) {
 
 TEST(RayKernelsByHand, ALineMeetsABoxOnItsWayAndNotBehindItsEnd) {
   // From (0, 2.5, 2.5) along x to a box from x = 4 to 6.
-  SightPacket lines;
+  RayPacket rays;
   for (std::size_t lane = 0; lane < 4; ++lane) {
-    lines.direction[0][lane] = 1.0F;
-    lines.inverse[0][lane] = 1.0F;
+    rays.direction[0][lane] = 1.0F;
+    rays.inverse[0][lane] = 1.0F;
     for (std::size_t axis = 1; axis < 3; ++axis) {
-      lines.origin[axis][lane] = 2.5F;
-      lines.inverse[axis][lane] = 1e30F;
+      rays.origin[axis][lane] = 2.5F;
+      rays.inverse[axis][lane] = 1e30F;
     }
-    lines.end[lane] = 10.0F;
+    rays.end[lane] = 10.0F;
   }
-  lines.end[1] = 3.9F;            // ends before it
-  lines.origin[1][2] = 3.5F;      // passes beside it
-  lines.direction[0][3] = -1.0F;  // goes away from it
-  lines.inverse[0][3] = -1.0F;
+  rays.end[1] = 3.9F;            // ends before it
+  rays.origin[1][2] = 3.5F;      // passes beside it
+  rays.direction[0][3] = -1.0F;  // goes away from it
+  rays.inverse[0][3] = -1.0F;
   const BoxFaces box{{4, 2, 2}, {6, 3, 3}};
   const std::array<std::int32_t, 4> all{-1, -1, -1, -1};
-  EXPECT_EQ(best_kernels().meet_box(lines, box, all.data(), 4), 0b0001U);
+  EXPECT_EQ(best_kernels().intersect_box(rays, box, all.data(), 4), 0b0001U);
   const std::array<std::int32_t, 4> not_the_first{0, -1, -1, -1};
-  EXPECT_EQ(best_kernels().meet_box(lines, box, not_the_first.data(), 4), 0U);
+  EXPECT_EQ(best_kernels().intersect_box(rays, box, not_the_first.data(), 4), 0U);
 }
 
 TEST(RayKernelsByHand, ARayStepsFromBrickToBrickAndLeavesItsLastVoxelOut) {

@@ -59,7 +59,7 @@ TEST(CloudIntegration, InstancesBecomeObjectsAndOtherPointsLabelVoxels) {
     EXPECT_EQ(report.num_segments, 1U);
     EXPECT_EQ(report.num_created, i == 0 ? 1U : 0U);
     EXPECT_EQ(report.num_matched, i == 0 ? 0U : 1U);
-    EXPECT_FALSE(report.judged);
+    EXPECT_FALSE(report.visibility_evaluated);
     EXPECT_GT(report.integration.working_bytes, 0U);
   }
   ASSERT_EQ(mapper.objects().size(), 1U);

@@ -92,7 +92,7 @@ TEST(SemanticMapper, AnyNumberOfThreadsGivesTheSameMap) {
     const FrameReport report = one.integrate(frame).value();
     EXPECT_EQ(report.num_segments, four.integrate(frame)->num_segments);
     EXPECT_EQ(report.num_deadline_dropped, 0U);
-    EXPECT_TRUE(report.judged);
+    EXPECT_TRUE(report.visibility_evaluated);
   }
   EXPECT_TRUE(one.octree() == four.octree());
   EXPECT_TRUE(one.objects() == four.objects());
@@ -130,7 +130,7 @@ TEST(SemanticMapper, ADeadlineDropsTheLeastSureDetections) {
   // Asked 1 and 2 s after the start, which is in time; after 3 s it is not.
   EXPECT_EQ(report.num_deadline_dropped, frame.detections.size() - 2);
   EXPECT_EQ(report.num_detections, frame.detections.size());
-  EXPECT_FALSE(report.judged) << "not to be seen means nothing now";
+  EXPECT_FALSE(report.visibility_evaluated) << "not to be seen means nothing now";
 
   RgbdFrame surest = frame;
   surest.detections.resize(2);  // their scores fall
@@ -185,7 +185,7 @@ TEST_P(WithoutMemory, AFrameIsWholeOrNotAtAll) {
       ASSERT_TRUE(mapper.integrate(frame)) << "it can be tried again";
     }
     ASSERT_TRUE(mapper.octree() == expected.octree()) << "after " << granted << " allocations";
-    if (!report || report->judged) {
+    if (!report || report->visibility_evaluated) {
       ASSERT_TRUE(mapper.objects() == expected.objects()) << "after " << granted << " allocations";
     }
   }
@@ -211,8 +211,8 @@ TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
   EXPECT_LE(mapper.octree().memory_bytes(), octree_bytes + octree_bytes / 50);
   EXPECT_LE(mapper.objects().size(), num_objects + 2);
   for (const Object& object : mapper.objects().objects()) {
-    EXPECT_LE(object.ledger.state().newest.size(), ObjectLedger::kMaxNewest);
-    EXPECT_LE(object.ledger.state().summaries.size(), ObjectLedger::kMaxSummaries);
+    EXPECT_LE(object.observation_log.state().newest.size(), ObservationLog::kMaxNewest);
+    EXPECT_LE(object.observation_log.state().summaries.size(), ObservationLog::kMaxSummaries);
     EXPECT_LE(object.points.state().votes.size(), object.points.options().max_cells);
     EXPECT_LE(object.shapes.state().shapes.size(), ShapeEvidence::kMaxShapes);
   }

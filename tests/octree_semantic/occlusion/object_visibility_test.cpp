@@ -48,25 +48,25 @@ struct World {
   OcclusionScene scene = OcclusionScene::create().value();
   int num_questions = 0;  ///< How often the scene was asked.
 
-  AnswerLines answer() {
-    return [this](std::span<const SightLine> lines) -> Result<std::vector<std::uint8_t>> {
+  OcclusionQuery answer() {
+    return [this](std::span<const OcclusionRay> rays) -> Result<std::vector<std::uint8_t>> {
       ++num_questions;
-      return scene.occluded(lines);
+      return scene.occluded(rays);
     };
   }
 };
 
-VisibilityVerdict judge(World& world,
-                        const RgbdFrame& frame,
-                        const Object& object,
-                        const std::vector<ObjectId>& seen = {}) {
+VisibilityResult evaluate(World& world,
+                          const RgbdFrame& frame,
+                          const Object& object,
+                          const std::vector<ObjectId>& seen = {}) {
   world.objects = ObjectMap();
   const ObjectId id = world.objects.add(object);
-  const auto verdicts = judge_visibility(world.objects, frame, world.answer(), {}, seen).value();
-  if (verdicts.empty()) return {.object = id, .state = Visibility::kOutOfView};
-  EXPECT_EQ(verdicts.size(), 1U);
-  EXPECT_EQ(verdicts.front().object, id);
-  return verdicts.front();
+  const auto results = evaluate_visibility(world.objects, frame, world.answer(), {}, seen).value();
+  if (results.empty()) return {.object = id, .state = Visibility::kOutOfView};
+  EXPECT_EQ(results.size(), 1U);
+  EXPECT_EQ(results.front().object, id);
+  return results.front();
 }
 
 /// Depth of the columns left of the middle becomes `depth_m`: half of the cube.
@@ -78,54 +78,54 @@ void set_left_half(RgbdFrame& frame, float depth_m) {
 
 TEST(ObjectVisibility, IsVisibleWhereItsSurfaceIsMeasured) {
   World world;
-  const VisibilityVerdict verdict = judge(world, frame_with_depth(2.0F), cube_ahead());
-  EXPECT_EQ(verdict.state, Visibility::kVisible);
-  EXPECT_EQ(verdict.visible_fraction, 1.0);
-  EXPECT_EQ(verdict.absent_fraction, 0.0);
-  EXPECT_NEAR(verdict.distance_m, 2.2, 1e-9);
-  EXPECT_NEAR(std::abs(verdict.bearing_rad), std::numbers::pi, 1e-9);
+  const VisibilityResult result = evaluate(world, frame_with_depth(2.0F), cube_ahead());
+  EXPECT_EQ(result.state, Visibility::kVisible);
+  EXPECT_EQ(result.visible_fraction, 1.0);
+  EXPECT_EQ(result.absent_fraction, 0.0);
+  EXPECT_NEAR(result.distance_m, 2.2, 1e-9);
+  EXPECT_NEAR(std::abs(result.bearing_rad), std::numbers::pi, 1e-9);
 }
 
 TEST(ObjectVisibility, IsAbsentWhereTheCameraLooksThrough) {
   World world;
-  const VisibilityVerdict verdict = judge(world, frame_with_depth(4.0F), cube_ahead());
-  EXPECT_EQ(verdict.state, Visibility::kAbsent);
-  EXPECT_EQ(verdict.absent_fraction, 1.0);
+  const VisibilityResult result = evaluate(world, frame_with_depth(4.0F), cube_ahead());
+  EXPECT_EQ(result.state, Visibility::kAbsent);
+  EXPECT_EQ(result.absent_fraction, 1.0);
 }
 
 TEST(ObjectVisibility, IsOccludedBehindSomethingMeasuredInFront) {
   World world;
-  EXPECT_EQ(judge(world, frame_with_depth(1.0F), cube_ahead()).state, Visibility::kOccluded);
+  EXPECT_EQ(evaluate(world, frame_with_depth(1.0F), cube_ahead()).state, Visibility::kOccluded);
 }
 
 TEST(ObjectVisibility, IsPartlyOccludedWhenHalfOfItIsHidden) {
   World world;
   RgbdFrame frame = frame_with_depth(2.0F);
   set_left_half(frame, 1.0F);
-  const VisibilityVerdict verdict = judge(world, frame, cube_ahead());
-  EXPECT_EQ(verdict.state, Visibility::kPartlyOccluded);
-  EXPECT_NEAR(verdict.visible_fraction, 0.5, 0.15);
+  const VisibilityResult result = evaluate(world, frame, cube_ahead());
+  EXPECT_EQ(result.state, Visibility::kPartlyOccluded);
+  EXPECT_NEAR(result.visible_fraction, 0.5, 0.15);
 }
 
 TEST(ObjectVisibility, IsAbsentWhenTheOpenHalfIsSeenThrough) {
   World world;
   RgbdFrame frame = frame_with_depth(4.0F);
   set_left_half(frame, 1.0F);
-  EXPECT_EQ(judge(world, frame, cube_ahead()).state, Visibility::kAbsent);
+  EXPECT_EQ(evaluate(world, frame, cube_ahead()).state, Visibility::kAbsent);
 }
 
-TEST(ObjectVisibility, IsOutOfViewBesideThePictureBehindTheCameraAndBeyondTheRange) {
+TEST(ObjectVisibility, IsOutOfViewBesideTheImageBehindTheCameraAndBeyondTheRange) {
   World world;
   const RgbdFrame frame = frame_with_depth(2.0F);
-  EXPECT_EQ(judge(world, frame, cube_ahead(3.0)).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame, cube_ahead(3.0)).state, Visibility::kOutOfView);
   Object behind = cube_ahead();
   behind.points = {};
   behind.box = {{-2.4, -0.2, -0.2}, {-2.0, 0.2, 0.2}};
-  EXPECT_EQ(judge(world, frame, behind).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame, behind).state, Visibility::kOutOfView);
   Object far = cube_ahead();
   far.points = {};
   far.box = {{5.2, -0.2, -0.2}, {5.6, 0.2, 0.2}};
-  EXPECT_EQ(judge(world, frame, far).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame, far).state, Visibility::kOutOfView);
 }
 
 TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
@@ -138,7 +138,7 @@ TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
     far_side.emplace_back(2.39F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
   object.points = {};
   object.points.observe(far_side);
-  EXPECT_EQ(judge(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
+  EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
 }
 
 TEST(ObjectVisibility, WhereNothingIsMeasuredTheMapTellsWhatMustHideIt) {
@@ -150,53 +150,55 @@ TEST(ObjectVisibility, WhereNothingIsMeasuredTheMapTellsWhatMustHideIt) {
   RgbdFrame wall = frame_with_depth(1.0F);
   ASSERT_TRUE(integrator.integrate(tree, wall, {}, {}));
   ASSERT_TRUE(world.scene.update(tree));
-  EXPECT_EQ(judge(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOccluded);
+  EXPECT_EQ(evaluate(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOccluded);
 }
 
 TEST(ObjectVisibility, WhereNothingIsMeasuredAndNothingHidesNothingCanBeTold) {
   World world;
-  EXPECT_EQ(judge(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOutOfView);
   RgbdFrame frame = frame_with_depth(std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(judge(world, frame, cube_ahead()).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame, cube_ahead()).state, Visibility::kOutOfView);
 }
 
 TEST(ObjectVisibility, TheMapIsAskedOnceAndOnlyAboutWhatWasNotMeasured) {
   World world;
-  EXPECT_EQ(judge(world, frame_with_depth(2.0F), cube_ahead()).state, Visibility::kVisible);
+  EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), cube_ahead()).state, Visibility::kVisible);
   EXPECT_EQ(world.num_questions, 0);
-  EXPECT_EQ(judge(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame_with_depth(0.0F), cube_ahead()).state, Visibility::kOutOfView);
   EXPECT_EQ(world.num_questions, 1);
 
-  const auto refuse = [](std::span<const SightLine>) -> Result<std::vector<std::uint8_t>> {
+  const auto refuse = [](std::span<const OcclusionRay>) -> Result<std::vector<std::uint8_t>> {
     return fail(ErrorCode::kOutOfMemory, "no memory for the occlusion scene");
   };
-  const auto verdicts = judge_visibility(world.objects, frame_with_depth(0.0F), refuse);
-  ASSERT_FALSE(verdicts);
-  EXPECT_EQ(verdicts.error().code, ErrorCode::kOutOfMemory);
+  const auto results = evaluate_visibility(world.objects, frame_with_depth(0.0F), refuse);
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, ErrorCode::kOutOfMemory);
 }
 
 TEST(ObjectVisibility, WhatWasDetectedInThisFrameIsNeverHiddenOrGone) {
   World world;
   const std::vector<ObjectId> seen{ObjectId{1}};
-  EXPECT_EQ(judge(world, frame_with_depth(4.0F), cube_ahead(), seen).state, Visibility::kVisible);
-  EXPECT_EQ(judge(world, frame_with_depth(1.0F), cube_ahead(), seen).state, Visibility::kVisible);
+  EXPECT_EQ(evaluate(world, frame_with_depth(4.0F), cube_ahead(), seen).state,
+            Visibility::kVisible);
+  EXPECT_EQ(evaluate(world, frame_with_depth(1.0F), cube_ahead(), seen).state,
+            Visibility::kVisible);
 }
 
 TEST(ObjectVisibility, AnObjectWithoutPointsIsJudgedByItsBox) {
   World world;
   Object object = cube_ahead();
   object.points = {};
-  EXPECT_EQ(judge(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
-  EXPECT_EQ(judge(world, frame_with_depth(4.0F), object).state, Visibility::kAbsent);
+  EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
+  EXPECT_EQ(evaluate(world, frame_with_depth(4.0F), object).state, Visibility::kAbsent);
 }
 
 TEST(ObjectVisibility, VerdictsComeByAscendingId) {
   World world;
   for (int i = 0; i < 5; ++i) world.objects.add(cube_ahead(0.1 * i));
-  const auto verdicts =
-      judge_visibility(world.objects, frame_with_depth(2.0F), world.answer()).value();
-  ASSERT_EQ(verdicts.size(), 5U);
-  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(verdicts[i].object, ObjectId{i + 1});
+  const auto results =
+      evaluate_visibility(world.objects, frame_with_depth(2.0F), world.answer()).value();
+  ASSERT_EQ(results.size(), 5U);
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(results[i].object, ObjectId{i + 1});
 }
 
 TEST(ObjectVisibility, OptionsOutOfRangeAreNamed) {

@@ -50,11 +50,11 @@ std::vector<VoxelKey> random_voxels(std::mt19937& random) {
 }
 
 /// Whether a segment meets any voxel, each grown by `grown` on all sides; by the slabs of its axes.
-bool meets_any(const std::vector<Eigen::Vector3d>& centres,
-               const Eigen::Vector3d& from,
-               const Eigen::Vector3d& to,
-               double margin_m,
-               double grown) {
+bool intersects_any(const std::vector<Eigen::Vector3d>& centres,
+                    const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& to,
+                    double margin_m,
+                    double grown) {
   const Eigen::Vector3d way = to - from;
   const double end = 1.0 - margin_m / way.norm();
   return std::any_of(centres.begin(), centres.end(), [&](const Eigen::Vector3d& centre) {
@@ -99,9 +99,9 @@ TEST(OcclusionScene, AgreesWithALookAtEveryVoxel) {
       const bool occluded = scene.occluded({{from}, {to}, margin_m});
       num_occluded += occluded ? 1 : 0;
       // Within a thousandth of a voxel of an edge, either answer is right.
-      if (meets_any(centres, from, to, margin_m, -1e-3 * kEdge)) {
+      if (intersects_any(centres, from, to, margin_m, -1e-3 * kEdge)) {
         ASSERT_TRUE(occluded) << from.transpose() << " to " << to.transpose();
-      } else if (!meets_any(centres, from, to, margin_m, 1e-3 * kEdge)) {
+      } else if (!intersects_any(centres, from, to, margin_m, 1e-3 * kEdge)) {
         ASSERT_FALSE(occluded) << from.transpose() << " to " << to.transpose();
       }
     }
@@ -201,16 +201,16 @@ TEST(OcclusionScene, LinesFromOneCameraFindTheirOwnAnswersInAnyOrder) {
   std::uniform_real_distribution<double> within(-3.0, 3.0);
   const SemanticOctree tree = tree_of(random_voxels(random));
   const PointInMap camera{{0.03, -3.4, 0.02}};
-  for (const std::size_t num_lines : {1U, 3U, 15U, 17U, 63U, 64U, 65U, 1000U}) {
-    std::vector<SightLine> lines(num_lines);
-    for (SightLine& line : lines) {
-      line = {camera, {{within(random), within(random), within(random)}}, 0.1};
+  for (const std::size_t num_rays : {1U, 3U, 15U, 17U, 63U, 64U, 65U, 1000U}) {
+    std::vector<OcclusionRay> rays(num_rays);
+    for (OcclusionRay& ray : rays) {
+      ray = {camera, {{within(random), within(random), within(random)}}, 0.1};
     }
     for (const std::size_t max_lanes : {4U, 8U, 16U}) {
       const OcclusionScene scene = scene_of(tree, max_lanes);
-      std::vector<std::uint8_t> expected(lines.size());
-      for (std::size_t i = 0; i < lines.size(); ++i) expected[i] = scene.occluded(lines[i]) ? 1 : 0;
-      EXPECT_EQ(scene.occluded(lines), expected) << num_lines << " lines, " << max_lanes;
+      std::vector<std::uint8_t> expected(rays.size());
+      for (std::size_t i = 0; i < rays.size(); ++i) expected[i] = scene.occluded(rays[i]) ? 1 : 0;
+      EXPECT_EQ(scene.occluded(rays), expected) << num_rays << " lines, " << max_lanes;
     }
   }
 }
@@ -219,12 +219,12 @@ TEST(OcclusionScene, ALineThatCannotBeHiddenDoesNotDisturbItsNeighbours) {
   const SemanticOctree tree = tree_of({{32778, 32768, 32768}});  // x from 1.0 to 1.1
   const OcclusionScene scene = scene_of(tree);
   const PointInMap from{{0.05, 0.05, 0.05}};
-  const SightLine hidden{from, {{2.0, 0.05, 0.05}}, 0.0};
-  const SightLine nonsense{from, {{std::nan(""), 0, 0}}, 0.0};
-  const SightLine too_short{from, {{2.0, 0.05, 0.05}}, 5.0};
-  const SightLine open{from, {{-2.0, 0.05, 0.05}}, 0.0};
-  const std::vector<SightLine> lines{nonsense, hidden, too_short, hidden, open, nonsense, hidden};
-  EXPECT_EQ(scene.occluded(lines), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 1}));
+  const OcclusionRay hidden{from, {{2.0, 0.05, 0.05}}, 0.0};
+  const OcclusionRay nonsense{from, {{std::nan(""), 0, 0}}, 0.0};
+  const OcclusionRay too_short{from, {{2.0, 0.05, 0.05}}, 5.0};
+  const OcclusionRay open{from, {{-2.0, 0.05, 0.05}}, 0.0};
+  const std::vector<OcclusionRay> rays{nonsense, hidden, too_short, hidden, open, nonsense, hidden};
+  EXPECT_EQ(scene.occluded(rays), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 1}));
   EXPECT_EQ(scene.occluded(std::vector{nonsense, too_short}), (std::vector<std::uint8_t>{0, 0}));
 }
 
@@ -249,17 +249,17 @@ TEST(OcclusionScene, ManyLinesGetTheSameAnswersAsOneByOneOnAnyNumberOfThreads) {
   std::uniform_real_distribution<double> within(-3.0, 3.0);
   const SemanticOctree tree = tree_of(random_voxels(random));
   const OcclusionScene scene = scene_of(tree);
-  std::vector<SightLine> lines(5000);
+  std::vector<OcclusionRay> rays(5000);
   std::vector<std::uint8_t> expected;
-  for (SightLine& line : lines) {
-    line.from.xyz = {within(random), within(random), within(random)};
-    line.to.xyz = {within(random), within(random), within(random)};
-    line.margin_m = 0.1;
-    expected.push_back(scene.occluded(line) ? 1 : 0);
+  for (OcclusionRay& ray : rays) {
+    ray.from.xyz = {within(random), within(random), within(random)};
+    ray.to.xyz = {within(random), within(random), within(random)};
+    ray.margin_m = 0.1;
+    expected.push_back(scene.occluded(ray) ? 1 : 0);
   }
-  EXPECT_EQ(scene.occluded(lines, 1), expected);
-  EXPECT_EQ(scene.occluded(lines, 2), expected);
-  EXPECT_TRUE(scene.occluded(std::span<const SightLine>{}).empty());
+  EXPECT_EQ(scene.occluded(rays, 1), expected);
+  EXPECT_EQ(scene.occluded(rays, 2), expected);
+  EXPECT_TRUE(scene.occluded(std::span<const OcclusionRay>{}).empty());
 }
 
 TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
@@ -268,23 +268,23 @@ TEST(OcclusionScene, LinesToOneThingAreAnsweredAsIfEachWereAlone) {
   std::uniform_real_distribution<double> beside(-0.3, 0.3);
   const SemanticOctree tree = tree_of(random_voxels(random));
   const OcclusionScene scene = scene_of(tree);
-  std::vector<SightLine> lines;
+  std::vector<OcclusionRay> rays;
   std::vector<std::uint8_t> expected;
   // More than are followed together, and no multiple of it.
-  constexpr int kLinesPerThing = 70;
-  for (int thing = 0; thing < 200; ++thing) {
+  constexpr int kRaysPerObject = 70;
+  for (int object = 0; object < 200; ++object) {
     const Eigen::Vector3d camera(within(random), within(random), within(random));
     const Eigen::Vector3d centre(within(random), within(random), within(random));
-    for (int i = 0; i < kLinesPerThing; ++i) {
+    for (int i = 0; i < kRaysPerObject; ++i) {
       const Eigen::Vector3d offset(beside(random), beside(random), beside(random));
-      lines.push_back({{camera}, {centre + offset}, 0.1});
-      expected.push_back(scene.occluded(lines.back()) ? 1 : 0);
+      rays.push_back({{camera}, {centre + offset}, 0.1});
+      expected.push_back(scene.occluded(rays.back()) ? 1 : 0);
     }
   }
-  EXPECT_EQ(scene.occluded(lines, 1), expected);
-  EXPECT_EQ(scene.occluded(lines, 3), expected);
-  EXPECT_EQ(scene_of(tree, 8).occluded(lines), expected) << "eight at a time";
-  EXPECT_EQ(scene_of(tree, 4).occluded(lines), expected) << "four at a time";
+  EXPECT_EQ(scene.occluded(rays, 1), expected);
+  EXPECT_EQ(scene.occluded(rays, 3), expected);
+  EXPECT_EQ(scene_of(tree, 8).occluded(rays), expected) << "eight at a time";
+  EXPECT_EQ(scene_of(tree, 4).occluded(rays), expected) << "four at a time";
   EXPECT_GT(std::count(expected.begin(), expected.end(), 1), 500);
   EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 500);
 }

@@ -50,16 +50,16 @@ TEST(BrickTable, BricksAsFreeAsCanBeShareOne) {
     make_fully_free(table.writable(table.prepare(BrickKey{code})));
   }
   const std::size_t before = table.memory_bytes();
-  for (std::uint32_t i = 0; i < 1000; ++i) table.share_if_freest(i);
+  for (std::uint32_t i = 0; i < 1000; ++i) table.share_if_fully_free(i);
   EXPECT_LT(table.memory_bytes(), before / 2);
   EXPECT_EQ(&table.brick(3), &table.brick(999));
-  EXPECT_TRUE(table.is_freest(3));
+  EXPECT_TRUE(table.is_fully_free(3));
 
   // Who only frees gets the shared one; who writes gets one of his own.
   EXPECT_EQ(table.prepare_to_free(BrickKey{3}), 3U);
-  EXPECT_TRUE(table.is_freest(3));
+  EXPECT_TRUE(table.is_fully_free(3));
   ASSERT_EQ(table.prepare(BrickKey{3}), 3U);
-  EXPECT_FALSE(table.is_freest(3));
+  EXPECT_FALSE(table.is_fully_free(3));
   table.writable(3).log_odds[5] = 100;
   EXPECT_EQ(table.brick(3).log_odds[4], kFullyFree);
   EXPECT_EQ(table.brick(4).log_odds[5], kFullyFree);
@@ -75,18 +75,18 @@ TEST(BrickTable, OnlyWhatIsKnownAndFreestAllOverIsShared) {
   table.writable(2).labels = std::make_unique<LabelTable>();
   table.writable(2).labels->at(7).object = ObjectId{1};
   table.writable(3).labels = std::make_unique<LabelTable>();
-  for (std::uint32_t i = 0; i < 4; ++i) table.share_if_freest(i);
-  EXPECT_FALSE(table.is_freest(0));
-  EXPECT_FALSE(table.is_freest(1));
-  EXPECT_FALSE(table.is_freest(2));
-  EXPECT_TRUE(table.is_freest(3)) << "an empty table of labels says nothing";
+  for (std::uint32_t i = 0; i < 4; ++i) table.share_if_fully_free(i);
+  EXPECT_FALSE(table.is_fully_free(0));
+  EXPECT_FALSE(table.is_fully_free(1));
+  EXPECT_FALSE(table.is_fully_free(2));
+  EXPECT_TRUE(table.is_fully_free(3)) << "an empty table of labels says nothing";
 }
 
 TEST(BrickTable, WhatACopySharesIsNotWrittenByTheOther) {
   BrickTable table(kFullyFree);
   for (std::uint64_t code = 0; code < 2; ++code) {
     make_fully_free(table.writable(table.prepare(BrickKey{code})));
-    table.share_if_freest(static_cast<std::uint32_t>(code));
+    table.share_if_fully_free(static_cast<std::uint32_t>(code));
   }
   BrickTable copy = table;
   table.writable(table.prepare(BrickKey{0})).log_odds[0] = 1;
@@ -94,7 +94,7 @@ TEST(BrickTable, WhatACopySharesIsNotWrittenByTheOther) {
   copy.writable(copy.prepare(BrickKey{0})).log_odds[1] = 3;
   EXPECT_EQ(table.brick(0).log_odds[0], 1);
   EXPECT_EQ(table.brick(0).log_odds[1], kFullyFree);
-  EXPECT_TRUE(table.is_freest(1));
+  EXPECT_TRUE(table.is_fully_free(1));
   EXPECT_EQ(copy.brick(0).log_odds[0], kFullyFree);
   EXPECT_EQ(copy.brick(0).log_odds[1], 3);
   EXPECT_EQ(copy.brick(1).log_odds[0], 2);

@@ -28,21 +28,20 @@ std::map<std::string, nlohmann::json> read_detections(const std::filesystem::pat
 }
 
 bool read_frame(const std::filesystem::path& folder, const std::string& stem, RgbdFrame& frame) {
-  const cv::Mat picture =
-      cv::imread((folder / (stem + ".depth.png")).string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat image = cv::imread((folder / (stem + ".depth.png")).string(), cv::IMREAD_UNCHANGED);
   std::ifstream pose_file(folder / (stem + ".pose.txt"));
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) pose_file >> pose.matrix()(row, column);
   }
-  if (picture.empty() || !pose_file) return false;
+  if (image.empty() || !pose_file) return false;
   frame.camera = kCamera;
   frame.name = stem;
   frame.map_from_camera = MapFromCamera(pose);
   frame.depth_m = DepthImage(kCamera.width_px, kCamera.height_px);
   for (int v = 0; v < kCamera.height_px; ++v) {
     for (int u = 0; u < kCamera.width_px; ++u) {
-      const auto millimetres = picture.at<std::uint16_t>(v, u);
+      const auto millimetres = image.at<std::uint16_t>(v, u);
       if (millimetres == 65535) continue;
       frame.depth_m.at(u, v) = static_cast<float>(millimetres) * 0.001F;
     }

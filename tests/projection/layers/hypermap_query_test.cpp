@@ -25,11 +25,12 @@ Hypermap example() {
   auto grid = OccupancyGrid::create({.resolution_m = 1.0, .cols = 3, .rows = 2},
                                     std::vector<std::int8_t>{0, 100, -1, 50, 0, 100});
   EXPECT_TRUE(map.add_layer({.info = {.name = "occupancy"}, .content = OccupancyLayer{*grid}}));
-  auto things = SemanticLayer::create(
+  auto semantic_layer = SemanticLayer::create(
       {{.id = 0, .name = "cup", .parts = {rectangle(0, 0, 1, 1)}},
        {.id = 1, .name = "chair", .parts = {rectangle(4, 0, 6, 1)}, .confidence = {0.7}},
        {.id = 2, .name = "cup", .parts = {rectangle(5, 0, 6, 2)}}});
-  EXPECT_TRUE(map.add_layer({.info = {.name = "things", .frame_id = "room"}, .content = *things}));
+  EXPECT_TRUE(
+      map.add_layer({.info = {.name = "things", .frame_id = "room"}, .content = *semantic_layer}));
   EXPECT_TRUE(map.add_layer({.info = {.name = "odd"}, .content = OpaqueLayer{"Other"}}));
   EXPECT_TRUE(map.frames().add({"map", "room", 10, 0, std::numbers::pi / 2}));
   return map;

@@ -129,11 +129,11 @@ TEST(SemanticLayer, WhatIsNoObjectIsRefusedNamingIt) {
 }
 
 TEST(SemanticLayer, TheConfidenceIsTheLargestOfItsTags) {
-  SemanticObject thing = object(1, "a", square_around(0, 0));
-  EXPECT_FALSE(confidence_of(thing));
-  thing.tags = {"x", "y"};
-  thing.confidence = {0.3, 0.8};
-  EXPECT_EQ(confidence_of(thing), 0.8);
+  SemanticObject evaluated_object = object(1, "a", square_around(0, 0));
+  EXPECT_FALSE(confidence_of(evaluated_object));
+  evaluated_object.tags = {"x", "y"};
+  evaluated_object.confidence = {0.3, 0.8};
+  EXPECT_EQ(confidence_of(evaluated_object), 0.8);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace hypermap {
 namespace {
 
-constexpr PictureRect kCanvas{0, 0, 640, 480};
+constexpr ImageRect kCanvas{0, 0, 640, 480};
 
 /// Anchors all over the canvas, or all in a small part of it.
 std::vector<LabelRequest> random_requests(std::size_t count, double spread_px, unsigned seed) {
@@ -30,7 +30,7 @@ TEST(LabelLayout, ALoneLabelStandsCentredOverItsAnchor) {
   const std::vector<LabelRequest> requests{{100, 200, 60, 20}};
   const auto placed = place_labels(requests, kCanvas, {}, {.gap_px = 3});
   ASSERT_TRUE(placed.at(0).shown);
-  EXPECT_EQ(placed[0].rect, (PictureRect{70, 177, 60, 20}));  // x 100 - 60/2, y 200 - 3 - 20
+  EXPECT_EQ(placed[0].rect, (ImageRect{70, 177, 60, 20}));  // x 100 - 60/2, y 200 - 3 - 20
   EXPECT_FALSE(placed[0].leader);
 }
 
@@ -41,7 +41,7 @@ TEST(LabelLayout, NoTwoLabelsOverlapAndNoneLeavesTheCanvas) {
     ASSERT_EQ(placed.size(), requests.size());
     for (std::size_t a = 0; a < placed.size(); ++a) {
       if (!placed[a].shown) continue;
-      const PictureRect& rect = placed[a].rect;
+      const ImageRect& rect = placed[a].rect;
       EXPECT_TRUE(rect.x_px >= 0 && rect.y_px >= 0 && rect.x_px + rect.width_px <= 640 &&
                   rect.y_px + rect.height_px <= 480);
       for (std::size_t b = 0; b < a; ++b) {
@@ -57,16 +57,16 @@ TEST(LabelLayout, ScatteredLabelsAllFindAPlace) {
 }
 
 TEST(LabelLayout, LabelsKeepOffObstacles) {
-  const std::vector<PictureRect> obstacles{{0, 0, 640, 180}, {300, 180, 340, 300}};
+  const std::vector<ImageRect> obstacles{{0, 0, 640, 180}, {300, 180, 340, 300}};
   for (const PlacedLabel& label : place_labels(random_requests(30, 240.0, 3), kCanvas, obstacles)) {
     if (!label.shown) continue;
-    for (const PictureRect& obstacle : obstacles) EXPECT_FALSE(overlap(label.rect, obstacle));
+    for (const ImageRect& obstacle : obstacles) EXPECT_FALSE(overlap(label.rect, obstacle));
   }
 }
 
 TEST(LabelLayout, ADisplacedLabelHasALeader) {
   const std::vector<LabelRequest> requests{{300, 200, 100, 20}, {300, 200, 100, 20}};
-  const std::vector<PictureRect> obstacles{{240, 130, 120, 110}};
+  const std::vector<ImageRect> obstacles{{240, 130, 120, 110}};
   const auto placed = place_labels(requests, kCanvas, obstacles);
   ASSERT_TRUE(placed.at(0).shown);
   EXPECT_TRUE(placed[0].leader);
@@ -79,7 +79,7 @@ TEST(LabelLayout, WhatIsSeenOutsideTheCanvasHasNoLabel) {
 
 TEST(LabelLayout, WhatFindsNoPlaceIsNotShown) {
   const std::vector<LabelRequest> requests{{100, 100, 60, 20}};
-  const std::vector<PictureRect> all{kCanvas};
+  const std::vector<ImageRect> all{kCanvas};
   EXPECT_FALSE(place_labels(requests, kCanvas, all).at(0).shown);
   EXPECT_TRUE(place_labels({}, kCanvas, {}).empty());
 }

@@ -96,7 +96,7 @@ TEST_F(CallersContext, IsCurrentAgainAfterTwoOfOurs) {
   expect_current();
 }
 
-TEST_F(CallersContext, IsCurrentAgainAfterAPicture) {
+TEST_F(CallersContext, IsCurrentAgainAfterAnImage) {
   ASSERT_TRUE(render_snapshot({}, {.width_px = 64, .height_px = 64, .annotations = false}));
   expect_current();
 }

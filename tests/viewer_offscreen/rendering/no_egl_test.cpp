@@ -34,10 +34,10 @@ TEST_F(NoEgl, TheErrorSaysWhatWasTriedAndWhatToInstall) {
                     HasSubstr("libegl1 libegl-mesa0 libgl1-mesa-dri")));
 }
 
-TEST_F(NoEgl, APictureGivesTheSameError) {
-  const auto picture = render_snapshot({});
-  ASSERT_FALSE(picture);
-  EXPECT_EQ(picture.error().code, ErrorCode::kUnavailable);
+TEST_F(NoEgl, AnImageGivesTheSameError) {
+  const auto image = render_snapshot({});
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, ErrorCode::kUnavailable);
 }
 
 TEST_F(NoEgl, BadOptionsAreSaidFirst) {

@@ -58,11 +58,11 @@ TEST(NoLibraries, WithoutOpenGlTheErrorSaysWhatToInstall) {
                              HasSubstr("libEGL.so.1")));
 }
 
-TEST(NoLibraries, APictureGivesTheSameError) {
+TEST(NoLibraries, AnImageGivesTheSameError) {
   absent_libraries() = {"libEGL.so.1"};
-  const auto picture = render_snapshot({});
-  ASSERT_FALSE(picture);
-  EXPECT_EQ(picture.error().code, ErrorCode::kUnavailable);
+  const auto image = render_snapshot({});
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, ErrorCode::kUnavailable);
 }
 
 TEST(NoLibraries, WhatIsInstalledMeanwhileIsFound) {

@@ -23,7 +23,7 @@ OccupiedVoxel voxel(int x, int y, int z) {
 }
 
 std::vector<VoxelFace> all_faces(const std::vector<OccupiedVoxel>& voxels) {
-  return bare_faces(voxels, kAllDirections).value();
+  return exposed_faces(voxels, kAllDirections).value();
 }
 
 TEST(VoxelSurface, OccupiedLeavesAreTaken) {
@@ -111,8 +111,8 @@ TEST(VoxelSurface, LargerVoxelsKeepAllFaces) {
 TEST(VoxelSurface, OnlyTheDirectionsAskedForAreGiven) {
   const std::vector<OccupiedVoxel> voxels{voxel(0, 0, 0)};
   const std::array<FaceDirection, 1> up{kUp};
-  EXPECT_EQ(bare_faces(voxels, up).value().size(), 1U);
-  EXPECT_TRUE(bare_faces({}, up).value().empty());
+  EXPECT_EQ(exposed_faces(voxels, up).value().size(), 1U);
+  EXPECT_TRUE(exposed_faces({}, up).value().empty());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(SnapshotCamera, IsoViewForeshortensByItsElevation) {
 }
 
 TEST(SnapshotCamera, AllFramedPointsFallIntoTheArea) {
-  const PictureRect area{30, 60, 700, 400};
+  const ImageRect area{30, 60, 700, 400};
   for (const double azimuth_deg : {-120.0, -30.0, 45.0, 170.0}) {
     const SnapshotOptions options{.view = IsoView{.azimuth_deg = azimuth_deg}};
     const auto camera = SnapshotCamera::frame(options, slab(), area);
@@ -79,8 +79,8 @@ TEST(SnapshotCamera, PoseViewSeesWhatTheCameraSees) {
   EXPECT_FALSE(camera.project((map_from_camera * PointInCamera{{0, 0, -1}}).xyz).has_value());
 }
 
-// At twice the size each pixel of the small picture becomes 2 x 2: u = 10 spans 20 and 21.
-TEST(SnapshotCamera, PoseViewScalesTheCameraToThePicture) {
+// At twice the size each pixel of the small image becomes 2 x 2: u = 10 spans 20 and 21.
+TEST(SnapshotCamera, PoseViewScalesTheCameraToTheImage) {
   const PinholeCamera pinhole{320, 240, 250.0, 250.0, 160.0, 120.0};
   const SnapshotOptions options{
       .view = PoseView{MapFromCamera(), pinhole}, .width_px = 640, .height_px = 480};

@@ -49,12 +49,12 @@ TEST(SnapshotLayers, AreReadFromTheirNames) {
 }
 
 TEST(SnapshotSize, IsReadStrictly) {
-  EXPECT_EQ(parse_picture_size("1280x720").value(), (SnapshotSize{1280, 720}));
+  EXPECT_EQ(parse_image_size("1280x720").value(), (SnapshotSize{1280, 720}));
   for (const char* text :
        {"", "1280", "1280x", "x720", "1280x720x3", "12.5x720", "1280X720", "-64x64"}) {
-    EXPECT_FALSE(parse_picture_size(text)) << text;
+    EXPECT_FALSE(parse_image_size(text)) << text;
   }
-  EXPECT_THAT(parse_picture_size("9000x720").error().what, HasSubstr("64..8192, is 9000"));
+  EXPECT_THAT(parse_image_size("9000x720").error().what, HasSubstr("64..8192, is 9000"));
 }
 
 TEST(SnapshotOptions, AreValidByDefault) {

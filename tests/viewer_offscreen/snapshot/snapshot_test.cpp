@@ -67,10 +67,10 @@ SnapshotOptions bare_top() {
   return {.view = TopView{}, .width_px = 300, .height_px = 200, .annotations = false};
 }
 
-int count_near(const ColorImage& picture, Rgb8 color, int first_u, int last_u) {
+int count_near(const ColorImage& image, Rgb8 color, int first_u, int last_u) {
   int count = 0;
-  for (int v = 0; v < picture.height_px(); ++v) {
-    for (int u = first_u; u < last_u; ++u) count += near(picture.at(u, v), color) ? 1 : 0;
+  for (int v = 0; v < image.height_px(); ++v) {
+    for (int u = first_u; u < last_u; ++u) count += near(image.at(u, v), color) ? 1 : 0;
   }
   return count;
 }
@@ -78,48 +78,47 @@ int count_near(const ColorImage& picture, Rgb8 color, int first_u, int last_u) {
 // Unannotated the cube of 1 m fills the height: 200 px, from u = 50 to 250. Its upper face has the
 // full colour of its class: shade 1.00 upwards, nothing around it.
 TEST_F(Snapshot, ACubeFromAboveHasItsClassColorAndSize) {
-  const auto picture = render_snapshot(one_cube(), bare_top());
-  ASSERT_TRUE(picture);
+  const auto image = render_snapshot(one_cube(), bare_top());
+  ASSERT_TRUE(image);
   const Rgb8 color = class_color(ClassId{0});
-  EXPECT_THAT(picture->at(150, 100), ColorNear(color));
-  EXPECT_THAT(picture->at(60, 10), ColorNear(color));
+  EXPECT_THAT(image->at(150, 100), ColorNear(color));
+  EXPECT_THAT(image->at(60, 10), ColorNear(color));
   int width_px = 0;
-  for (int u = 0; u < 300; ++u) width_px += near(picture->at(u, 80), color) ? 1 : 0;
+  for (int u = 0; u < 300; ++u) width_px += near(image->at(u, 80), color) ? 1 : 0;
   EXPECT_NEAR(width_px, 200, 2);  // the outermost pixel is the seam
-  EXPECT_FALSE(near(picture->at(20, 100), color, 40));
+  EXPECT_FALSE(near(image->at(20, 100), color, 40));
 }
 
 // From the south the face seen has shade 0.92.
 TEST_F(Snapshot, SidesAreDarkerThanTheTop) {
   SnapshotOptions options = bare_top();
   options.view = IsoView{.azimuth_deg = -90.0, .elevation_deg = 45.0};
-  const auto picture = render_snapshot(one_cube(), options);
-  ASSERT_TRUE(picture);
+  const auto image = render_snapshot(one_cube(), options);
+  ASSERT_TRUE(image);
   const Rgb8 color = class_color(ClassId{0});
   const auto shade = [](std::uint8_t c) {
     return static_cast<std::uint8_t>(std::lround(0.92 * c));
   };
-  EXPECT_THAT(picture->at(150, 50), ColorNear(color));
-  EXPECT_THAT(picture->at(150, 150),
-              ColorNear(Rgb8{shade(color.r), shade(color.g), shade(color.b)}));
+  EXPECT_THAT(image->at(150, 50), ColorNear(color));
+  EXPECT_THAT(image->at(150, 150), ColorNear(Rgb8{shade(color.r), shade(color.g), shade(color.b)}));
 }
 
-TEST_F(Snapshot, TheSameSceneGivesTheSamePicture) {
+TEST_F(Snapshot, TheSameSceneGivesTheSameImage) {
   const auto a = render_snapshot(one_cube());
   const auto b = render_snapshot(one_cube());
   ASSERT_TRUE(a && b);
   EXPECT_EQ(*a, *b);
 }
 
-TEST_F(Snapshot, PicturesHaveTheSizeAskedForAtAnySupersampling) {
+TEST_F(Snapshot, ImagesHaveTheSizeAskedForAtAnySupersampling) {
   for (const int supersampling : {1, 2, 3}) {
     SnapshotOptions options = bare_top();
     options.supersampling = supersampling;
-    const auto picture = render_snapshot(one_cube(), options);
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(picture->width_px(), 300);
-    EXPECT_EQ(picture->height_px(), 200);
-    EXPECT_THAT(picture->at(150, 100), ColorNear(class_color(ClassId{0})));
+    const auto image = render_snapshot(one_cube(), options);
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->width_px(), 300);
+    EXPECT_EQ(image->height_px(), 200);
+    EXPECT_THAT(image->at(150, 100), ColorNear(class_color(ClassId{0})));
   }
 }
 
@@ -127,17 +126,17 @@ TEST_F(Snapshot, PicturesHaveTheSizeAskedForAtAnySupersampling) {
 // pixels must be the round number of metres that is written beside it.
 TEST_F(Snapshot, TheScaleBarIsTrueToScale) {
   SnapshotOptions options{.view = TopView{}};
-  const auto picture = render_snapshot(one_cube(), options);
-  ASSERT_TRUE(picture);
+  const auto image = render_snapshot(one_cube(), options);
+  ASSERT_TRUE(image);
   const Rgb8 color = class_color(ClassId{0});
   int cube_px = 0;
-  for (int u = 0; u < 1280; ++u) cube_px += near(picture->at(u, 300), color) ? 1 : 0;
+  for (int u = 0; u < 1280; ++u) cube_px += near(image->at(u, 300), color) ? 1 : 0;
   ASSERT_GT(cube_px, 100);
   int longest_px = 0;
   for (int v = 640; v < 720; ++v) {
     int run_px = 0;
     for (int u = 0; u < 400; ++u) {
-      run_px = near(picture->at(u, v), {33, 38, 45}, 12) ? run_px + 1 : 0;
+      run_px = near(image->at(u, v), {33, 38, 45}, 12) ? run_px + 1 : 0;
       longest_px = std::max(longest_px, run_px);
     }
   }
@@ -147,17 +146,17 @@ TEST_F(Snapshot, TheScaleBarIsTrueToScale) {
 
 TEST_F(Snapshot, TheLegendShowsTheColorOfTheClass) {
   SnapshotScene scene = one_cube();
-  const auto picture = render_snapshot(scene);
-  ASSERT_TRUE(picture);
-  EXPECT_GT(count_near(*picture, class_color(ClassId{0}), 1000, 1280), 60);
+  const auto image = render_snapshot(scene);
+  ASSERT_TRUE(image);
+  EXPECT_GT(count_near(*image, class_color(ClassId{0}), 1000, 1280), 60);
 }
 
 TEST_F(Snapshot, UnlabelledVoxelsAreNeitherColoredNorInvisible) {
   SnapshotScene scene;
   scene.leaves = source_of({cube({0, 0, 0}, 1.0, std::nullopt)});
-  const auto picture = render_snapshot(scene, bare_top());
-  ASSERT_TRUE(picture);
-  const Rgb8 pixel = picture->at(150, 100);
+  const auto image = render_snapshot(scene, bare_top());
+  ASSERT_TRUE(image);
+  const Rgb8 pixel = image->at(150, 100);
   const auto [low, high] = std::minmax({pixel.r, pixel.g, pixel.b});
   EXPECT_LT(high - low, 40);
   EXPECT_LT(pixel.b, 230);
@@ -217,37 +216,37 @@ TEST_F(Snapshot, TheOccupancyGridLiesNorthUp) {
   geometry.cols = 3;
   geometry.rows = 2;
   scene.occupancy = OccupancyGrid::create(geometry, {100, 0, -1, 0, 0, 100}).value();
-  const auto picture = render_snapshot(scene, bare_top());
-  ASSERT_TRUE(picture);
-  const auto light = [&](int u, int v) { return int{picture->at(u, v).g}; };
+  const auto image = render_snapshot(scene, bare_top());
+  ASSERT_TRUE(image);
+  const auto light = [&](int u, int v) { return int{image->at(u, v).g}; };
   EXPECT_LT(light(60, 140), 80);         // (0, 0) occupied
   EXPECT_GT(light(160, 140), 245);       // (1, 0) free
   EXPECT_NEAR(light(260, 140), 219, 8);  // (2, 0) unknown
   EXPECT_LT(light(260, 40), 80);         // (2, 1) occupied
 }
 
-// 2 x 2 m in 200 x 200 px around the middle of the picture, with a hole of 1 x 1 m.
+// 2 x 2 m in 200 x 200 px around the middle of the image, with a hole of 1 x 1 m.
 TEST_F(Snapshot, PolygonsAreFilledButForTheirHoles) {
   SnapshotScene scene;
   SemanticObject object{.id = 1, .name = "carpet", .parts = {}};
   object.parts.push_back(
       {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}}}});
   scene.semantic.push_back(object);
-  const auto picture = render_snapshot(scene, bare_top());
-  ASSERT_TRUE(picture);
-  const Rgb8 ring = picture->at(75, 80);
-  EXPECT_GT(ring.b, ring.r + 60);                                     // class 0 is blue
-  EXPECT_THAT(picture->at(170, 83), ColorNear(picture->at(20, 83)));  // the hole shows the ground
+  const auto image = render_snapshot(scene, bare_top());
+  ASSERT_TRUE(image);
+  const Rgb8 ring = image->at(75, 80);
+  EXPECT_GT(ring.b, ring.r + 60);                                 // class 0 is blue
+  EXPECT_THAT(image->at(170, 83), ColorNear(image->at(20, 83)));  // the hole shows the ground
 }
 
 TEST_F(Snapshot, ObjectBoxesAreOutlined) {
   SnapshotScene scene;
   const ClassId id = scene.classes.add("crate").value();
   scene.objects.push_back({{{0, 0, 0}, {2, 2, 2}}, id, "Kiste ä"});
-  const auto picture = render_snapshot(scene, bare_top());
-  ASSERT_TRUE(picture);
-  EXPECT_GT(count_near(*picture, class_color(id), 45, 55), 100);  // the left side
-  EXPECT_FALSE(near(picture->at(160, 90), class_color(id), 40));  // the inside is free
+  const auto image = render_snapshot(scene, bare_top());
+  ASSERT_TRUE(image);
+  EXPECT_GT(count_near(*image, class_color(id), 45, 55), 100);  // the left side
+  EXPECT_FALSE(near(image->at(160, 90), class_color(id), 40));  // the inside is free
 }
 
 TEST_F(Snapshot, EmptyAndUnusualScenesAreDrawn) {
@@ -264,10 +263,10 @@ TEST_F(Snapshot, EmptyAndUnusualScenesAreDrawn) {
 }
 
 TEST_F(Snapshot, AFontThatIsNoneIsNamed) {
-  const auto picture = render_snapshot({}, {.font_file = "/nonexistent/font.ttf"});
-  ASSERT_FALSE(picture);
-  EXPECT_EQ(picture.error().code, ErrorCode::kNotFound);
-  EXPECT_THAT(picture.error().what, testing::HasSubstr("/nonexistent/font.ttf"));
+  const auto image = render_snapshot({}, {.font_file = "/nonexistent/font.ttf"});
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(image.error().what, testing::HasSubstr("/nonexistent/font.ttf"));
 }
 
 }  // namespace

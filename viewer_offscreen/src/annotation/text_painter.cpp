@@ -22,9 +22,9 @@ constexpr std::array<std::string_view, 5> kFontFolders{"/usr/share/fonts/truetyp
                                                        "/usr/local/share/fonts/dejavu"};
 constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 
-/// The picture's pixels as OpenCV sees them; red stays first, so colours are given in that order.
-cv::Mat pixels_of(ColorImage& picture) {
-  return {picture.height_px(), picture.width_px(), CV_8UC3, picture.pixels().data()};
+/// The image's pixels as OpenCV sees them; red stays first, so colours are given in that order.
+cv::Mat pixels_of(ColorImage& image) {
+  return {image.height_px(), image.width_px(), CV_8UC3, image.pixels().data()};
 }
 
 cv::Scalar scalar_of(Rgb8 color) {
@@ -64,7 +64,7 @@ Unexpected no_font() {
     places += (places.empty() ? "" : ", ") + std::string(folder);
   }
   return fail(ErrorCode::kUnavailable,
-              "pictures need the font DejaVuSans.ttf, looked in " + places +
+              "images need the font DejaVuSans.ttf, looked in " + places +
                   "; install it (Debian: fonts-dejavu-core) or name a font file");
 }
 
@@ -126,13 +126,13 @@ std::string TextPainter::fitted(const std::string& text,
   return {};
 }
 
-void TextPainter::write(ColorImage& picture,
+void TextPainter::write(ColorImage& image,
                         const std::string& text,
                         double x_px,
                         double baseline_px,
                         const TextStyle& style) const {
   if (text.empty()) return;
-  cv::Mat pixels = pixels_of(picture);
+  cv::Mat pixels = pixels_of(image);
   const cv::Point place(static_cast<int>(std::lround(x_px)),
                         static_cast<int>(std::lround(baseline_px)));
   impl_->font(style.weight)
@@ -140,8 +140,8 @@ void TextPainter::write(ColorImage& picture,
 }
 
 void draw_plate(
-    ColorImage& picture, const PictureRect& rect, double radius_px, Rgb8 color, double opacity) {
-  cv::Mat pixels = pixels_of(picture);
+    ColorImage& image, const ImageRect& rect, double radius_px, Rgb8 color, double opacity) {
+  cv::Mat pixels = pixels_of(image);
   const cv::Rect whole(0, 0, pixels.cols, pixels.rows);
   const cv::Rect around(static_cast<int>(std::floor(rect.x_px)) - 1,
                         static_cast<int>(std::floor(rect.y_px)) - 1,
@@ -160,7 +160,7 @@ void draw_plate(
       const double distance =
           beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - radius;
       const double cover = opacity * std::clamp(0.5 - distance, 0.0, 1.0);
-      Rgb8& pixel = picture.at(u, v);
+      Rgb8& pixel = image.at(u, v);
       const auto mix = [cover](std::uint8_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround(from + cover * (to - from)));
       };
@@ -169,12 +169,12 @@ void draw_plate(
   }
 }
 
-void draw_line(ColorImage& picture,
+void draw_line(ColorImage& image,
                const Eigen::Vector2d& from_px,
                const Eigen::Vector2d& to_px,
                double width_px,
                Rgb8 color) {
-  cv::Mat pixels = pixels_of(picture);
+  cv::Mat pixels = pixels_of(image);
   cv::line(pixels,
            fine_point(from_px.x(), from_px.y()),
            fine_point(to_px.x(), to_px.y()),
@@ -184,11 +184,8 @@ void draw_line(ColorImage& picture,
            kShift);
 }
 
-void draw_disc(ColorImage& picture,
-               const Eigen::Vector2d& centre_px,
-               double radius_px,
-               Rgb8 color) {
-  cv::Mat pixels = pixels_of(picture);
+void draw_disc(ColorImage& image, const Eigen::Vector2d& centre_px, double radius_px, Rgb8 color) {
+  cv::Mat pixels = pixels_of(image);
   cv::circle(pixels,
              fine_point(centre_px.x(), centre_px.y()),
              static_cast<int>(std::lround(radius_px * (1 << kShift))),

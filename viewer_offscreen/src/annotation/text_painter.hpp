@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Writes and draws on finished pictures: text, plates, lines.
+/// Writes and draws on finished images: text, plates, lines.
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
@@ -40,7 +40,7 @@ class TextPainter {
                                    const TextStyle& style,
                                    double max_width_px) const;
   /// `x_px` is the left end, `baseline_px` the line that letters stand on.
-  void write(ColorImage& picture,
+  void write(ColorImage& image,
              const std::string& text,
              double x_px,
              double baseline_px,
@@ -54,16 +54,16 @@ class TextPainter {
 
 /// A filled rectangle with round corners, blended by `opacity`.
 void draw_plate(
-    ColorImage& picture, const PictureRect& rect, double radius_px, Rgb8 color, double opacity);
+    ColorImage& image, const ImageRect& rect, double radius_px, Rgb8 color, double opacity);
 
 /// An antialiased line.
-void draw_line(ColorImage& picture,
+void draw_line(ColorImage& image,
                const Eigen::Vector2d& from_px,
                const Eigen::Vector2d& to_px,
                double width_px,
                Rgb8 color);
 
 /// An antialiased filled circle.
-void draw_disc(ColorImage& picture, const Eigen::Vector2d& centre_px, double radius_px, Rgb8 color);
+void draw_disc(ColorImage& image, const Eigen::Vector2d& centre_px, double radius_px, Rgb8 color);
 
 }  // namespace hypermap

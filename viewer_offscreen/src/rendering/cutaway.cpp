@@ -37,7 +37,7 @@ bool spreads(std::size_t count, std::size_t reference) {
 }
 
 /// A place in the plan as the eye sees it: which line of sight, and how far along it.
-struct SightPlace {
+struct ViewRayPlace {
   std::int64_t lane = 0;
   double towards_eye_m = 0.0;
 };
@@ -57,7 +57,7 @@ class NearWalls {
   [[nodiscard]] bool hides(const OccupiedVoxel& voxel) const {
     if (lanes_.empty() || voxel.class_id.has_value()) return false;
     if (height_m(voxel) <= options_.wall_stump_m) return false;
-    const SightPlace place = place_of(voxel);
+    const ViewRayPlace place = place_of(voxel);
     return place.towards_eye_m >= wall_near(place.lane) - options_.wall_depth_m;
   }
 
@@ -73,7 +73,7 @@ class NearWalls {
   [[nodiscard]] double height_m(const OccupiedVoxel& voxel) const {
     return static_cast<double>(voxel.centre_in_map.z()) - options_.floor_m;
   }
-  [[nodiscard]] SightPlace place_of(const OccupiedVoxel& voxel) const {
+  [[nodiscard]] ViewRayPlace place_of(const OccupiedVoxel& voxel) const {
     const Eigen::Vector2d plan = voxel.centre_in_map.head<2>().cast<double>();
     const Eigen::Vector2d& towards = *options_.towards_eye;
     const Eigen::Vector2d across(-towards.y(), towards.x());
@@ -81,7 +81,7 @@ class NearWalls {
   }
 
   void note(const OccupiedVoxel& voxel) {
-    const SightPlace place = place_of(voxel);
+    const ViewRayPlace place = place_of(voxel);
     Lane& lane = lanes_[place.lane];
     lane.farthest_m = std::min(lane.farthest_m, place.towards_eye_m);
     if (voxel.class_id || height_m(voxel) < options_.wall_from_m) return;

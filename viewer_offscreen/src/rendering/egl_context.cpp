@@ -21,7 +21,7 @@ constexpr std::string_view kRemedy =
 struct Candidate {
   std::string name;
   EGLDisplay display = EGL_NO_DISPLAY;
-  std::string why_none = "no display";  ///< Said when there is no display.
+  std::string unavailable_reason = "no display";  ///< Said when there is no display.
 };
 
 struct Version {
@@ -156,7 +156,8 @@ struct EglContext::Impl {
   /// Makes a context on `candidate` current.
   Result<void> open(const Candidate& candidate) {
     display = candidate.display;
-    if (display == EGL_NO_DISPLAY) return fail(ErrorCode::kUnavailable, candidate.why_none);
+    if (display == EGL_NO_DISPLAY)
+      return fail(ErrorCode::kUnavailable, candidate.unavailable_reason);
     if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return refused("eglInitialize");
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) return refused("eglBindAPI");
     HYPERMAP_ASSIGN_OR_RETURN(const EGLConfig config, choose_config(display));
@@ -193,9 +194,8 @@ EglContext::~EglContext() = default;
 
 Result<EglContext> EglContext::create() {
   if (const auto libraries = open_gl_libraries(); !libraries) {
-    return fail(
-        libraries.error().code,
-        "pictures need OpenGL through EGL: " + libraries.error().what + std::string(kRemedy));
+    return fail(libraries.error().code,
+                "images need OpenGL through EGL: " + libraries.error().what + std::string(kRemedy));
   }
   std::string tried;
   for (const Candidate& candidate : find_candidates()) {
@@ -205,7 +205,7 @@ Result<EglContext> EglContext::create() {
     tried += (tried.empty() ? "" : "; ") + candidate.name + ": " + opened.error().what;
   }
   return fail(ErrorCode::kUnavailable,
-              "pictures need OpenGL through EGL, tried " + tried + std::string(kRemedy));
+              "images need OpenGL through EGL, tried " + tried + std::string(kRemedy));
 }
 
 const std::string& EglContext::description() const {

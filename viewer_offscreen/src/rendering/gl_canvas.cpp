@@ -50,7 +50,7 @@ Result<GlCanvas> GlCanvas::create(int width_px, int height_px) {
   const GLint samples = std::min(kSamples, integer(GL_MAX_SAMPLES));
   attach_buffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, samples, width_px, height_px);
   attach_buffer(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, samples, width_px, height_px);
-  HYPERMAP_TRY(check_gl("making room for the picture"));
+  HYPERMAP_TRY(check_gl("making room for the image"));
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return fail(ErrorCode::kUnavailable, "OpenGL cannot draw into memory here");
   }
@@ -67,18 +67,18 @@ Result<ColorImage> GlCanvas::read() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   ColorImage upside_down(width_px_, height_px_);
   glReadPixels(0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels().data());
-  HYPERMAP_TRY(check_gl("reading the picture"));
-  ColorImage picture(width_px_, height_px_);
+  HYPERMAP_TRY(check_gl("reading the image"));
+  ColorImage image(width_px_, height_px_);
   for (int v = 0; v < height_px_; ++v) {
     const auto row = upside_down.pixels().subspan(upside_down.index(0, height_px_ - 1 - v),
                                                   static_cast<std::size_t>(width_px_));
-    std::copy(row.begin(), row.end(), picture.pixels().subspan(picture.index(0, v)).begin());
+    std::copy(row.begin(), row.end(), image.pixels().subspan(image.index(0, v)).begin());
   }
-  return picture;
+  return image;
 }
 
-ColorImage averaged(const ColorImage& picture, int factor) {
-  ColorImage out(picture.width_px() / factor, picture.height_px() / factor);
+ColorImage averaged(const ColorImage& image, int factor) {
+  ColorImage out(image.width_px() / factor, image.height_px() / factor);
   const auto mean = [area = static_cast<unsigned>(factor * factor)](unsigned sum) {
     return static_cast<std::uint8_t>((sum + area / 2U) / area);
   };
@@ -86,7 +86,7 @@ ColorImage averaged(const ColorImage& picture, int factor) {
     for (int u = 0; u < out.width_px(); ++u) {
       std::array<unsigned, 3> sum{};
       for (int k = 0; k < factor * factor; ++k) {
-        const Rgb8 pixel = picture.at(u * factor + k % factor, v * factor + k / factor);
+        const Rgb8 pixel = image.at(u * factor + k % factor, v * factor + k / factor);
         sum[0] += pixel.r;
         sum[1] += pixel.g;
         sum[2] += pixel.b;

@@ -12,7 +12,7 @@ namespace hypermap {
 /// Requires: that EglContext is current in each call.
 class GlCanvas {
  public:
-  /// Errors: kUnavailable when the driver cannot draw pictures of this size; kOutOfMemory.
+  /// Errors: kUnavailable when the driver cannot draw images of this size; kOutOfMemory.
   [[nodiscard]] static Result<GlCanvas> create(int width_px, int height_px);
 
   /// What was drawn, samples averaged. Errors: those of check_gl.
@@ -25,8 +25,8 @@ class GlCanvas {
   GLuint resolved_ = 0;  ///< Framebuffer with one.
 };
 
-/// The picture at 1 / factor of its sides: each pixel the mean of factor x factor.
+/// The image at 1 / factor of its sides: each pixel the mean of factor x factor.
 /// Requires: both sides are multiples of factor.
-[[nodiscard]] ColorImage averaged(const ColorImage& picture, int factor);
+[[nodiscard]] ColorImage averaged(const ColorImage& image, int factor);
 
 }  // namespace hypermap

@@ -5,7 +5,7 @@
 
 namespace hypermap {
 
-/// One triangle over the whole picture, shaded from top to bottom.
+/// One triangle over the whole image, shaded from top to bottom.
 inline constexpr const char* kBackdropVertex = R"(#version 330 core
 out float height;
 void main() {
@@ -45,7 +45,7 @@ out vec4 color;
 void main() { color = paint; })";
 
 /// One instance per voxel face. Light: each direction its own shade, so that edges show; corners in
-/// nooks are darker; a thin seam between voxels where they are large enough to be told apart.
+/// nooks are darker; a thin seam between voxels where they are large enough to be distinguished.
 inline constexpr const char* kFaceVertex = R"(#version 330 core
 layout(location = 0) in vec4 centre_edge;
 layout(location = 1) in vec4 paint;
@@ -95,14 +95,14 @@ void main() {
   color = vec4(mix(lit, fog_color, 0.55 * fog), 1.0);
 })";
 
-/// One instance per line: a quad in the picture's plane, soft at its sides. What lies behind the
+/// One instance per line: a quad in the image's plane, soft at its sides. What lies behind the
 /// eye is cut off first.
 inline constexpr const char* kLineVertex = R"(#version 330 core
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 paint;
 uniform mat4 clip_from_map;
-uniform vec2 half_picture_px;
+uniform vec2 half_image_px;
 uniform float half_width_px;
 out float across_px;
 flat out vec4 line_paint;
@@ -116,8 +116,8 @@ void main() {
   if (a.w < kNear && b.w < kNear) return;
   if (a.w < kNear) a = mix(b, a, (b.w - kNear) / (b.w - a.w));
   if (b.w < kNear) b = mix(a, b, (a.w - kNear) / (a.w - b.w));
-  vec2 a_px = a.xy / a.w * half_picture_px;
-  vec2 b_px = b.xy / b.w * half_picture_px;
+  vec2 a_px = a.xy / a.w * half_image_px;
+  vec2 b_px = b.xy / b.w * half_image_px;
   vec2 along = b_px - a_px;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
   float reach = half_width_px + 1.0;
@@ -126,7 +126,7 @@ void main() {
   vec4 end = at_end ? b : a;
   vec2 offset = side * reach * vec2(-along.y, along.x) + (at_end ? 0.5 : -0.5) * half_width_px * along;
   across_px = side * reach;
-  end.xy += offset / half_picture_px * end.w;
+  end.xy += offset / half_image_px * end.w;
   end.z -= 0.0015 * end.w;
   gl_Position = end;
 })";

@@ -149,13 +149,13 @@ FaceAxes axes_of(FaceDirection direction) {
   return {{0, 0, 0}, {0, 0, 0}};
 }
 
-Result<std::vector<VoxelFace>> bare_faces(std::span<const OccupiedVoxel> voxels,
-                                          std::span<const FaceDirection> directions) {
+Result<std::vector<VoxelFace>> exposed_faces(std::span<const OccupiedVoxel> voxels,
+                                             std::span<const FaceDirection> directions) {
   try {
     std::vector<VoxelFace> faces = collect_faces(voxels, directions);
     if (faces.size() <= kMaxFaces) return faces;
     return fail(ErrorCode::kLimit,
-                "more than " + std::to_string(kMaxFaces) + " voxel faces in one picture");
+                "more than " + std::to_string(kMaxFaces) + " voxel faces in one image");
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the faces of the voxels");
   }

@@ -20,8 +20,8 @@ constexpr double kLabelGapPx = 3.0;
 /// Paints one page; holds what every part of it needs.
 class Page {
  public:
-  Page(ColorImage& picture, const TextPainter& text, const PagePlan& plan)
-      : picture_(&picture), text_(&text), plan_(&plan), look_{plan.scale} {}
+  Page(ColorImage& image, const TextPainter& text, const PagePlan& plan)
+      : image_(&image), text_(&text), plan_(&plan), look_{plan.scale} {}
 
   void paint_title(const Annotations& annotations) {
     const double x = plan_->title.x_px;
@@ -40,8 +40,8 @@ class Page {
   void paint_legend(const Legend& legend) {
     if (legend.rows.empty()) return;
     const LegendColumns columns = measure(*text_, legend, look_);
-    const PictureRect& rect = plan_->legend;
-    draw_plate(*picture_, rect, look_.px(6.0), kPlate, kPlateOpacity);
+    const ImageRect& rect = plan_->legend;
+    draw_plate(*image_, rect, look_.px(6.0), kPlate, kPlateOpacity);
     double y = rect.y_px + look_.px(22.0);
     if (!legend.columns.empty()) {
       paint_numbers(legend.columns, columns, y - look_.px(2.0), look_.heading());
@@ -62,13 +62,13 @@ class Page {
     const double y = plan_->foot.y_px + plan_->foot.height_px - look_.px(8.0);
     const double tick = look_.px(5.0);
     const double width = look_.px(2.0);
-    draw_line(*picture_, {x, y}, {x + length_px, y}, width, kInk);
-    draw_line(*picture_, {x, y - tick}, {x, y + tick}, width, kInk);
-    draw_line(*picture_, {x + length_px, y - tick}, {x + length_px, y + tick}, width, kInk);
+    draw_line(*image_, {x, y}, {x + length_px, y}, width, kInk);
+    draw_line(*image_, {x, y - tick}, {x, y + tick}, width, kInk);
+    draw_line(*image_, {x + length_px, y - tick}, {x + length_px, y + tick}, width, kInk);
     write(length_text(length_m), x + look_.px(6.0), y - look_.px(8.0), look_.label());
   }
 
-  /// The map's axes as they lie in the picture, beside the scale bar's right end.
+  /// The map's axes as they lie in the image, beside the scale bar's right end.
   void paint_axes(const SnapshotCamera& camera, double centre_x_px) {
     struct Axis {
       Eigen::Vector3d direction;
@@ -84,7 +84,7 @@ class Page {
       const Eigen::Vector2d along(axis.direction.dot(camera.right_in_map()),
                                   -axis.direction.dot(camera.up_in_map()));
       if (along.norm() < 0.15) continue;  // towards the eye
-      draw_line(*picture_, origin, origin + look_.px(30.0) * along, look_.px(2.4), axis.color);
+      draw_line(*image_, origin, origin + look_.px(30.0) * along, look_.px(2.4), axis.color);
       const Eigen::Vector2d at =
           origin + look_.px(30.0) * along + look_.px(9.0) * along.normalized();
       TextStyle style = look_.label();
@@ -92,7 +92,7 @@ class Page {
       style.weight = FontWeight::kBold;
       write(axis.name, at.x() - look_.px(4.0), at.y() + look_.px(4.5), style);
     }
-    draw_disc(*picture_, origin, look_.px(2.6), kInk);
+    draw_disc(*image_, origin, look_.px(2.6), kInk);
   }
 
   void paint_labels(std::span<const MapLabel> labels, const SnapshotCamera& camera) {
@@ -100,7 +100,7 @@ class Page {
     std::vector<LabelRequest> requests;
     requests.reserve(seen.size());
     for (const MapLabel& label : seen) requests.push_back(request_for(label, camera));
-    std::vector<PictureRect> obstacles{plan_->title, plan_->legend, plan_->foot};
+    std::vector<ImageRect> obstacles{plan_->title, plan_->legend, plan_->foot};
     for (const LabelRequest& request : requests) {  // no label on the point that another speaks of
       obstacles.push_back({request.anchor_x_px - 3.0, request.anchor_y_px, 6.0, 4.0});
     }
@@ -121,7 +121,7 @@ class Page {
     const double width = std::max(text_->width_px(annotations.title, look_.title()),
                                   text_->width_px(annotations.subtitle, look_.small()));
     const double margin = look_.px(10.0);
-    draw_plate(*picture_,
+    draw_plate(*image_,
                {plan_->title.x_px - margin,
                 plan_->title.y_px - look_.px(4.0),
                 std::min(width, plan_->title.width_px) + 2.0 * margin,
@@ -132,7 +132,7 @@ class Page {
   }
 
   void write(const std::string& text, double x_px, double baseline_px, const TextStyle& style) {
-    text_->write(*picture_, text, x_px, baseline_px, style);
+    text_->write(*image_, text, x_px, baseline_px, style);
   }
 
   [[nodiscard]] double name_x() const {
@@ -151,14 +151,14 @@ class Page {
   }
 
   void paint_row(const LegendRow& row, const LegendColumns& columns, double baseline_px) {
-    const PictureRect swatch{plan_->legend.x_px + look_.px(12.0),
-                             baseline_px - look_.px(kSwatchPx - 1.5),
-                             look_.px(kSwatchPx),
-                             look_.px(kSwatchPx)};
-    const PictureRect rim{
+    const ImageRect swatch{plan_->legend.x_px + look_.px(12.0),
+                           baseline_px - look_.px(kSwatchPx - 1.5),
+                           look_.px(kSwatchPx),
+                           look_.px(kSwatchPx)};
+    const ImageRect rim{
         swatch.x_px - 1.0, swatch.y_px - 1.0, swatch.width_px + 2.0, swatch.height_px + 2.0};
-    draw_plate(*picture_, rim, look_.px(3.0), kRim, 1.0);
-    draw_plate(*picture_, swatch, look_.px(2.5), row.color, 1.0);
+    draw_plate(*image_, rim, look_.px(3.0), kRim, 1.0);
+    draw_plate(*image_, swatch, look_.px(2.5), row.color, 1.0);
     write(text_->fitted(row.name, look_.row(), columns.name_px + 1.0),
           name_x(),
           baseline_px,
@@ -193,31 +193,31 @@ class Page {
 
   void paint_leader(const LabelRequest& request, const PlacedLabel& placed, const MapLabel& label) {
     if (!placed.shown || !placed.leader) return;
-    const PictureRect& rect = placed.rect;
+    const ImageRect& rect = placed.rect;
     const Eigen::Vector2d anchor(request.anchor_x_px, request.anchor_y_px);
     const Eigen::Vector2d nearest(
         std::clamp(anchor.x(), rect.x_px + 3.0, rect.x_px + rect.width_px - 3.0),
         std::clamp(anchor.y(), rect.y_px + 3.0, rect.y_px + rect.height_px - 3.0));
-    draw_line(*picture_, anchor, nearest, look_.px(1.3), label.color);
-    draw_disc(*picture_, anchor, look_.px(2.4), label.color);
+    draw_line(*image_, anchor, nearest, look_.px(1.3), label.color);
+    draw_disc(*image_, anchor, look_.px(2.4), label.color);
   }
 
   void paint_label(const PlacedLabel& placed, const MapLabel& label) {
     if (!placed.shown) return;
-    const PictureRect& rect = placed.rect;
-    draw_plate(*picture_, rect, look_.px(4.0), label.color, 1.0);
-    const PictureRect inner{rect.x_px + look_.px(4.5),
-                            rect.y_px + look_.px(1.0),
-                            rect.width_px - look_.px(5.5),
-                            rect.height_px - look_.px(2.0)};
-    draw_plate(*picture_, inner, look_.px(3.0), kPlate, 0.94);
+    const ImageRect& rect = placed.rect;
+    draw_plate(*image_, rect, look_.px(4.0), label.color, 1.0);
+    const ImageRect inner{rect.x_px + look_.px(4.5),
+                          rect.y_px + look_.px(1.0),
+                          rect.width_px - look_.px(5.5),
+                          rect.height_px - look_.px(2.0)};
+    draw_plate(*image_, inner, look_.px(3.0), kPlate, 0.94);
     write(label.text,
           rect.x_px + look_.px(9.5),
           rect.y_px + rect.height_px - look_.px(5.5),
           look_.label());
   }
 
-  ColorImage* picture_;
+  ColorImage* image_;
   const TextPainter* text_;
   const PagePlan* plan_;
   Look look_;
@@ -225,12 +225,12 @@ class Page {
 
 }  // namespace
 
-ColorImage annotated(ColorImage picture,
+ColorImage annotated(ColorImage image,
                      const TextPainter& text,
                      const Annotations& annotations,
                      const PagePlan& plan,
                      const SnapshotCamera& camera) {
-  Page page(picture, text, plan);
+  Page page(image, text, plan);
   page.paint_labels(annotations.labels, camera);
   page.paint_title(annotations);
   page.paint_legend(annotations.legend);
@@ -241,7 +241,7 @@ ColorImage annotated(ColorImage picture,
     axes_x += look.px(kScaleBarPx + 25.0);
   }
   page.paint_axes(camera, axes_x);
-  return picture;
+  return image;
 }
 
 }  // namespace hypermap

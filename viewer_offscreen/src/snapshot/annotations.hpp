@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is written around and over a picture: title, legend, scale bar, axes, labels.
+/// What is written around and over an image: title, legend, scale bar, axes, labels.
 #pragma once
 
 #include "annotation/text_painter.hpp"
@@ -27,8 +27,8 @@ struct Legend {
   std::vector<LegendRow> rows = {};
 };
 
-/// A text that belongs to a thing of the map: it stands over its upper end, or on it where there is
-/// room enough between its middle and its upper end.
+/// A text that belongs to an object of the map: it stands over its upper end, or on it where there
+/// is room enough between its middle and its upper end.
 struct MapLabel {
   Eigen::Vector3d middle_in_map = Eigen::Vector3d::Zero();
   Eigen::Vector3d upper_in_map = Eigen::Vector3d::Zero();
@@ -43,14 +43,14 @@ struct Annotations {
   std::vector<MapLabel> labels;  ///< The most important first.
 };
 
-/// Where things stand on the page. Sizes grow with the picture.
+/// Layout of the page. Sizes grow with the image.
 struct PagePlan {
   double scale = 1.0;  ///< 1 for 1280 x 720.
-  PictureRect canvas;
-  PictureRect title;
-  PictureRect legend;               ///< Empty without rows.
-  PictureRect foot;                 ///< Scale bar and axes.
-  PictureRect content;              ///< What remains for the scene.
+  ImageRect canvas;
+  ImageRect title;
+  ImageRect legend;                 ///< Empty without rows.
+  ImageRect foot;                   ///< Scale bar and axes.
+  ImageRect content;                ///< What remains for the scene.
   bool scene_fills_page = false;    ///< Not kept inside `content`: plates go under texts.
   std::size_t num_legend_rows = 0;  ///< As many as fit.
 };
@@ -59,8 +59,8 @@ struct PagePlan {
                                  const Annotations& annotations,
                                  const SnapshotOptions& options);
 
-/// Draws all on the picture and returns it.
-[[nodiscard]] ColorImage annotated(ColorImage picture,
+/// Draws all on the image and returns it.
+[[nodiscard]] ColorImage annotated(ColorImage image,
                                    const TextPainter& text,
                                    const Annotations& annotations,
                                    const PagePlan& plan,

@@ -101,7 +101,7 @@ void add_overlay_points(const SnapshotOverlay& overlay,
 
 }  // namespace
 
-ClassRegistry classes_shown(const SnapshotScene& scene) {
+ClassRegistry drawn_classes(const SnapshotScene& scene) {
   ClassRegistry registry = scene.classes;
   for (const SemanticObject& object : scene.semantic) {
     // A name that no registry takes (too long, too many) stays without a class: drawn grey.
@@ -110,7 +110,7 @@ ClassRegistry classes_shown(const SnapshotScene& scene) {
   return registry;
 }
 
-SnapshotLayers layers_shown(const SnapshotScene& scene, const SnapshotOptions& options) {
+SnapshotLayers drawn_layers(const SnapshotScene& scene, const SnapshotOptions& options) {
   if (options.layers) return *options.layers;
   const bool has_plan =
       scene.occupancy.has_value() || !scene.semantic.empty() || !scene.overlay.empty();
@@ -121,25 +121,25 @@ SnapshotLayers layers_shown(const SnapshotScene& scene, const SnapshotOptions& o
   return {.voxels = true, .objects = true, .trajectory = true};
 }
 
-ShownVoxels voxels_shown(const SnapshotScene& scene, const SnapshotOptions& options) {
-  ShownVoxels shown;
+VisibleVoxels visible_voxels(const SnapshotScene& scene, const SnapshotOptions& options) {
+  VisibleVoxels drawn;
   std::vector<OccupiedVoxel> all = occupied_voxels(scene.leaves);
-  shown.num_occupied = all.size();
-  shown.floor_m = floor_height_m(all);
-  const double ceiling_m = ceiling_cut_m(all, shown.floor_m);
-  shown.light = SkyLight(cut_away(all, {.floor_m = shown.floor_m, .cut_above_m = ceiling_m}));
+  drawn.num_occupied = all.size();
+  drawn.floor_m = floor_height_m(all);
+  const double ceiling_m = ceiling_cut_m(all, drawn.floor_m);
+  drawn.light = SkyLight(cut_away(all, {.floor_m = drawn.floor_m, .cut_above_m = ceiling_m}));
   const auto to_eye = direction_to_eye(options.view);
   if (!to_eye) {
-    shown.voxels = std::move(all);
-    return shown;
+    drawn.voxels = std::move(all);
+    return drawn;
   }
-  shown.cut_m = options.cut_above_m.value_or(ceiling_m);
-  CutawayOptions cut{.floor_m = shown.floor_m, .cut_above_m = shown.cut_m};
+  drawn.cut_m = options.cut_above_m.value_or(ceiling_m);
+  CutawayOptions cut{.floor_m = drawn.floor_m, .cut_above_m = drawn.cut_m};
   if (options.cut_near_walls && std::holds_alternative<IsoView>(options.view)) {
     cut.towards_eye = to_eye->head<2>().normalized();
   }
-  shown.voxels = cut_away(all, cut);
-  return shown;
+  drawn.voxels = cut_away(all, cut);
+  return drawn;
 }
 
 OccupancyGrid known_part(const OccupancyGrid& grid) {
@@ -161,7 +161,7 @@ OccupancyGrid known_part(const OccupancyGrid& grid) {
 
 std::vector<Eigen::Vector3d> points_to_frame(const SnapshotScene& scene,
                                              const SnapshotLayers& layers,
-                                             const ShownVoxels& voxels,
+                                             const VisibleVoxels& voxels,
                                              const SnapshotView& view) {
   std::vector<Eigen::Vector3d> points;
   if (layers.voxels) add_voxel_corners(voxels.voxels, view, points);

@@ -18,37 +18,37 @@
 namespace hypermap {
 
 /// The scene's classes, and those that only its 2D layer names.
-[[nodiscard]] ClassRegistry classes_shown(const SnapshotScene& scene);
+[[nodiscard]] ClassRegistry drawn_classes(const SnapshotScene& scene);
 
 /// The layers asked for, or those that suit the view and exist in the scene.
-[[nodiscard]] SnapshotLayers layers_shown(const SnapshotScene& scene,
+[[nodiscard]] SnapshotLayers drawn_layers(const SnapshotScene& scene,
                                           const SnapshotOptions& options);
 
 /// The voxels that stay after looking into rooms, where the floor is, and what shades them.
-struct ShownVoxels {
+struct VisibleVoxels {
   std::vector<OccupiedVoxel> voxels;
   double floor_m = 0.0;
   double cut_m = std::numeric_limits<double>::infinity();  ///< Over the floor.
   std::size_t num_occupied = 0;                            ///< Before cutting.
   SkyLight light{{}};  ///< Of all below the ceiling, walls included.
 };
-[[nodiscard]] ShownVoxels voxels_shown(const SnapshotScene& scene, const SnapshotOptions& options);
+[[nodiscard]] VisibleVoxels visible_voxels(const SnapshotScene& scene, const SnapshotOptions& options);
 
 /// The smallest part of a grid that holds all known cells; the grid itself when none is known.
 [[nodiscard]] OccupancyGrid known_part(const OccupancyGrid& grid);
 
-/// Points that must fall into the picture. Of many voxels the outermost thousandth on each side is
+/// Points that must fall into the image. Of many voxels the outermost thousandth on each side is
 /// left out, so that a few stray ones do not make all others small.
 [[nodiscard]] std::vector<Eigen::Vector3d> points_to_frame(const SnapshotScene& scene,
                                                            const SnapshotLayers& layers,
-                                                           const ShownVoxels& voxels,
+                                                           const VisibleVoxels& voxels,
                                                            const SnapshotView& view);
 
-/// Title, legend and labels. `registry` is that of classes_shown.
+/// Title, legend and labels. `registry` is that of drawn_classes.
 [[nodiscard]] Annotations annotations_of(const SnapshotScene& scene,
                                          const SnapshotOptions& options,
                                          const SnapshotLayers& layers,
-                                         const ShownVoxels& voxels,
+                                         const VisibleVoxels& voxels,
                                          const ClassRegistry& registry);
 
 }  // namespace hypermap

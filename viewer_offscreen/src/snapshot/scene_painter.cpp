@@ -60,7 +60,7 @@ std::array<float, 3> point_at(const Eigen::Vector2d& plan, double height_m) {
   return {static_cast<float>(plan.x()), static_cast<float>(plan.y()), static_cast<float>(height_m)};
 }
 
-void load_texture(const ColorImage& picture) {
+void load_texture(const ColorImage& image) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glActiveTexture(GL_TEXTURE0);
@@ -69,12 +69,12 @@ void load_texture(const ColorImage& picture) {
   glTexImage2D(GL_TEXTURE_2D,
                0,
                GL_RGB8,
-               picture.width_px(),
-               picture.height_px(),
+               image.width_px(),
+               image.height_px(),
                0,
                GL_RGB,
                GL_UNSIGNED_BYTE,
-               picture.pixels().data());
+               image.pixels().data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -245,7 +245,7 @@ void ScenePainter::draw_lines(std::span<const PaintedLine> lines, const LineStyl
   per_instance({1, 3, GL_FLOAT, GL_FALSE, offsetof(PaintedLine, to_in_map)}, kStride);
   per_instance({2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(PaintedLine, paint)}, kStride);
   use(programs_.lines);
-  glUniform2f(glGetUniformLocation(programs_.lines, "half_picture_px"),
+  glUniform2f(glGetUniformLocation(programs_.lines, "half_image_px"),
               static_cast<float>(0.5 * width_px_),
               static_cast<float>(0.5 * height_px_));
   glUniform1f(glGetUniformLocation(programs_.lines, "half_width_px"),

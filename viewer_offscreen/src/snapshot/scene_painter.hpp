@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Draws the parts of a picture with OpenGL: backdrop, plan, voxels, lines.
+/// Draws the parts of an image with OpenGL: backdrop, plan, voxels, lines.
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
@@ -50,7 +50,7 @@ struct LineStyle {
 /// Draws in the order of the calls, with the current context. The camera must outlive it.
 class ScenePainter {
  public:
-  /// `pixel_scale`: drawn pixels per pixel of the finished picture (supersampling).
+  /// `pixel_scale`: drawn pixels per pixel of the finished image (supersampling).
   /// Errors: those of make_program.
   [[nodiscard]] static Result<ScenePainter> create(const SnapshotCamera& camera,
                                                    int width_px,
@@ -79,7 +79,7 @@ class ScenePainter {
   explicit ScenePainter(const SnapshotCamera& camera) : camera_(&camera) {}
   void use(GLuint program) const;
   [[nodiscard]] int largest_texture_side() const;
-  /// Stretches a picture of the cells, row 0 first, over the grid.
+  /// Stretches an image of the cells, row 0 first, over the grid.
   void draw_texture(const GridGeometry& geometry, const ColorImage& texture, double height_m) const;
   void draw_triangles(GLenum mode, std::span<const std::array<float, 3>> points) const;
 

@@ -74,10 +74,10 @@ Rgb8 color_of(const std::optional<ClassId>& class_id) {
   return class_id ? class_color(*class_id) : kNoClassColor;
 }
 
-Result<std::vector<PaintedFace>> paint_voxels(const ShownVoxels& voxels,
+Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
                                               const SnapshotCamera& camera) {
   const auto directions = directions_seen(camera);
-  HYPERMAP_ASSIGN_OR_RETURN(const auto faces, bare_faces(voxels.voxels, directions));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto faces, exposed_faces(voxels.voxels, directions));
   std::vector<PaintedFace> painted;
   painted.reserve(faces.size());
   for (const VoxelFace& face : faces) {

@@ -19,12 +19,12 @@
 
 namespace hypermap {
 
-/// Colour of a thing of a class; grey without one.
+/// Colour of an object of a class; grey without one.
 [[nodiscard]] Rgb8 color_of(const std::optional<ClassId>& class_id);
 
 /// Faces that look towards the eye, in the colours of their classes; unlabelled ones are tinted by
-/// height. Errors: those of bare_faces.
-[[nodiscard]] Result<std::vector<PaintedFace>> paint_voxels(const ShownVoxels& voxels,
+/// height. Errors: those of exposed_faces.
+[[nodiscard]] Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
                                                             const SnapshotCamera& camera);
 
 /// The twelve edges of each box.

@@ -40,7 +40,7 @@ struct ClassCount {
 /// Per class what is shown of it; without a class under none.
 std::map<std::optional<ClassId>, ClassCount> count_classes(const SnapshotScene& scene,
                                                            const SnapshotLayers& layers,
-                                                           const ShownVoxels& voxels,
+                                                           const VisibleVoxels& voxels,
                                                            const ClassRegistry& registry) {
   std::map<std::optional<ClassId>, ClassCount> counts;
   if (layers.voxels) {
@@ -63,7 +63,7 @@ std::string class_name(const std::optional<ClassId>& id, const ClassRegistry& re
 
 Legend legend_of(const SnapshotScene& scene,
                  const SnapshotLayers& layers,
-                 const ShownVoxels& voxels,
+                 const VisibleVoxels& voxels,
                  const ClassRegistry& registry) {
   struct Entry {
     std::optional<ClassId> id;
@@ -106,7 +106,7 @@ std::string_view view_name(const SnapshotView& view) {
 std::string subtitle_of(const SnapshotScene& scene,
                         const SnapshotOptions& options,
                         const SnapshotLayers& layers,
-                        const ShownVoxels& voxels) {
+                        const VisibleVoxels& voxels) {
   std::string text = "frame " + printable(scene.frame_id, kMaxTextBytes) + std::string(kSeparator);
   text += view_name(options.view);
   if (layers.voxels && voxels.num_occupied > 0) {
@@ -130,7 +130,7 @@ std::vector<MapLabel> object_labels(const SnapshotScene& scene, const SnapshotVi
   for (const SnapshotObject& object : scene.objects) {
     if (!object.label.empty()) order.push_back(&object);
   }
-  // Large things first: they are looked for first, and their labels have the best places.
+  // Large objects first: they are looked for first, and their labels have the best places.
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
     return a->box.volume_m3() > b->box.volume_m3();
   });
@@ -177,7 +177,7 @@ void add_overlay_labels(std::vector<MapLabel>& labels,
 Annotations annotations_of(const SnapshotScene& scene,
                            const SnapshotOptions& options,
                            const SnapshotLayers& layers,
-                           const ShownVoxels& voxels,
+                           const VisibleVoxels& voxels,
                            const ClassRegistry& registry) {
   Annotations annotations;
   annotations.title = printable(scene.title, 2 * kMaxTextBytes);

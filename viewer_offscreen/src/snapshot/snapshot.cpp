@@ -59,7 +59,7 @@ void draw_semantic(const ScenePainter& painter,
 /// Everything but text, from the floor up.
 Result<void> draw_scene(const SnapshotScene& scene,
                         const SnapshotLayers& layers,
-                        const ShownVoxels& voxels,
+                        const VisibleVoxels& voxels,
                         const ClassRegistry& registry,
                         const SnapshotCamera& camera,
                         const ScenePainter& painter) {
@@ -95,9 +95,9 @@ Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& opt
   HYPERMAP_ASSIGN_OR_RETURN(const EglContext context, EglContext::create());
   HYPERMAP_ASSIGN_OR_RETURN(const TextPainter text, TextPainter::create(options.font_file));
 
-  const ClassRegistry registry = classes_shown(scene);
-  const SnapshotLayers layers = layers_shown(scene, options);
-  const ShownVoxels voxels = layers.voxels ? voxels_shown(scene, options) : ShownVoxels{};
+  const ClassRegistry registry = drawn_classes(scene);
+  const SnapshotLayers layers = drawn_layers(scene, options);
+  const VisibleVoxels voxels = layers.voxels ? visible_voxels(scene, options) : VisibleVoxels{};
   const Annotations annotations = options.annotations
                                       ? annotations_of(scene, options, layers, voxels, registry)
                                       : Annotations{};
@@ -114,10 +114,10 @@ Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& opt
       const ScenePainter painter,
       ScenePainter::create(camera, drawn_width_px, drawn_height_px, options.supersampling));
   HYPERMAP_TRY(draw_scene(scene, layers, voxels, registry, camera, painter));
-  HYPERMAP_ASSIGN_OR_RETURN(ColorImage picture, canvas.read());
-  if (options.supersampling > 1) picture = averaged(picture, options.supersampling);
-  if (!options.annotations) return picture;
-  return annotated(std::move(picture), text, annotations, plan, camera);
+  HYPERMAP_ASSIGN_OR_RETURN(ColorImage image, canvas.read());
+  if (options.supersampling > 1) image = averaged(image, options.supersampling);
+  if (!options.annotations) return image;
+  return annotated(std::move(image), text, annotations, plan, camera);
 }
 
 }  // namespace
@@ -127,10 +127,9 @@ Result<ColorImage> render_snapshot(const SnapshotScene& scene, const SnapshotOpt
   try {
     return render(scene, options);
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, "no memory for the picture");
+    return fail(ErrorCode::kOutOfMemory, "no memory for the image");
   } catch (const std::exception& error) {  // OpenCV, while it writes text
-    return fail(ErrorCode::kUnavailable,
-                std::string("the picture cannot be drawn: ") + error.what());
+    return fail(ErrorCode::kUnavailable, std::string("the image cannot be drawn: ") + error.what());
   }
 }
 

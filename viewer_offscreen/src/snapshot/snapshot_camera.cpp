@@ -51,7 +51,7 @@ Extent extent_along(std::span<const Eigen::Vector3d> points, const Eigen::Vector
   return extent;
 }
 
-/// The camera of a pose view at the size of the picture: whole pictures keep their field of view
+/// The camera of a pose view at the size of the image: whole images keep their field of view
 /// across the width.
 PinholeCamera scaled_camera(const PoseView& view, double width_px, double height_px) {
   PinholeCamera camera;
@@ -68,7 +68,7 @@ PinholeCamera scaled_camera(const PoseView& view, double width_px, double height
       std::min(width_px / view.camera->width_px, height_px / view.camera->height_px);
   camera.fx_px = scale * view.camera->fx_px;
   camera.fy_px = scale * view.camera->fy_px;
-  // The centre of the picture stays the centre; half a pixel because pixel 0 has its centre at 0.
+  // The centre of the image stays the centre; half a pixel because pixel 0 has its centre at 0.
   camera.cx_px =
       scale * (view.camera->cx_px + 0.5 - 0.5 * view.camera->width_px) + 0.5 * width_px - 0.5;
   camera.cy_px =
@@ -106,7 +106,7 @@ std::optional<Eigen::Vector3d> direction_to_eye(const SnapshotView& view) {
 
 SnapshotCamera SnapshotCamera::frame(const SnapshotOptions& options,
                                      std::span<const Eigen::Vector3d> points_in_map,
-                                     const PictureRect& area) {
+                                     const ImageRect& area) {
   SnapshotCamera camera;
   camera.width_px_ = options.width_px;
   camera.height_px_ = options.height_px;
@@ -129,7 +129,7 @@ void SnapshotCamera::look(const Eigen::Vector3d& backwards, const Eigen::Vector3
 
 void SnapshotCamera::frame_parallel(const SnapshotOptions& options,
                                     std::span<const Eigen::Vector3d> points_in_map,
-                                    const PictureRect& area) {
+                                    const ImageRect& area) {
   const Eigen::Vector3d backwards = *direction_to_eye(options.view);
   const bool top = std::holds_alternative<TopView>(options.view);
   look(backwards, top ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ().cross(backwards));
@@ -141,7 +141,7 @@ void SnapshotCamera::frame_parallel(const SnapshotOptions& options,
       std::min(area.width_px / std::max(across.length(), flat ? kSmallestExtentM : 1e-6),
                area.height_px / std::max(along.length(), flat ? kSmallestExtentM : 1e-6));
   pixels_per_m_ = scale;
-  // Clip x runs from -1 at the left edge of the picture; the scene's middle goes to the area's.
+  // Clip x runs from -1 at the left edge of the image; the scene's middle goes to the area's.
   const double sx = 2.0 * scale / width_px_;
   const double sy = 2.0 * scale / height_px_;
   const double middle_x = 2.0 * (area.x_px + 0.5 * area.width_px) / width_px_ - 1.0;

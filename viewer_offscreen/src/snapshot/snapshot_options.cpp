@@ -144,7 +144,7 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
   return layers;
 }
 
-Result<SnapshotSize> parse_picture_size(std::string_view text) {
+Result<SnapshotSize> parse_image_size(std::string_view text) {
   const std::size_t cross = text.find('x');
   SnapshotSize size;
   if (cross == std::string_view::npos || !parse_whole(text.substr(0, cross), size.width_px) ||

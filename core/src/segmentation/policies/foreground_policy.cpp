@@ -15,16 +15,16 @@
 namespace hypermap {
 namespace {
 
-/// Share of the box that a patch of a plane covers at least to be taken for a part of the thing.
+/// Share of the box that a patch of a plane covers at least to be taken for a part of the object.
 constexpr double kPatchShare = 0.03;
 /// And how much of its edge is its own outline: a seat is in front of the floor, a floor is not.
 constexpr double kPatchMinOutline = 0.7;
-/// A cell with fewer neighbours of the thing hangs in the air between two surfaces.
+/// A cell with fewer neighbours of the object hangs in the air between two surfaces.
 constexpr int kLeastNeighbours = 3;
 
-/// A plane found outside may go on through the thing: the seats of two chairs are of one height.
+/// A plane found outside may go on through the object: the seats of two chairs are of one height.
 /// What lies on it inside the box, and is not joined with the outside, is no background unless it
-/// is seen through the thing.
+/// is seen through the object.
 DepthComponents surfaces_of(const DepthWindow& window,
                             std::vector<std::uint8_t> plane_of_cell,
                             const ForegroundOptions& options) {
@@ -52,9 +52,9 @@ void add_to(std::span<std::uint8_t> sums, const std::uint8_t* values) {
 }
 
 /// 1 on cells of the box that belong to chosen surfaces and do not hang in the air.
-std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
-                                         const DepthComponents& labelled,
-                                         const ComponentIds& chosen) {
+std::vector<std::uint8_t> cells_of_object(const DepthWindow& window,
+                                          const DepthComponents& labelled,
+                                          const ComponentIds& chosen) {
   std::vector<std::uint8_t> all(window.size(), 0);
   for (const std::uint32_t id : chosen) {
     for_each_cell_of(window, labelled, id, [&](int x, int y) { all[window.cell(x, y)] = 1; });
@@ -76,11 +76,11 @@ std::vector<std::uint8_t> cells_of_thing(const DepthWindow& window,
   return firm;
 }
 
-/// The measured pixels of the box in the thing's cells, on the same surface as their cell.
+/// The measured pixels of the box in the object's cells, on the same surface as their cell.
 std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
                                      const Detection& detection,
                                      const DepthWindow& window,
-                                     const std::vector<std::uint8_t>& is_thing) {
+                                     const std::vector<std::uint8_t>& is_object) {
   std::vector<std::uint32_t> pixels;
   const PixelRect box =
       detection.mask ? window.rect
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
     for (int u = box.u_begin; u < box.u_end;) {  // cell by cell
       const std::size_t cell = window.cell_of_pixel(u, v);
       const int end = std::min(box.u_end, window.end_of_cell(u));
-      for (; is_thing[cell] != 0 && u < end; ++u) take(cell, frame.depth_m.index(u, v));
+      for (; is_object[cell] != 0 && u < end; ++u) take(cell, frame.depth_m.index(u, v));
       u = end;
     }
   }
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
 
 /// One point per voxel, the voxels as small as wanted or as large as the number of points asks.
 std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
-                                       const std::vector<std::uint8_t>& is_thing,
+                                       const std::vector<std::uint8_t>& is_object,
                                        const ForegroundOptions& options) {
   std::vector<Eigen::Vector3f> all;
   double area_m2 = 0.0;
@@ -112,7 +112,7 @@ std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
       window.width() > 1 ? static_cast<double>(window.slope_x[1] - window.slope_x[0]) : 0.0;
   for (int y = window.box.v_begin; y < window.box.v_end; ++y) {
     for (int x = window.box.u_begin; x < window.box.u_end; ++x) {
-      if (is_thing[window.cell(x, y)] == 0) continue;
+      if (is_object[window.cell(x, y)] == 0) continue;
       all.push_back(window.point_in_camera(x, y));
       const double edge_m = cell_slope * static_cast<double>(all.back().z());
       area_m2 += edge_m * edge_m;
@@ -180,10 +180,10 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   };
   notes.step("window", 0, [&](std::size_t cell) { return if_measured(cell, 1); });
 
-  const Eigen::Matrix3f upright_from_camera =
+  const Eigen::Matrix3f gravity_aligned_from_camera =
       frame.map_from_camera.isometry().linear().cast<float>();
   const std::vector<Plane> planes =
-      background_planes(window, upright_from_camera.row(2).transpose(), foreground);
+      background_planes(window, gravity_aligned_from_camera.row(2).transpose(), foreground);
   const std::vector<std::uint8_t> kind = plane_of_cells(window, planes, foreground);
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
@@ -193,13 +193,16 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
     return if_measured(cell, static_cast<std::int32_t>(labelled.of_cell[cell]) + 1);
   });
 
-  const ComponentIds chosen = choose_surfaces(window, labelled, upright_from_camera, foreground);
-  const std::vector<std::uint8_t> is_thing = cells_of_thing(window, labelled, chosen);
-  notes.step("thing", 1, [&](std::size_t cell) { return is_thing[cell] != 0 ? 1 : kLabelAbsent; });
+  const ComponentIds chosen =
+      choose_surfaces(window, labelled, gravity_aligned_from_camera, foreground);
+  const std::vector<std::uint8_t> is_object = cells_of_object(window, labelled, chosen);
+  notes.step(
+      "object", 1, [&](std::size_t cell) { return is_object[cell] != 0 ? 1 : kLabelAbsent; });
 
-  std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_thing);
-  if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels)) return nothing_left("thing");
-  return describe(frame, std::move(pixels), points_of(window, is_thing, foreground), options);
+  std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_object);
+  if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels))
+    return nothing_left("object");
+  return describe(frame, std::move(pixels), points_of(window, is_object, foreground), options);
 }
 
 }  // namespace hypermap

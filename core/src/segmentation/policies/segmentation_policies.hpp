@@ -49,7 +49,7 @@ struct PixelCloud {
                                                         const GeometricSegmentationOptions& options,
                                                         StepRecorder* recorder);
 
-/// `others` are all detections of the picture: what fills another's box better is not this thing.
+/// `others` are all detections of the image: what fills another's box better is not this object.
 [[nodiscard]] Result<Segment> segment_by_foreground(const RgbdFrame& frame,
                                                     const Detection& detection,
                                                     std::span<const Detection> others,

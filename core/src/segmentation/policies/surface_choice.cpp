@@ -12,18 +12,18 @@ namespace {
 /// A plane that goes on outside the box is background, unless nothing else is there.
 constexpr double kBackgroundPlaneScore = 0.05;
 /// A surface that overlaps another detection's box by this, and ours less, is that one's.
-constexpr double kRivalOverlap = 0.5;
-constexpr double kRivalScore = 0.1;
+constexpr double kCompetingOverlap = 0.5;
+constexpr double kCompetingScore = 0.1;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
 constexpr double kPartMinGain = 0.03;
-/// Or it is a scrap of less than this share of the best surface: a leaf, a blade.
-constexpr double kScrapShare = 0.2;
-/// A part is not the background seen through the thing.
+/// Or it is a fragment of less than this share of the best surface: a leaf, a blade.
+constexpr double kFragmentShare = 0.2;
+/// A part is not the background seen through the object.
 constexpr double kPartMinOutline = 0.3;
-/// What stands out of its support covers at least this share of the box; else the thing is flat.
+/// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
-/// And a flat thing fills its box; otherwise the box shows only background and what is in the way,
-/// and to say that nothing was found is better than to put the thing in the wrong place.
+/// And a flat object fills its box; otherwise the box shows only background and what is in the way,
+/// and to say that nothing was found is better than to put the object in the wrong place.
 constexpr double kFlatShare = 0.6;
 PixelRect united(const PixelRect& a, const PixelRect& b) {
   if (a.empty()) return b;
@@ -34,7 +34,7 @@ PixelRect united(const PixelRect& a, const PixelRect& b) {
           std::max(a.v_end, b.v_end)};
 }
 
-/// Share of the box that the rectangle spans: a detector's box is tight around its thing.
+/// Share of the box that the rectangle spans: a detector's box is tight around its object.
 double span_share(const PixelRect& rect, const PixelRect& box) {
   return static_cast<double>(rect.width()) * rect.height() /
          (static_cast<double>(box.width()) * box.height());
@@ -49,12 +49,14 @@ double overlap(const PixelRect& a, const PixelRect& b) {
 }
 
 /// Whether the surface fills another detection's box better than this one.
-bool is_rivals(const DepthComponent& component, const DepthWindow& window) {
+bool is_of_competing_box(const DepthComponent& component, const DepthWindow& window) {
   const double own = overlap(component.bounds, window.box);
-  return std::any_of(window.rivals.begin(), window.rivals.end(), [&](const PixelRect& rival) {
-    const double theirs = overlap(component.bounds, rival);
-    return theirs > own && theirs > kRivalOverlap;
-  });
+  return std::any_of(window.competing_boxes.begin(),
+                     window.competing_boxes.end(),
+                     [&](const PixelRect& competing_box) {
+                       const double theirs = overlap(component.bounds, competing_box);
+                       return theirs > own && theirs > kCompetingOverlap;
+                     });
 }
 
 /// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
@@ -65,7 +67,7 @@ double score(const DepthComponent& component, const DepthWindow& window) {
          span_share(component.bounds_in_box, window.box) *
          std::min(1.0, 2.0 * component.outline_share()) *
          (component.kind != 0 ? kBackgroundPlaneScore : 1.0) *
-         (is_rivals(component, window) ? kRivalScore : 1.0);
+         (is_of_competing_box(component, window) ? kCompetingScore : 1.0);
 }
 
 /// Upright columns of space that a surface occupies, by their place on the floor plan.
@@ -103,11 +105,11 @@ Columns united(Columns columns) {
 Columns columns_of(const DepthWindow& window,
                    const DepthComponents& labelled,
                    std::uint32_t id,
-                   const Eigen::Matrix3f& upright_from_camera,
+                   const Eigen::Matrix3f& gravity_aligned_from_camera,
                    float edge_m) {
   Columns columns;
   for_each_cell_of(window, labelled, id, [&](int x, int y) {
-    const Eigen::Vector3f point = upright_from_camera * window.point_in_camera(x, y);
+    const Eigen::Vector3f point = gravity_aligned_from_camera * window.point_in_camera(x, y);
     const Column column{static_cast<int>(std::floor(point.x() / edge_m)),
                         static_cast<int>(std::floor(point.y() / edge_m)),
                         point.z(),
@@ -133,7 +135,7 @@ bool are_near(const Columns& a, const Columns& b, float height_gap_m) {
   });
 }
 
-/// Surfaces that may complete the thing, the largest first: no background, and not a few pixels.
+/// Surfaces that may complete the object, the largest first: no background, and not a few pixels.
 ComponentIds part_candidates(const DepthWindow& window,
                              const DepthComponents& labelled,
                              std::uint32_t best,
@@ -142,7 +144,8 @@ ComponentIds part_candidates(const DepthWindow& window,
   for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
     const DepthComponent& component = labelled.components[id];
     if (id == best || component.kind != 0 || component.num_in_box < 6) continue;
-    if (is_rivals(component, window) || component.outline_share() < kPartMinOutline) continue;
+    if (is_of_competing_box(component, window) || component.outline_share() < kPartMinOutline)
+      continue;
     if (component.outside_share() <= options.part_max_outside) ids.push_back(id);
   }
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -156,7 +159,7 @@ ComponentIds part_candidates(const DepthWindow& window,
 ComponentIds with_parts(const DepthWindow& window,
                         const DepthComponents& labelled,
                         std::uint32_t best,
-                        const Eigen::Matrix3f& upright_from_camera,
+                        const Eigen::Matrix3f& gravity_aligned_from_camera,
                         const ForegroundOptions& options) {
   ComponentIds chosen{best};
   if (options.part_gap_m <= 0.0) return chosen;
@@ -164,7 +167,7 @@ ComponentIds with_parts(const DepthWindow& window,
   if (candidates.empty()) return chosen;
   const auto columns = [&](std::uint32_t id) {
     return columns_of(
-        window, labelled, id, upright_from_camera, static_cast<float>(options.part_gap_m));
+        window, labelled, id, gravity_aligned_from_camera, static_cast<float>(options.part_gap_m));
   };
   Columns reached = columns(best);
   PixelRect covered = labelled.components[best].bounds_in_box;
@@ -172,9 +175,9 @@ ComponentIds with_parts(const DepthWindow& window,
     const PixelRect bounds = labelled.components[id].bounds_in_box;
     const PixelRect wider = united(covered, bounds);
     const double gain = span_share(wider, window.box) - span_share(covered, window.box);
-    const bool is_scrap =
-        labelled.components[id].num_in_box < kScrapShare * labelled.components[best].num_in_box;
-    if (gain < kPartMinGain && !is_scrap) return false;
+    const bool is_fragment =
+        labelled.components[id].num_in_box < kFragmentShare * labelled.components[best].num_in_box;
+    if (gain < kPartMinGain && !is_fragment) return false;
     const double height_gap_m =
         gain < kPartMinGain ? options.part_gap_m : options.part_height_gap_m;
     const Columns part = columns(id);
@@ -211,15 +214,15 @@ std::uint32_t best_component(const DepthWindow& window,
 
 ComponentIds choose_surfaces(const DepthWindow& window,
                              const DepthComponents& labelled,
-                             const Eigen::Matrix3f& upright_from_camera,
+                             const Eigen::Matrix3f& gravity_aligned_from_camera,
                              const ForegroundOptions& options) {
   const std::uint32_t best = best_component(window, labelled, false);
   if (best == kNoComponent) return {};
   const std::vector<DepthComponent>& components = labelled.components;
   double num_in_box = 0.0;
   for (const DepthComponent& component : components) num_in_box += component.num_in_box;
-  if (components[best].kind == 0 && !is_rivals(components[best], window)) {
-    ComponentIds chosen = with_parts(window, labelled, best, upright_from_camera, options);
+  if (components[best].kind == 0 && !is_of_competing_box(components[best], window)) {
+    ComponentIds chosen = with_parts(window, labelled, best, gravity_aligned_from_camera, options);
     double num_chosen = 0.0;
     for (const std::uint32_t id : chosen) num_chosen += components[id].num_in_box;
     if (num_chosen >= kStandsOutShare * num_in_box) return chosen;

@@ -26,7 +26,7 @@ LayerInfo info_of(const MapArchive& archive, std::string_view format, std::strin
 
 std::vector<ObjectId> shown_ids(const MapArchive& archive) {
   std::vector<ObjectId> ids;
-  for (const Object* object : shown_objects(archive)) ids.push_back(object->id);
+  for (const Object* object : confirmed_objects_of(archive)) ids.push_back(object->id);
   return ids;
 }
 
@@ -35,7 +35,7 @@ Layer octree_layer(const MapArchive& archive) {
   return {.info = info_of(archive, kOctomapFormat, "octree"),
           .content =
               OctreeLayer({.leaves = leaf_source(octree),
-                           .drawn = published_leaves(archive, shown_ids(archive)),
+                           .drawn = confirmed_leaves(archive, shown_ids(archive)),
                            .classes = archive.classes,
                            .file = [&octree] { return write_octomap(to_octomap_tree(octree)); }})};
 }

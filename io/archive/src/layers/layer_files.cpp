@@ -3,7 +3,7 @@
 
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layer_member_files.hpp"
 
@@ -29,7 +29,7 @@ std::string file_of(const LayerInfo& info) {
 }
 
 /// The member that `image:` names: beside its metadata.
-std::string picture_member(const std::string& metadata_member, const std::string& image) {
+std::string image_member(const std::string& metadata_member, const std::string& image) {
   return (std::filesystem::path(metadata_member).parent_path() / image).string();
 }
 
@@ -101,12 +101,13 @@ Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
   HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml,
                             members.take(metadata_member, owner, limits.max_text_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(auto metadata, parse_map_metadata(yaml, source));
-  const std::string image = picture_member(metadata_member, metadata.value.image);
+  const std::string image = image_member(metadata_member, metadata.value.image);
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string bytes,
       members.take(image, metadata_member + ": image", limits.zip.max_entry_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture, decode_picture(bytes, members.source_of(image)));
-  auto grid = grid_from_picture(picture, metadata.value, MapDialect::kHypermap);
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage decoded,
+                            decode_image(bytes, members.source_of(image)));
+  auto grid = grid_from_image(decoded, metadata.value, MapDialect::kHypermap);
   if (!grid) return tl::make_unexpected(with_source(std::move(grid).error(), source));
   Loaded<OccupancyLayer> loaded{
       .value = OccupancyLayer(std::move(grid->value), std::move(metadata.value.extra)),
@@ -120,11 +121,11 @@ Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
 
 Result<std::vector<OpaqueFile>> write_occupancy(const OccupancyLayer& layer,
                                                 const std::string& stem) {
-  const std::string picture = stem + ".png";
+  const std::string image = stem + ".png";
   HYPERMAP_ASSIGN_OR_RETURN(
-      MapFiles files, write_scale_map(layer, std::filesystem::path(picture).filename().string()));
+      MapFiles files, write_scale_map(layer, std::filesystem::path(image).filename().string()));
   return std::vector<OpaqueFile>{{.name = stem + ".yaml", .bytes = std::move(files.yaml)},
-                                 {.name = picture, .bytes = std::move(files.picture)}};
+                                 {.name = image, .bytes = std::move(files.image)}};
 }
 
 Result<Loaded<LayerContent>> read_layer(ArchiveMembers& members,

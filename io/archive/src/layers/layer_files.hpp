@@ -16,7 +16,7 @@
 
 namespace hypermap {
 
-/// An occupancy grid from `<stem>.yaml` and the picture that it names; `owner` is how errors call
+/// An occupancy grid from `<stem>.yaml` and the image that it names; `owner` is how errors call
 /// whoever names the stem ("layers[0].file").
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
                                                             const std::string& stem,

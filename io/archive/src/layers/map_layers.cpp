@@ -16,9 +16,10 @@ namespace {
 constexpr const char* kOccupancyName = "occupancy";
 constexpr const char* kSemanticName = "semantic";
 
-std::vector<const Object*> objects_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+std::vector<const Object*> objects_of(const ObjectMap& objects,
+                                      std::span<const ObjectId> confirmed) {
   std::vector<const Object*> found;
-  for (const ObjectId id : shown) found.push_back(&objects.at(id));
+  for (const ObjectId id : confirmed) found.push_back(&objects.at(id));
   return found;
 }
 
@@ -28,12 +29,12 @@ constexpr double kSurfaceNoiseM = 0.05;
 /// What an object lends to its voxels, and where.
 struct Owner {
   ClassId class_id;
-  Box reach;
+  Box bounds;
 };
 
-std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const ObjectId> shown) {
+std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const ObjectId> confirmed) {
   std::map<ObjectId, Owner> owners;
-  for (const ObjectId id : shown) {
+  for (const ObjectId id : confirmed) {
     const Object* object = objects.find(id);
     const auto best = object != nullptr ? best_class(*object) : std::nullopt;
     if (best) owners.emplace(id, Owner{best->id, grown(object->box, kSurfaceNoiseM)});
@@ -45,8 +46,8 @@ std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const Ob
 const Owner* owner_of(const LeafSample& leaf, const std::map<ObjectId, Owner>& owners) {
   const auto named = owners.find(leaf.object);
   if (named == owners.end()) return nullptr;
-  const bool reaches = grown(named->second.reach, 0.5 * leaf.edge_m).contains(leaf.centre_in_map);
-  return reaches ? &named->second : nullptr;
+  const bool touches = grown(named->second.bounds, 0.5 * leaf.edge_m).contains(leaf.centre_in_map);
+  return touches ? &named->second : nullptr;
 }
 
 /// Replaces the content of a layer, or adds the layer.
@@ -57,35 +58,35 @@ Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent conten
 
 }  // namespace
 
-std::vector<const Object*> shown_objects(const MapArchive& archive) {
+std::vector<const Object*> confirmed_objects_of(const MapArchive& archive) {
   const auto* semantic = archive.hypermap.find_as<SemanticLayer>(kSemanticName);
-  std::vector<const Object*> shown;
+  std::vector<const Object*> confirmed;
   for (const Object& object : archive.objects.objects()) {
     if (semantic == nullptr || semantic->find(object.id.value) != nullptr) {
-      shown.push_back(&object);
+      confirmed.push_back(&object);
     }
   }
-  return shown;
+  return confirmed;
 }
 
-LeafSource published_leaves(const MapArchive& archive, std::span<const ObjectId> shown) {
+LeafSource confirmed_leaves(const MapArchive& archive, std::span<const ObjectId> confirmed) {
   return [leaves = leaf_source(*archive.octree),
-          owners = owners_of(archive.objects, shown)](const LeafVisitor& visit) {
+          owners = owners_of(archive.objects, confirmed)](const LeafVisitor& visit) {
     leaves([&](const LeafSample& leaf) {
-      LeafSample published = leaf;
+      LeafSample sample = leaf;
       const Owner* owner = owner_of(leaf, owners);
-      published.best_class = owner == nullptr ? std::nullopt : std::optional(owner->class_id);
-      if (owner == nullptr) published.object = kNoObject;
-      visit(published);
+      sample.best_class = owner == nullptr ? std::nullopt : std::optional(owner->class_id);
+      if (owner == nullptr) sample.object = kNoObject;
+      visit(sample);
     });
   };
 }
 
 LeafSource shown_leaves(const MapArchive& archive) {
   if (archive.octree) {
-    std::vector<ObjectId> shown;
-    for (const Object* object : shown_objects(archive)) shown.push_back(object->id);
-    return published_leaves(archive, shown);
+    std::vector<ObjectId> confirmed;
+    for (const Object* object : confirmed_objects_of(archive)) confirmed.push_back(object->id);
+    return confirmed_leaves(archive, confirmed);
   }
   return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
 }
@@ -94,17 +95,17 @@ Result<void> derive_layers(MapArchive& archive,
                            const ObjectPipelineOptions& objects,
                            const LayerOptions& options) {
   HYPERMAP_TRY(validate(options));
-  const auto shown = published(archive.objects, objects.publication);
-  const LeafSource leaves = published_leaves(archive, shown);
+  const auto confirmed = confirmed_objects(archive.objects, objects.confirmation);
+  const LeafSource leaves = confirmed_leaves(archive, confirmed);
   const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
   const OccupancyProjectionOptions projection{.min_free_share = options.min_free_share};
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band, projection));
   HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band, projection));
   HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
-                            project_footprints(objects_of(archive.objects, shown),
+                            project_footprints(objects_of(archive.objects, confirmed),
                                                archive.classes,
                                                {.policy = objects.footprint,
-                                                .confidence = objects.publication.confidence}));
+                                                .confidence = objects.confirmation.confidence}));
   HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(occupancy))));
   HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
   archive.class_grids.clear();

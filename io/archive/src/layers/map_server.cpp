@@ -20,17 +20,17 @@ struct Shade {
   bool has_alpha = false;
 };
 
-Shade shade_of(const Picture& picture, std::size_t pixel) {
-  const auto channels = static_cast<std::size_t>(picture.channels);
-  const std::size_t num_colors = channels - (picture.has_alpha() ? 1 : 0);
+Shade shade_of(const DecodedImage& image, std::size_t pixel) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t num_colors = channels - (image.has_alpha() ? 1 : 0);
   const auto sample = [&](std::size_t c) {
     const std::size_t at = pixel * channels + c;
-    const int value = picture.bits == 8 ? int{picture.samples8[at]} : int{picture.samples16[at]};
+    const int value = image.bits == 8 ? int{image.samples8[at]} : int{image.samples16[at]};
     return static_cast<double>(value);
   };
-  Shade shade{.full = static_cast<double>(num_colors) * picture.max_value,
-              .white = static_cast<double>(picture.max_value),
-              .has_alpha = picture.has_alpha()};
+  Shade shade{.full = static_cast<double>(num_colors) * image.max_value,
+              .white = static_cast<double>(image.max_value),
+              .has_alpha = image.has_alpha()};
   for (std::size_t c = 0; c < num_colors; ++c) shade.colors += sample(c);
   shade.alpha = shade.has_alpha ? sample(num_colors) : shade.white;
   return shade;
@@ -84,21 +84,21 @@ std::int8_t map_server_cell(const Shade& shade, const MapMetadata& metadata) {
 }
 
 /// Raw values that are no occupancy and not 255, which a signed byte reads as -1.
-std::size_t count_odd_raw_values(const Picture& picture, const MapMetadata& metadata) {
+std::size_t count_odd_raw_values(const DecodedImage& image, const MapMetadata& metadata) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < picture.num_pixels(); ++i) {
-    const Shade shade = shade_of(picture, i);
+  for (std::size_t i = 0; i < image.num_pixels(); ++i) {
+    const Shade shade = shade_of(image, i);
     const int value = raw_value(shade, metadata);
     if (!is_transparent(shade) && value > kOccupiedCell && value < 255) ++count;
   }
   return count;
 }
 
-std::vector<Finding> findings_of(const Picture& picture,
+std::vector<Finding> findings_of(const DecodedImage& image,
                                  const MapMetadata& metadata,
                                  MapDialect dialect) {
   if (metadata.mode != MapMode::kRaw || dialect != MapDialect::kHypermap) return {};
-  const std::size_t odd = count_odd_raw_values(picture, metadata);
+  const std::size_t odd = count_odd_raw_values(image, metadata);
   if (odd == 0) return {};
   return {{.severity = Severity::kWarning,
            .error = {.code = ErrorCode::kMalformedFile,
@@ -106,20 +106,20 @@ std::vector<Finding> findings_of(const Picture& picture,
                      .field = "mode"}}};
 }
 
-GridGeometry geometry_of(const Picture& picture, const MapMetadata& metadata) {
+GridGeometry geometry_of(const DecodedImage& image, const MapMetadata& metadata) {
   return {.resolution_m = metadata.resolution_m,
           .origin = {metadata.origin[0], metadata.origin[1]},
           .yaw_rad = metadata.origin[2],
-          .cols = picture.width_px,
-          .rows = picture.height_px};
+          .cols = image.width_px,
+          .rows = image.height_px};
 }
 
 }  // namespace
 
-Result<Loaded<OccupancyGrid>> grid_from_picture(const Picture& picture,
-                                                const MapMetadata& metadata,
-                                                MapDialect dialect) {
-  const GridGeometry geometry = geometry_of(picture, metadata);
+Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
+                                              const MapMetadata& metadata,
+                                              MapDialect dialect) {
+  const GridGeometry geometry = geometry_of(image, metadata);
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid, OccupancyGrid::create(geometry));
   const auto cell_of = dialect == MapDialect::kHypermap ? hypermap_cell : map_server_cell;
   for (int row = 0; row < geometry.rows; ++row) {
@@ -127,10 +127,10 @@ Result<Loaded<OccupancyGrid>> grid_from_picture(const Picture& picture,
     for (int col = 0; col < geometry.cols; ++col) {
       const std::size_t pixel =
           top_row * static_cast<std::size_t>(geometry.cols) + static_cast<std::size_t>(col);
-      grid.set({col, row}, cell_of(shade_of(picture, pixel), metadata));
+      grid.set({col, row}, cell_of(shade_of(image, pixel), metadata));
     }
   }
-  return Loaded<OccupancyGrid>{std::move(grid), findings_of(picture, metadata, dialect)};
+  return Loaded<OccupancyGrid>{std::move(grid), findings_of(image, metadata, dialect)};
 }
 
 Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
@@ -138,9 +138,9 @@ Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
   const SourceName source{.file = yaml_path.string()};
   HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(yaml_path, YamlLimits{}.max_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(Loaded<MapMetadata> metadata, parse_map_metadata(yaml, source));
-  HYPERMAP_ASSIGN_OR_RETURN(const Picture picture,
-                            read_picture(yaml_path.parent_path() / metadata.value.image));
-  auto grid = grid_from_picture(picture, metadata.value, dialect);
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image,
+                            read_image_file(yaml_path.parent_path() / metadata.value.image));
+  auto grid = grid_from_image(image, metadata.value, dialect);
   if (!grid) return tl::make_unexpected(with_source(grid.error(), source));
   std::vector<Finding> findings = std::move(metadata.findings);
   for (Finding& finding : grid->findings) {

@@ -23,7 +23,7 @@ std::uint8_t trinary_pixel(std::int8_t occupancy) {
 }
 
 template <class Pixel, class PixelOf>
-Image<Pixel> picture_of(const OccupancyGrid& grid, const PixelOf& pixel_of) {
+Image<Pixel> image_of(const OccupancyGrid& grid, const PixelOf& pixel_of) {
   const GridGeometry& geometry = grid.geometry();
   Image<Pixel> image(geometry.cols, geometry.rows);
   for (int row = 0; row < geometry.rows; ++row) {
@@ -41,10 +41,10 @@ struct Thresholds {
 };
 
 std::string metadata_of(const OccupancyLayer& layer,
-                        const std::string& picture_name,
+                        const std::string& image_name,
                         const Thresholds& thresholds) {
   const GridGeometry& geometry = layer.grid.geometry();
-  std::vector<ValueTree::Entry> entries = {{"image", make_text(picture_name)},
+  std::vector<ValueTree::Entry> entries = {{"image", make_text(image_name)},
                                            {"resolution", make_number(geometry.resolution_m)},
                                            {"origin",
                                             make_list({make_number(geometry.origin.x()),
@@ -63,32 +63,32 @@ std::int8_t worst(const OccupancyGrid& grid, const Polygon& square) {
   std::int8_t most = kUnknownCell;
   bool has_unknown = false;
   bool has_any = false;
-  double met = 0.0;
+  double covered_area = 0.0;
   for_each_covered_cell(grid.geometry(), square, [&](Cell cell, double covered) {
     const std::int8_t occupancy = grid.at(cell);
     has_any = true;
-    met += covered;
+    covered_area += covered;
     has_unknown = has_unknown || occupancy == kUnknownCell;
     most = std::max(most, occupancy);
   });
   constexpr double kWhole = 1.0 - 1e-6;
-  const bool is_partly_outside = met < kWhole;
+  const bool is_partly_outside = covered_area < kWhole;
   if (!has_any || (most == kFreeCell && (has_unknown || is_partly_outside))) return kUnknownCell;
   return most;
 }
 
 }  // namespace
 
-Result<MapFiles> write_scale_map(const OccupancyLayer& layer, const std::string& picture_name) {
-  HYPERMAP_ASSIGN_OR_RETURN(std::string picture,
-                            encode_png(picture_of<GrayAlpha8>(layer.grid, scale_pixel)));
-  return MapFiles{metadata_of(layer, picture_name, {}), std::move(picture)};
+Result<MapFiles> write_scale_map(const OccupancyLayer& layer, const std::string& image_name) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::string image,
+                            encode_png(image_of<GrayAlpha8>(layer.grid, scale_pixel)));
+  return MapFiles{metadata_of(layer, image_name, {}), std::move(image)};
 }
 
-Result<MapFiles> write_trinary_map(const OccupancyLayer& layer, const std::string& picture_name) {
-  HYPERMAP_ASSIGN_OR_RETURN(std::string picture,
-                            encode_pgm(picture_of<std::uint8_t>(layer.grid, trinary_pixel)));
-  return MapFiles{metadata_of(layer, picture_name, {0.65, 0.196, "trinary"}), std::move(picture)};
+Result<MapFiles> write_trinary_map(const OccupancyLayer& layer, const std::string& image_name) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::string image,
+                            encode_pgm(image_of<std::uint8_t>(layer.grid, trinary_pixel)));
+  return MapFiles{metadata_of(layer, image_name, {0.65, 0.196, "trinary"}), std::move(image)};
 }
 
 Result<OccupancyGrid> without_rotation(const OccupancyGrid& grid) {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kObjectKeys = {
     "name", "shape", "tags", "confidence", "id"};
-/// Also what a simulation's truth says of a thing (simulation_truth.hpp), kept like an unknown key.
+/// Also what a simulation's truth says of an object (simulation_truth.hpp), kept like an unknown
+/// key.
 constexpr std::array<std::string_view, 8> kExpectedKeys = {
     "name", "shape", "tags", "confidence", "id", "thing", "box", "excluded"};
 constexpr std::size_t kMaxTags = 256;

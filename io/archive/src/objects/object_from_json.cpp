@@ -86,12 +86,12 @@ Result<PointVote> parse_vote(const JsonNode& node) {
   return vote;
 }
 
-Result<PointEvidence> parse_points(const JsonNode& node) {
+Result<OccupancyVotes> parse_points(const JsonNode& node) {
   HYPERMAP_TRY(expect_keys(
       node,
       {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"}));
-  PointEvidenceOptions options;
-  PointEvidenceState state;
+  OccupancyVotesOptions options;
+  OccupancyVotesState state;
   HYPERMAP_ASSIGN_OR_RETURN(options.edge_m, number_at(node, "first_edge_m"));
   HYPERMAP_ASSIGN_OR_RETURN(options.max_cells, integer_at<std::uint32_t>(node, "max_cells"));
   HYPERMAP_ASSIGN_OR_RETURN(options.min_vote_share, number_at(node, "min_vote_share"));
@@ -99,7 +99,7 @@ Result<PointEvidence> parse_points(const JsonNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
                             integer_at<std::uint32_t>(node, "num_observations"));
   HYPERMAP_ASSIGN_OR_RETURN(state.votes, list_at(node, "votes", parse_vote));
-  return judged(node, PointEvidence::from_state(options, std::move(state)));
+  return judged(node, OccupancyVotes::from_state(options, std::move(state)));
 }
 
 /// Kind and visibility are stored as their numbers.
@@ -109,12 +109,12 @@ Result<Enum> enum_of(const JsonNode& node, int num_values) {
   return static_cast<Enum>(value);
 }
 
-Result<LedgerEntry> parse_ledger_entry(const JsonNode& node) {
+Result<ObservationLogEntry> parse_log_entry(const JsonNode& node) {
   HYPERMAP_TRY(expect_array(node, 10));
-  LedgerEntry entry;
+  ObservationLogEntry entry;
   HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index, integer_of<std::uint64_t>(node.at(0)));
   HYPERMAP_ASSIGN_OR_RETURN(entry.stamp.ns, integer_of<std::int64_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.kind, enum_of<LedgerKind>(node.at(2), 2));
+  HYPERMAP_ASSIGN_OR_RETURN(entry.kind, enum_of<ObservationKind>(node.at(2), 2));
   HYPERMAP_ASSIGN_OR_RETURN(entry.visibility, enum_of<Visibility>(node.at(3), kNumVisibilities));
   HYPERMAP_ASSIGN_OR_RETURN(entry.detector.value, integer_of<std::uint32_t>(node.at(4)));
   HYPERMAP_ASSIGN_OR_RETURN(entry.class_id.value, integer_of<std::uint32_t>(node.at(5)));
@@ -125,10 +125,10 @@ Result<LedgerEntry> parse_ledger_entry(const JsonNode& node) {
   return entry;
 }
 
-Result<LedgerSummary> parse_ledger_summary(const JsonNode& node) {
+Result<ObservationLogSummary> parse_log_summary(const JsonNode& node) {
   HYPERMAP_TRY(expect_array(node, 8));
-  LedgerSummary summary;
-  HYPERMAP_ASSIGN_OR_RETURN(summary.kind, enum_of<LedgerKind>(node.at(0), 2));
+  ObservationLogSummary summary;
+  HYPERMAP_ASSIGN_OR_RETURN(summary.kind, enum_of<ObservationKind>(node.at(0), 2));
   HYPERMAP_ASSIGN_OR_RETURN(summary.detector.value, integer_of<std::uint32_t>(node.at(1)));
   HYPERMAP_ASSIGN_OR_RETURN(summary.class_id.value, integer_of<std::uint32_t>(node.at(2)));
   HYPERMAP_ASSIGN_OR_RETURN(summary.bearing_bin, integer_of<std::uint8_t>(node.at(3)));
@@ -139,18 +139,18 @@ Result<LedgerSummary> parse_ledger_summary(const JsonNode& node) {
   return summary;
 }
 
-Result<ObjectLedger> parse_ledger(const JsonNode& node) {
+Result<ObservationLog> parse_observation_log(const JsonNode& node) {
   HYPERMAP_TRY(expect_keys(node, {"first", "newest", "summaries", "num_unsummarised"}));
-  ObjectLedgerState state;
+  ObservationLogState state;
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode first, node.require("first"));
   if (!first.is(JsonKind::kNull)) {
-    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_ledger_entry(first));
+    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_log_entry(first));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_ledger_entry));
-  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_ledger_summary));
+  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_log_entry));
+  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_log_summary));
   HYPERMAP_ASSIGN_OR_RETURN(state.num_unsummarised,
                             integer_at<std::uint64_t>(node, "num_unsummarised"));
-  return judged(node, ObjectLedger::from_state(std::move(state)));
+  return judged(node, ObservationLog::from_state(std::move(state)));
 }
 
 /// Reads objects; knows the limit on vertices.
@@ -186,7 +186,7 @@ class ObjectReader {
                                 return parse_shapes(shapes);
                               }));
     HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", parse_points));
-    HYPERMAP_ASSIGN_OR_RETURN(object.ledger, part(node, "ledger", parse_ledger));
+    HYPERMAP_ASSIGN_OR_RETURN(object.observation_log, part(node, "ledger", parse_observation_log));
     HYPERMAP_ASSIGN_OR_RETURN(object.first_seen.ns,
                               integer_at<std::int64_t>(node, "first_seen_ns"));
     HYPERMAP_ASSIGN_OR_RETURN(object.last_seen.ns, integer_at<std::int64_t>(node, "last_seen_ns"));

@@ -85,7 +85,7 @@ Result<ObjectMap> parse(std::string_view bytes,
                 "says " + std::to_string(head.num_objects) + " objects, there are " +
                     (lines.done() ? "only " + std::to_string(objects.size()) : "more"),
                 "num_objects");
-  return judged(first.root(), ObjectMap::restore(std::move(objects), head.next_id));
+  return validated(first.root(), ObjectMap::restore(std::move(objects), head.next_id));
 }
 
 }  // namespace

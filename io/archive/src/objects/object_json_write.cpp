@@ -27,7 +27,7 @@ class ObjectWriter {
                         {"histogram", json_of(object.histogram)},
                         {"shapes", json_of(object.shapes)},
                         {"points", json_of(object.points)},
-                        {"ledger", json_of(object.ledger)},
+                        {"ledger", json_of(object.observation_log)},
                         {"first_seen_ns", std::to_string(object.first_seen.ns)},
                         {"last_seen_ns", std::to_string(object.last_seen.ns)},
                         {"num_observations", count(object.num_observations)},
@@ -100,9 +100,9 @@ class ObjectWriter {
          {"kept", json_array(state.shapes, [this](const Polygon& p) { return json_of(p); })}});
   }
 
-  std::string json_of(const PointEvidence& evidence) {
-    const PointEvidenceOptions& options = evidence.options();
-    const PointEvidenceState& state = evidence.state();
+  std::string json_of(const OccupancyVotes& evidence) {
+    const OccupancyVotesOptions& options = evidence.options();
+    const OccupancyVotesState& state = evidence.state();
     return json_object({{"first_edge_m", number(options.edge_m)},
                         {"max_cells", count(options.max_cells)},
                         {"min_vote_share", number(options.min_vote_share)},
@@ -115,8 +115,8 @@ class ObjectWriter {
                          })}});
   }
 
-  /// Kind, visibility and the rest in the order of LedgerEntry's fields.
-  std::string json_of(const LedgerEntry& entry) {
+  /// Kind, visibility and the rest in the order of ObservationLogEntry's fields.
+  std::string json_of(const ObservationLogEntry& entry) {
     return "[" + count(entry.frame_index) + "," + std::to_string(entry.stamp.ns) + "," +
            std::to_string(static_cast<int>(entry.kind)) + "," +
            std::to_string(static_cast<int>(entry.visibility)) + "," + count(entry.detector.value) +
@@ -124,16 +124,16 @@ class ObjectWriter {
            number(entry.bearing_rad) + "," + number(entry.distance_m) + "," + number(entry.effect) +
            "]";
   }
-  /// In the order of LedgerSummary's fields.
-  std::string json_of(const LedgerSummary& summary) {
+  /// In the order of ObservationLogSummary's fields.
+  std::string json_of(const ObservationLogSummary& summary) {
     return "[" + std::to_string(static_cast<int>(summary.kind)) + "," +
            count(summary.detector.value) + "," + count(summary.class_id.value) + "," +
            std::to_string(static_cast<int>(summary.bearing_bin)) + "," + count(summary.count) +
            "," + number(summary.score_sum) + "," + number(summary.effect_sum) + "," +
            count(summary.last_frame_index) + "]";
   }
-  std::string json_of(const ObjectLedger& ledger) {
-    const ObjectLedgerState& state = ledger.state();
+  std::string json_of(const ObservationLog& observation_log) {
+    const ObservationLogState& state = observation_log.state();
     const auto json = [this](const auto& item) { return json_of(item); };
     return json_object({{"first", state.first ? json_of(*state.first) : "null"},
                         {"newest", json_array(state.newest, json)},

@@ -141,10 +141,10 @@ class FullReader {
       tree.labels.push_back(*label_);
     }
     tree.leaves.push_back(leaf);
-    tell_parent(log_odds);
+    update_parent(log_odds);
   }
 
-  void tell_parent(float log_odds) {
+  void update_parent(float log_odds) {
     if (open_.empty()) return;
     float& max = open_.back().max_of_children;
     max = std::max(max, log_odds);
@@ -154,7 +154,7 @@ class FullReader {
     const float computed = node.max_of_children;
     if (computed != node.log_odds) ++nodes_.num_stale_inner_nodes;
     open_.pop_back();
-    tell_parent(computed);
+    update_parent(computed);
   }
 
   NodeCursor cursor_;

@@ -95,7 +95,7 @@ std::uint64_t num_voxels(const OctomapTree& tree) {
 
 std::uint64_t max_voxels(const OctomapTree& tree, const OctreeConversionOptions& options) {
   const std::uint64_t by_leaves = options.max_voxels_per_leaf * tree.leaves.size();
-  return std::min(options.max_voxels, std::max(options.unjudged_voxels, by_leaves));
+  return std::min(options.max_voxels, std::max(options.unchecked_voxels, by_leaves));
 }
 
 Finding counted(std::uint64_t count, const std::string& what) {

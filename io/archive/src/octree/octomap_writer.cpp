@@ -97,7 +97,7 @@ class FullWriter {
     if (tree_.kind == OctomapKind::kColor)
       store(out_.bytes, node.at + sizeof(float), node.colors.mean());
     store(out_.bytes, node.children_at, node.children);
-    tell_parent(node.max_of_children, node.colors.mean());
+    update_parent(node.max_of_children, node.colors.mean());
   }
 
   void write_leaf(std::size_t index) {
@@ -108,7 +108,7 @@ class FullWriter {
                    leaf.label == OctomapLeaf::kNoLabel ? nullptr : &tree_.labels[leaf.label]);
     append(out_.bytes, std::uint8_t{0});
     ++out_.num_nodes;
-    tell_parent(leaf.log_odds, color);
+    update_parent(leaf.log_odds, color);
   }
 
   void append_payload(Rgb8 color, const VoxelLabel* label) {
@@ -116,7 +116,7 @@ class FullWriter {
     if (tree_.kind == OctomapKind::kSemantic) append(out_.bytes, stored_label(label));
   }
 
-  void tell_parent(float log_odds, Rgb8 color) {
+  void update_parent(float log_odds, Rgb8 color) {
     if (open_.empty()) return;
     Open& parent = open_.back();
     parent.max_of_children = std::max(parent.max_of_children, log_odds);

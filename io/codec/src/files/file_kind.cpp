@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/file_kind.hpp"
 
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 
 #include <algorithm>
@@ -104,7 +104,7 @@ Result<std::string> first_bytes(const fs::path& path) {
   return bytes;
 }
 
-bool is_picture(std::string_view bytes) {
+bool is_image(std::string_view bytes) {
   constexpr std::array<std::string_view, 9> kMagic{
       "\x89PNG", "\xFF\xD8\xFF", "BM", "P1", "P2", "P3", "P4", "P5", "P6"};
   return std::any_of(kMagic.begin(), kMagic.end(), [&](std::string_view magic) {
@@ -112,8 +112,8 @@ bool is_picture(std::string_view bytes) {
   });
 }
 
-FileKind picture_kind(std::string_view bytes) {
-  const auto header = read_picture_header(bytes, {});
+FileKind image_kind(std::string_view bytes) {
+  const auto header = read_image_header(bytes, {});
   const bool is_depth = header && header->bits == 16 && header->channels == 1;
   return is_depth ? FileKind::kDepth : FileKind::kImage;
 }
@@ -161,7 +161,7 @@ std::optional<FileKind> yaml_kind(const std::vector<TextLine>& lines) {
 std::optional<FileKind> by_content(std::string_view bytes) {
   if (bytes.starts_with("PK")) return FileKind::kArchive;
   if (bytes.starts_with("# Octomap")) return FileKind::kOctree;
-  if (is_picture(bytes)) return picture_kind(bytes);
+  if (is_image(bytes)) return image_kind(bytes);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return std::nullopt;

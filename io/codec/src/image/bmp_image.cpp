@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmp_image.hpp"
 
-#include "picture_limits.hpp"
+#include "image_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,8 +108,8 @@ Result<BmpLayout> read_layout(std::string_view bytes) {
   return layout;
 }
 
-PictureHeader to_header(const BmpLayout& layout) {
-  return {.format = PictureFormat::kBmp,
+ImageHeader to_header(const BmpLayout& layout) {
+  return {.format = ImageFormat::kBmp,
           .width_px = static_cast<int>(layout.width_px),
           .height_px = static_cast<int>(layout.height_px),
           .channels = 3};
@@ -124,13 +124,13 @@ Result<std::string_view> color_of(const BmpLayout& layout, char index) {
                        "raster");
 }
 
-Result<Picture> resolve(const BmpLayout& layout) {
-  Picture picture{.width_px = static_cast<int>(layout.width_px),
-                  .height_px = static_cast<int>(layout.height_px),
-                  .channels = 3};
-  picture.samples8.resize(3 * picture.num_pixels());
+Result<DecodedImage> resolve(const BmpLayout& layout) {
+  DecodedImage image{.width_px = static_cast<int>(layout.width_px),
+                     .height_px = static_cast<int>(layout.height_px),
+                     .channels = 3};
+  image.samples8.resize(3 * image.num_pixels());
   const auto height = static_cast<std::size_t>(layout.height_px);
-  auto out = picture.samples8.begin();
+  auto out = image.samples8.begin();
   for (std::size_t v = 0; v < height; ++v) {
     const std::size_t stored_row = layout.is_top_down ? v : height - 1 - v;
     const std::string_view row = layout.raster.substr(stored_row * layout.row_bytes);
@@ -144,17 +144,17 @@ Result<Picture> resolve(const BmpLayout& layout) {
       }
     }
   }
-  return picture;
+  return image;
 }
 
 }  // namespace
 
-Result<PictureHeader> read_bmp_header(std::string_view bytes) {
+Result<ImageHeader> read_bmp_header(std::string_view bytes) {
   HYPERMAP_ASSIGN_OR_RETURN(const BmpLayout layout, read_layout(bytes));
   return to_header(layout);
 }
 
-Result<Picture> decode_bmp(std::string_view bytes, const PictureLimits& limits) {
+Result<DecodedImage> decode_bmp(std::string_view bytes, const ImageLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const BmpLayout layout, read_layout(bytes));
   HYPERMAP_TRY(check_size(layout.width_px, layout.height_px, limits));
   try {

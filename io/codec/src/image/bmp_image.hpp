@@ -6,7 +6,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <string_view>
 
@@ -14,11 +14,11 @@ namespace hypermap {
 
 /// Errors: kMalformedFile when the header or the raster is cut or a side is absurd; kUnsupported
 /// for run lengths, other depths, bit fields that are no whole bytes, headers of OS/2.
-[[nodiscard]] Result<PictureHeader> read_bmp_header(std::string_view bytes);
+[[nodiscard]] Result<ImageHeader> read_bmp_header(std::string_view bytes);
 
 /// RGB, the upper row first; a fourth byte of the pixels is dropped.
 /// Errors: those of read_bmp_header; kMalformedFile for an index beyond the palette; kLimit;
 /// kOutOfMemory.
-[[nodiscard]] Result<Picture> decode_bmp(std::string_view bytes, const PictureLimits& limits);
+[[nodiscard]] Result<DecodedImage> decode_bmp(std::string_view bytes, const ImageLimits& limits);
 
 }  // namespace hypermap

@@ -4,7 +4,7 @@
 // the running call: between the two no object with a destructor lives.
 #include "jpeg_decompression.hpp"
 
-#include "picture_limits.hpp"
+#include "image_limits.hpp"
 
 // In this order: jpeglib.h needs FILE, jerror.h what jpeglib.h says of the build.
 // clang-format off

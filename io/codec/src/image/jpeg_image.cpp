@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jpeg_image.hpp"
 
+#include "image_limits.hpp"
 #include "jpeg_decompression.hpp"
-#include "picture_limits.hpp"
 
 #include <cstddef>
 #include <new>
@@ -35,22 +35,22 @@ bool is_cut(std::string_view bytes) {
   return !bytes.ends_with("\xFF\xD9");
 }
 
-Result<Picture> decode_rows(std::string_view bytes, const PictureHeader& header) {
+Result<DecodedImage> decode_rows(std::string_view bytes, const ImageHeader& header) {
   JpegDecompression jpeg;
   HYPERMAP_TRY(jpeg.read_header(bytes));
   if (jpeg.width_px() != header.width_px || jpeg.height_px() != header.height_px) {
     return malformed_jpeg("frame headers contradict each other", "size");
   }
-  Picture picture{
+  DecodedImage image{
       .width_px = header.width_px, .height_px = header.height_px, .channels = jpeg.channels()};
-  picture.samples8.resize(picture.num_pixels() * static_cast<std::size_t>(picture.channels));
-  HYPERMAP_TRY(jpeg.read_rows(picture.samples8));
-  return picture;
+  image.samples8.resize(image.num_pixels() * static_cast<std::size_t>(image.channels));
+  HYPERMAP_TRY(jpeg.read_rows(image.samples8));
+  return image;
 }
 
 }  // namespace
 
-Result<PictureHeader> read_jpeg_header(std::string_view bytes) {
+Result<ImageHeader> read_jpeg_header(std::string_view bytes) {
   std::size_t at = 2;
   while (at + 4 <= bytes.size() && jpeg_byte(bytes, at) == 0xFF) {
     const unsigned marker = jpeg_byte(bytes, at + 1);
@@ -64,10 +64,10 @@ Result<PictureHeader> read_jpeg_header(std::string_view bytes) {
       if (jpeg_byte(bytes, at + 4) != 8) {
         return fail(ErrorCode::kUnsupported, "JPEG of more than 8 bit", "bits");
       }
-      return PictureHeader{.format = PictureFormat::kJpeg,
-                           .width_px = jpeg_number(bytes, at + 7),
-                           .height_px = jpeg_number(bytes, at + 5),
-                           .channels = jpeg_byte(bytes, at + 9) == 1 ? 1 : 3};
+      return ImageHeader{.format = ImageFormat::kJpeg,
+                         .width_px = jpeg_number(bytes, at + 7),
+                         .height_px = jpeg_number(bytes, at + 5),
+                         .channels = jpeg_byte(bytes, at + 9) == 1 ? 1 : 3};
     }
     if (length < 2) break;
     at += 2 + static_cast<std::size_t>(length);
@@ -75,8 +75,8 @@ Result<PictureHeader> read_jpeg_header(std::string_view bytes) {
   return malformed_jpeg("the JPEG has no frame header", "header");
 }
 
-Result<Picture> decode_jpeg(std::string_view bytes, const PictureLimits& limits) {
-  HYPERMAP_ASSIGN_OR_RETURN(const PictureHeader header, read_jpeg_header(bytes));
+Result<DecodedImage> decode_jpeg(std::string_view bytes, const ImageLimits& limits) {
+  HYPERMAP_ASSIGN_OR_RETURN(const ImageHeader header, read_jpeg_header(bytes));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
   if (is_cut(bytes)) return malformed_jpeg("ends early", "raster");
   try {

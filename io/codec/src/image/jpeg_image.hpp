@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <string_view>
 
@@ -13,11 +13,11 @@ namespace hypermap {
 /// Size and channels of the first frame header; not judged against any limit.
 /// Source: ITU-T T.81, annex B.
 /// Errors: kMalformedFile when there is none; kUnsupported for more than 8 bit.
-[[nodiscard]] Result<PictureHeader> read_jpeg_header(std::string_view bytes);
+[[nodiscard]] Result<ImageHeader> read_jpeg_header(std::string_view bytes);
 
 /// Grey or RGB in the order of the stored rows: intrinsics belong to these, so an EXIF orientation
 /// is not applied.
 /// Errors: kMalformedFile when the end mark or coded pixels are missing; kLimit; kOutOfMemory.
-[[nodiscard]] Result<Picture> decode_jpeg(std::string_view bytes, const PictureLimits& limits);
+[[nodiscard]] Result<DecodedImage> decode_jpeg(std::string_view bytes, const ImageLimits& limits);
 
 }  // namespace hypermap

@@ -22,7 +22,7 @@ Result<int> header_number(PgmText& text, const char* field, int max) {
   const std::string_view at = text.rest();
   if (const auto number = text.number(max); number && *number > 0) return *number;
   return malformed_header(
-      "is " + shown_token(at) + ", expected a number from 1 to " + std::to_string(max), field);
+      "is " + printable_token(at) + ", expected a number from 1 to " + std::to_string(max), field);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Result<PgmHeader> read_pgm_header(std::string_view bytes) {
   return header;
 }
 
-std::string shown_token(std::string_view text) {
+std::string printable_token(std::string_view text) {
   return "'" + printable(text.substr(0, 20)) + "'";
 }
 

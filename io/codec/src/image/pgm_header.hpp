@@ -43,6 +43,6 @@ struct PgmHeader {
 [[nodiscard]] Result<PgmHeader> read_pgm_header(std::string_view bytes);
 
 /// The first bytes of what stands there, for messages.
-[[nodiscard]] std::string shown_token(std::string_view text);
+[[nodiscard]] std::string printable_token(std::string_view text);
 
 }  // namespace hypermap

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/pgm_image.hpp"
 
+#include "image_limits.hpp"
 #include "pgm_header.hpp"
-#include "picture_limits.hpp"
 
 #include <new>
 #include <span>
@@ -27,7 +27,8 @@ Result<std::uint16_t> next_sample(PgmText& text, const PgmHeader& header) {
   if (const auto sample = text.number(header.max_value)) {
     return static_cast<std::uint16_t>(*sample);
   }
-  return malformed_pgm("sample is " + shown_token(at) + ", expected a number from 0 to maxval " +
+  return malformed_pgm("sample is " + printable_token(at) +
+                           ", expected a number from 0 to maxval " +
                            std::to_string(header.max_value),
                        "raster");
 }
@@ -40,7 +41,7 @@ Result<void> read_text(const PgmHeader& header, std::span<Sample> samples) {
     sample = static_cast<Sample>(value);
   }
   if (!text.skip_blanks() || !text.rest().empty()) {
-    return malformed_pgm("more follows after the last sample: " + shown_token(text.rest()),
+    return malformed_pgm("more follows after the last sample: " + printable_token(text.rest()),
                          "raster");
   }
   return {};
@@ -79,37 +80,37 @@ Result<std::vector<Sample>> read_raster(const PgmHeader& header, std::size_t num
   return samples;
 }
 
-Result<Picture> decode_pgm(std::string_view bytes, const PictureLimits& limits) {
+Result<DecodedImage> decode_pgm(std::string_view bytes, const ImageLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const PgmHeader header, read_pgm_header(bytes));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
-  Picture picture{.width_px = header.width_px,
-                  .height_px = header.height_px,
-                  .bits = header.max_value > 255 ? 16 : 8,
-                  .max_value = header.max_value};
-  if (header.raster.size() < least_bytes(header, picture.num_pixels())) {
+  DecodedImage image{.width_px = header.width_px,
+                     .height_px = header.height_px,
+                     .bits = header.max_value > 255 ? 16 : 8,
+                     .max_value = header.max_value};
+  if (header.raster.size() < least_bytes(header, image.num_pixels())) {
     return malformed_pgm("ends early: " + std::to_string(header.raster.size()) + " bytes for " +
-                             std::to_string(picture.num_pixels()) + " samples",
+                             std::to_string(image.num_pixels()) + " samples",
                          "raster");
   }
-  if (picture.bits == 16) {
-    HYPERMAP_ASSIGN_OR_RETURN(picture.samples16,
-                              read_raster<std::uint16_t>(header, picture.num_pixels()));
+  if (image.bits == 16) {
+    HYPERMAP_ASSIGN_OR_RETURN(image.samples16,
+                              read_raster<std::uint16_t>(header, image.num_pixels()));
   } else {
-    HYPERMAP_ASSIGN_OR_RETURN(picture.samples8,
-                              read_raster<std::uint8_t>(header, picture.num_pixels()));
+    HYPERMAP_ASSIGN_OR_RETURN(image.samples8,
+                              read_raster<std::uint8_t>(header, image.num_pixels()));
   }
-  return picture;
+  return image;
 }
 
 }  // namespace
 
-Result<Picture> decode_pgm(std::string_view bytes,
-                           const SourceName& source,
-                           const PictureLimits& limits) {
+Result<DecodedImage> decode_pgm(std::string_view bytes,
+                                const SourceName& source,
+                                const ImageLimits& limits) {
   try {
-    auto picture = decode_pgm(bytes, limits);
-    if (!picture) return tl::make_unexpected(with_source(picture.error(), source));
-    return picture;
+    auto image = decode_pgm(bytes, limits);
+    if (!image) return tl::make_unexpected(with_source(image.error(), source));
+    return image;
   } catch (const std::bad_alloc&) {
     return tl::make_unexpected(with_source(out_of_memory(), source));
   }

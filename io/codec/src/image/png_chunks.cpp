@@ -141,7 +141,7 @@ class Collector {
   [[nodiscard]] Result<void> take_palette(const Chunk& chunk) {
     const PngColor color = layout_.header.color;
     if (color == PngColor::kGray || color == PngColor::kGrayAlpha) {
-      return malformed_chunk("stands in a grey picture", "PLTE");
+      return malformed_chunk("stands in a grey image", "PLTE");
     }
     if (!layout_.palette.empty() || has_data_ || !layout_.transparency.empty()) {
       return malformed_chunk("stands twice or too late", "PLTE");
@@ -198,9 +198,9 @@ int stored_channels(PngColor color) {
   return 1;
 }
 
-PictureHeader to_picture_header(const PngHeader& header) {
+ImageHeader to_image_header(const PngHeader& header) {
   const bool is_palette = header.color == PngColor::kPalette;
-  return {.format = PictureFormat::kPng,
+  return {.format = ImageFormat::kPng,
           .width_px = static_cast<int>(header.width_px),
           .height_px = static_cast<int>(header.height_px),
           .channels = is_palette ? 3 : stored_channels(header.color),

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct PngLayout {
 /// Samples per pixel as stored (a palette index counts as one).
 [[nodiscard]] int stored_channels(PngColor color);
 /// What IHDR alone says; a palette counts as three channels, tRNS is not looked at.
-[[nodiscard]] PictureHeader to_picture_header(const PngHeader& header);
+[[nodiscard]] ImageHeader to_image_header(const PngHeader& header);
 
 /// Errors: kMalformedFile for a wrong signature or a cut, damaged or forbidden IHDR.
 [[nodiscard]] Result<PngHeader> read_png_header(std::string_view bytes);

@@ -5,7 +5,7 @@
 // that one alone insists on the end of the compressed stream.
 #include "png_decompression.hpp"
 
-#include "picture_limits.hpp"
+#include "image_limits.hpp"
 
 #include <png.h>
 
@@ -114,36 +114,36 @@ bool feed(PngStream& stream, std::span<const std::string_view> parts) {
   return true;
 }
 
-/// A picture of the layout's size, its samples still 0.
-Picture blank_picture(const PngLayout& layout) {
+/// An image of the layout's size, its samples still 0.
+DecodedImage blank_image(const PngLayout& layout) {
   const PngHeader& header = layout.header;
   const bool has_key = header.color != PngColor::kPalette && !layout.transparency.empty();
-  Picture picture{.width_px = static_cast<int>(header.width_px),
-                  .height_px = static_cast<int>(header.height_px),
-                  .channels = stored_channels(header.color) + (has_key ? 1 : 0),
-                  .bits = header.bits == 16 ? 16 : 8,
-                  .max_value = header.bits == 16 ? 65'535 : 255};
-  const std::size_t count = picture.num_pixels() * static_cast<std::size_t>(picture.channels);
+  DecodedImage image{.width_px = static_cast<int>(header.width_px),
+                     .height_px = static_cast<int>(header.height_px),
+                     .channels = stored_channels(header.color) + (has_key ? 1 : 0),
+                     .bits = header.bits == 16 ? 16 : 8,
+                     .max_value = header.bits == 16 ? 65'535 : 255};
+  const std::size_t count = image.num_pixels() * static_cast<std::size_t>(image.channels);
   if (header.bits == 16) {
-    picture.samples16.resize(count);
+    image.samples16.resize(count);
   } else {
-    picture.samples8.resize(count);
+    image.samples8.resize(count);
   }
-  return picture;
+  return image;
 }
 
-std::span<std::uint8_t> bytes_of(Picture& picture) {
-  if (picture.bits == 8) return picture.samples8;
-  return {reinterpret_cast<std::uint8_t*>(picture.samples16.data()), 2 * picture.samples16.size()};
+std::span<std::uint8_t> bytes_of(DecodedImage& image) {
+  if (image.bits == 8) return image.samples8;
+  return {reinterpret_cast<std::uint8_t*>(image.samples16.data()), 2 * image.samples16.size()};
 }
 
 }  // namespace
 
-Result<Picture> decompress_png(const PngLayout& layout) {
-  Picture picture = blank_picture(layout);
+Result<DecodedImage> decompress_png(const PngLayout& layout) {
+  DecodedImage image = blank_image(layout);
   PngStream stream;
-  stream.pixels = bytes_of(picture);
-  stream.row_bytes = stream.pixels.size() / static_cast<std::size_t>(picture.height_px);
+  stream.pixels = bytes_of(image);
+  stream.row_bytes = stream.pixels.size() / static_cast<std::size_t>(image.height_px);
   stream.is_interlaced = layout.header.interlaced;
   if (!create(stream)) throw std::bad_alloc();
   const bool is_fed = feed(stream, layout.chunks);
@@ -154,7 +154,7 @@ Result<Picture> decompress_png(const PngLayout& layout) {
                 "IDAT");
   }
   if (!stream.is_whole) return fail(ErrorCode::kMalformedFile, "holds too few pixels", "IDAT");
-  return picture;
+  return image;
 }
 
 }  // namespace hypermap

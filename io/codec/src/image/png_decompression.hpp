@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 #include "png_chunks.hpp"
 
 namespace hypermap {
@@ -15,6 +15,6 @@ namespace hypermap {
 /// What libpng only warns of is an error.
 /// Errors: kMalformedFile when the compressed rows are damaged, too few, too many or do not end
 /// with their checksum; kOutOfMemory.
-[[nodiscard]] Result<Picture> decompress_png(const PngLayout& layout);
+[[nodiscard]] Result<DecodedImage> decompress_png(const PngLayout& layout);
 
 }  // namespace hypermap

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/png_image.hpp"
-#include "picture_limits.hpp"
+#include "image_limits.hpp"
 #include "png_chunks.hpp"
 #include "png_decompression.hpp"
 
@@ -13,7 +13,7 @@
 namespace hypermap {
 namespace {
 
-/// A sub-picture of an interlaced PNG; the whole is one pass of step 1.
+/// A sub-image of an interlaced PNG; the whole is one pass of step 1.
 struct Pass {
   int x0 = 0;
   int y0 = 0;
@@ -60,12 +60,12 @@ Result<void> check_declared_size(const PngLayout& layout) {
 }
 
 /// The colours of indices, with alpha where the layout has tRNS.
-Result<Picture> resolve_palette(const Picture& indices, const PngLayout& layout) {
+Result<DecodedImage> resolve_palette(const DecodedImage& indices, const PngLayout& layout) {
   const std::string_view palette = layout.palette;
   const std::string_view alpha = layout.transparency;
-  Picture out{.width_px = indices.width_px,
-              .height_px = indices.height_px,
-              .channels = alpha.empty() ? 3 : 4};
+  DecodedImage out{.width_px = indices.width_px,
+                   .height_px = indices.height_px,
+                   .channels = alpha.empty() ? 3 : 4};
   out.samples8.reserve(out.num_pixels() * static_cast<std::size_t>(out.channels));
   for (const std::size_t index : indices.samples8) {
     if (3 * index >= palette.size()) {
@@ -84,25 +84,25 @@ Result<Picture> resolve_palette(const Picture& indices, const PngLayout& layout)
   return out;
 }
 
-Result<Picture> decode(std::string_view bytes, const PictureLimits& limits) {
+Result<DecodedImage> decode(std::string_view bytes, const ImageLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const PngHeader header, read_png_header(bytes));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
   HYPERMAP_ASSIGN_OR_RETURN(const PngLayout layout, read_png_layout(bytes));
   HYPERMAP_TRY(check_declared_size(layout));
-  HYPERMAP_ASSIGN_OR_RETURN(Picture samples, decompress_png(layout));
+  HYPERMAP_ASSIGN_OR_RETURN(DecodedImage samples, decompress_png(layout));
   if (header.color == PngColor::kPalette) return resolve_palette(samples, layout);
   return samples;
 }
 
 }  // namespace
 
-Result<Picture> decode_png(std::string_view bytes,
-                           const SourceName& source,
-                           const PictureLimits& limits) {
+Result<DecodedImage> decode_png(std::string_view bytes,
+                                const SourceName& source,
+                                const ImageLimits& limits) {
   try {
-    auto picture = decode(bytes, limits);
-    if (!picture) return tl::make_unexpected(with_source(picture.error(), source));
-    return picture;
+    auto image = decode(bytes, limits);
+    if (!image) return tl::make_unexpected(with_source(image.error(), source));
+    return image;
   } catch (const std::bad_alloc&) {
     return tl::make_unexpected(with_source(out_of_memory(), source));
   }

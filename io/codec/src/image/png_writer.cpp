@@ -111,7 +111,7 @@ std::string compressed_rows(const Image<Pixel>& image, PngEffort effort) {
 template <class Pixel>
 Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color, PngEffort effort) {
   if (image.empty()) return fail(ErrorCode::kInvalidArgument, "an empty image has no PNG", "image");
-  if (image.width_px() > kMaxPictureSidePx || image.height_px() > kMaxPictureSidePx) {
+  if (image.width_px() > kMaxImageSidePx || image.height_px() > kMaxImageSidePx) {
     return fail(ErrorCode::kLimit, "a side is over 65535 pixels", "image");
   }
   try {
@@ -123,7 +123,7 @@ Result<std::string> encode(const Image<Pixel>& image, int bits, PngColor color, 
     append_chunk(bytes, "IEND", "");
     return bytes;
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, "no memory for the picture", "image");
+    return fail(ErrorCode::kOutOfMemory, "no memory for the image", "image");
   }
 }
 

@@ -108,7 +108,7 @@ Result<Entry> take_entry(std::string_view& rest) {
               .flags = get16(rest, 8),
               .header_offset = get32(rest, 42),
               .is_folder = name.ends_with('/')};
-  const auto judge = [&]() -> Result<void> {
+  const auto check_fields = [&]() -> Result<void> {
     HYPERMAP_TRY(check_member_name(name));
     if (get16(rest, 34) != 0) return malformed_directory("lies on another disk");
     if (get32(rest, 24) == kZip64Marker32 || get32(rest, 20) == kZip64Marker32 ||
@@ -119,17 +119,17 @@ Result<Entry> take_entry(std::string_view& rest) {
     HYPERMAP_TRY(check_kind(get16(rest, 4), get32(rest, 38), entry.is_folder));
     return check_extra(rest.substr(kCentralBytes + name_bytes, extra_bytes), name);
   };
-  if (auto judged = judge(); !judged)
-    return in_entry(tl::make_unexpected(std::move(judged).error()), name);
+  if (auto checked = check_fields(); !checked)
+    return in_entry(tl::make_unexpected(std::move(checked).error()), name);
   rest.remove_prefix(all);
   return entry;
 }
 
-/// The end of the member's bytes, descriptor included, after its local header was judged.
+/// The end of the member's bytes, descriptor included, after its local header was checked.
 /// Source: APPNOTE 4.3.7, 4.3.9.
-Result<std::uint64_t> judge_local(const ByteSource& source,
-                                  std::uint64_t directory_offset,
-                                  Entry& entry) {
+Result<std::uint64_t> check_local_header(const ByteSource& source,
+                                         std::uint64_t directory_offset,
+                                         Entry& entry) {
   ZipMember& member = entry.member;
   if (entry.header_offset > directory_offset ||
       directory_offset - entry.header_offset < kLocalBytes)
@@ -253,10 +253,10 @@ Result<void> read_local_headers(const ByteSource& source,
     if (entry->header_offset > filled_up_to)
       return in_entry(malformed_directory("bytes before it belong to no entry"),
                       entry->member.name);
-    auto judged = judge_local(source, end.directory_offset, *entry);
-    if (!judged)
-      return in_entry(tl::make_unexpected(std::move(judged).error()), entry->member.name);
-    filled_up_to = *judged;
+    auto checked = check_local_header(source, end.directory_offset, *entry);
+    if (!checked)
+      return in_entry(tl::make_unexpected(std::move(checked).error()), entry->member.name);
+    filled_up_to = *checked;
   }
   if (filled_up_to != end.directory_offset)
     return malformed_directory("bytes before the central directory belong to no entry");

@@ -31,8 +31,8 @@ struct Entry {
 [[nodiscard]] Result<std::vector<Entry>> read_directory(const ByteSource& source,
                                                         const EndRecord& end,
                                                         const ZipLimits& limits);
-/// Judges the local headers and data descriptors against the directory, sets the data offsets, and
-/// judges that the members fill the file up to the directory, each byte once.
+/// Checks the local headers and data descriptors against the directory, sets the data offsets, and
+/// checks that the members fill the file up to the directory, each byte once.
 [[nodiscard]] Result<void> read_local_headers(const ByteSource& source,
                                               const EndRecord& end,
                                               std::vector<Entry>& entries);

@@ -16,7 +16,7 @@ struct ShapeInput {
   Rgb8 second;
 };
 
-// Things to sit on (furniture_seats.cpp).
+// Objects to sit on (furniture_seats.cpp).
 [[nodiscard]] TriangleMesh build_chair(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_swivel_chair(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_sofa(const ShapeInput& input);

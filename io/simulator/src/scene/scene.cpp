@@ -18,19 +18,19 @@ constexpr double kJitterShareOnOthers = 0.4;
 
 using Objects = std::vector<PlacedObject>;
 
-/// Where the thing stands: a frame level with the floor, or with the top of what bears it.
+/// Where the object stands: a frame level with the floor, or with the top of what bears it.
 Result<Eigen::Isometry3d> map_from_support(const SceneObject& object, const Objects& placed) {
   if (object.on.empty()) return Eigen::Isometry3d::Identity();
   const auto bearer = std::ranges::find(placed, object.on, &PlacedObject::name);
   if (bearer == placed.end())
     return fail(ErrorCode::kNotFound,
-                "stands on " + printable(object.on) + ", which is no thing before it in the list",
+                "stands on " + printable(object.on) + ", which is no object before it in the list",
                 "on");
   return bearer->map_from_object *
          Eigen::Translation3d(0.0, 0.0, bearer->box.max_in_map.z() - bearer->box.min_in_map.z());
 }
 
-/// The thing's pose on its support, moved a little by the seed.
+/// The object's pose on its support, moved a little by the seed.
 Eigen::Isometry3d support_from_object(const Scene& scene,
                                       const SceneObject& object,
                                       std::uint64_t seed,
@@ -52,7 +52,7 @@ Result<PlacedObject> place(const Scene& scene,
                            std::uint64_t seed) {
   const SceneObject& object = scene.objects[index];
   if (std::ranges::find(placed, object.name, &PlacedObject::name) != placed.end())
-    return fail(ErrorCode::kInvalidArgument, "another thing has this name", "name");
+    return fail(ErrorCode::kInvalidArgument, "another object has this name", "name");
   HYPERMAP_ASSIGN_OR_RETURN(TriangleMesh mesh,
                             build_furniture({object.shape, object.size_m, object.colors}));
   HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Isometry3d support, map_from_support(object, placed));

@@ -43,7 +43,7 @@ Result<void> read_building(const YamlNode& node, Scene& scene) {
   HYPERMAP_ASSIGN_OR_RETURN(Ring outer, read_ring(floor));
   std::vector<Ring> holes;
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> blocks,
-                            read_list(node, "blocks", kMaxThings));
+                            read_list(node, "blocks", kMaxSceneObjects));
   for (const YamlNode& block : blocks) {
     HYPERMAP_ASSIGN_OR_RETURN(Ring hole, read_ring(block));
     holes.push_back(std::move(hole));
@@ -165,12 +165,12 @@ Result<Scene> read_scene(const YamlNode& root) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode building, root.at("building"));
   HYPERMAP_TRY(read_building(building, scene));
   HYPERMAP_TRY(read_lights_and_jitter(root, scene));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto fixtures, read_list(root, "fixtures", kMaxThings));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto fixtures, read_list(root, "fixtures", kMaxSceneObjects));
   for (const YamlNode& item : fixtures) {
     HYPERMAP_ASSIGN_OR_RETURN(const SceneFixture fixture, read_fixture(item));
     scene.fixtures.push_back(fixture);
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const auto objects, read_list(root, "objects", kMaxThings));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto objects, read_list(root, "objects", kMaxSceneObjects));
   for (const YamlNode& item : objects) {
     HYPERMAP_ASSIGN_OR_RETURN(SceneObject object, read_object(item));
     scene.objects.push_back(std::move(object));

@@ -84,7 +84,7 @@ Result<SurfaceMaterial> read_surface(const YamlNode& map, SurfaceMaterial usual)
 
 Result<Ring> read_ring(const YamlNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> items, node.as_list());
-  if (items.size() > kMaxThings)
+  if (items.size() > kMaxSceneObjects)
     return refuse(node, "must have 1000 points or fewer", ErrorCode::kLimit);
   Ring ring;
   for (const YamlNode& item : items) {

@@ -20,7 +20,7 @@
 
 namespace hypermap {
 
-inline constexpr std::size_t kMaxThings = 1000;  ///< Of a list, and points of a ring.
+inline constexpr std::size_t kMaxSceneObjects = 1000;  ///< Of a list, and points of a ring.
 
 [[nodiscard]] inline Unexpected refuse(const YamlNode& node,
                                        std::string what,

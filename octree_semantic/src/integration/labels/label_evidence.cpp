@@ -11,7 +11,7 @@ namespace {
 
 /// Three kept classes may hide the three strongest; one more bounds all others.
 constexpr std::size_t kNumBest = 2 * VoxelLabel::kNumClasses + 1;
-/// Class ids up to here have a table; a detector with larger ones is asked voxel by voxel.
+/// Class ids up to here have a table; larger ones are handled voxel by voxel.
 constexpr std::size_t kMaxTable = 4096;
 /// Beyond every clamp: stands for certainty.
 constexpr double kCertain = 60'000.0;

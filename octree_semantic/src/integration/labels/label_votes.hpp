@@ -21,7 +21,7 @@ struct LabelVote {
 
 /// Votes of one frame. The order in which measurements are added does not matter.
 ///
-/// Two labels per voxel are counted in place, further ones (where three things meet) in a list.
+/// Two labels per voxel are counted in place, further ones (where three objects meet) in a list.
 /// Where labelled voxels lie far apart all are counted in the list: places take 8 KiB a brick.
 class LabelVotes {
  public:

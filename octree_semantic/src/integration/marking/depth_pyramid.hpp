@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The nearest and the farthest depth in any part of a picture, in a few lookups.
+/// The nearest and the farthest depth in any part of an image, in a few lookups.
 #pragma once
 
 #include "integration/workers.hpp"
@@ -38,10 +38,10 @@ class DepthPyramid {
              std::span<const std::uint32_t> dropped,
              const Workers& workers);
 
-  /// The picture, 0 where nothing was measured.
+  /// The image, 0 where nothing was measured.
   [[nodiscard]] const std::vector<float>& clean() const noexcept { return clean_; }
   /// Bounds that may be wider than those of the rectangle: of the tiles that it touches.
-  /// Requires: the rectangle lies in the picture.
+  /// Requires: the rectangle lies in the image.
   [[nodiscard]] DepthBounds bounds(const PixelSpan& rect) const noexcept;
   [[nodiscard]] DepthBounds bounds() const noexcept { return levels_.back().bounds.front(); }
 

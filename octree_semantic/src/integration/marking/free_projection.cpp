@@ -11,8 +11,8 @@
 namespace hypermap {
 namespace {
 
-/// Whole bricks are judged with so much to spare, relative and in pixels, that rounding in the
-/// judgement of single corners cannot disagree.
+/// Margin of the test of whole bricks, relative and in pixels: rounding in the test of single
+/// corners cannot disagree.
 constexpr float kSpare = 1e-4F;
 constexpr float kSparePx = 0.05F;
 
@@ -37,7 +37,7 @@ Interval projected(float middle, float half, const Interval& depth, float shift)
           high / (high >= 0.0F ? depth.low : depth.high) + shift + kSparePx};
 }
 
-/// Where the corners of a brick may fall in the picture.
+/// Where the corners of a brick may fall in the image.
 struct Footprint {
   PixelSpan rect;
   bool whole = true;  // none falls outside
@@ -70,7 +70,7 @@ void FreeProjection::mark(const RgbdFrame& frame,
   set_up(frame, pyramid, resolution_m, max_range_m, window);
   const std::size_t num_columns = window.num_bricks(0) * window.num_bricks(1);
   workers.for_each(num_columns,
-                   [&](std::size_t, std::size_t column) { see_column(pyramid, column, window); });
+                   [&](std::size_t, std::size_t column) { test_column(pyramid, column, window); });
   workers.for_each(num_columns,
                    [&](std::size_t, std::size_t column) { mark_column(column, window, passed); });
 }
@@ -119,13 +119,13 @@ void FreeProjection::set_up(const RgbdFrame& frame,
   projection_.max_squared_m2 = max_range_m_ * max_range_m_;
   projection_.per_fx = static_cast<float>(1.0 / camera.fx_px);
   projection_.per_fy = static_cast<float>(1.0 / camera.fy_px);
-  seen_.resize(window.num_bricks());
+  visible_corners_.resize(window.num_bricks());
   corners_.resize(window.num_bricks());
 }
 
-void FreeProjection::see_column(const DepthPyramid& pyramid,
-                                std::size_t column,
-                                const WindowGeometry& window) {
+void FreeProjection::test_column(const DepthPyramid& pyramid,
+                                 std::size_t column,
+                                 const WindowGeometry& window) {
   const std::size_t row = column / window.num_bricks(1);
   const auto x = static_cast<double>(row);
   const auto y = static_cast<double>(column % window.num_bricks(1));
@@ -136,22 +136,22 @@ void FreeProjection::see_column(const DepthPyramid& pyramid,
       first[i] = static_cast<float>(origin_[i] + per_brick_[0][i] * x + per_brick_[1][i] * y +
                                     per_brick_[2][i] * static_cast<double>(z));
     }
-    seen_[brick] = see_brick(pyramid, first, corners_[brick]);
+    visible_corners_[brick] = test_brick(pyramid, first, corners_[brick]);
   }
 }
 
-FreeProjection::Seen FreeProjection::see_brick(const DepthPyramid& pyramid,
-                                               const std::array<float, 3>& first,
-                                               BrickWords& corners) const {
+FreeProjection::VisibleCorners FreeProjection::test_brick(const DepthPyramid& pyramid,
+                                                          const std::array<float, 3>& first,
+                                                          BrickWords& corners) const {
   const float x = first[0] + middle_[0];
   const float y = first[1] + middle_[1];
   const float z = first[2] + middle_[2];
   const Interval depth{z - half_[2], z + half_[2]};
-  if (!(depth.high > 0.0F && depth.low <= pyramid.bounds().max_m)) return Seen::kNothing;
+  if (!(depth.high > 0.0F && depth.low <= pyramid.bounds().max_m)) return VisibleCorners::kNothing;
   const float metric_x = x * projection_.per_fx;
   const float metric_y = y * projection_.per_fy;
   const float distance_m = std::sqrt(metric_x * metric_x + metric_y * metric_y + z * z);
-  if (distance_m * (1.0F - kSpare) > max_range_m_ + radius_m_) return Seen::kNothing;
+  if (distance_m * (1.0F - kSpare) > max_range_m_ + radius_m_) return VisibleCorners::kNothing;
   const bool within = (distance_m + radius_m_) * (1.0F + kSpare) < max_range_m_;
   // The sensor stands among the corners, or nearly so: they fall anywhere.
   if (depth.low > kSpare * half_[2]) {
@@ -159,22 +159,23 @@ FreeProjection::Seen FreeProjection::see_brick(const DepthPyramid& pyramid,
                                  projected(y, half_[1], depth, projection_.v0),
                                  projection_.width,
                                  projection_.height);
-    if (!print) return Seen::kNothing;
+    if (!print) return VisibleCorners::kNothing;
     const DepthBounds measured = pyramid.bounds(print->rect);
-    if (depth.low * (1.0F - kSpare) > measured.max_m) return Seen::kNothing;
-    if (within && print->whole && depth.high * (1.0F + kSpare) < measured.min_m) return Seen::kAll;
+    if (depth.low * (1.0F - kSpare) > measured.max_m) return VisibleCorners::kNothing;
+    if (within && print->whole && depth.high * (1.0F + kSpare) < measured.min_m)
+      return VisibleCorners::kAll;
   }
-  kernels::best_kernels().see_corners(projection_, first.data(), !within, corners.data());
-  return corners == kNoCorners ? Seen::kNothing : Seen::kSome;
+  kernels::best_kernels().test_corners(projection_, first.data(), !within, corners.data());
+  return corners == kNoCorners ? VisibleCorners::kNothing : VisibleCorners::kSome;
 }
 
 const BrickWords& FreeProjection::corners_of(std::size_t brick) const noexcept {
-  switch (seen_[brick]) {
-    case Seen::kSome:
+  switch (visible_corners_[brick]) {
+    case VisibleCorners::kSome:
       return corners_[brick];
-    case Seen::kAll:
+    case VisibleCorners::kAll:
       return kAllCorners;
-    case Seen::kNothing:
+    case VisibleCorners::kNothing:
       break;
   }
   return kNoCorners;
@@ -203,7 +204,8 @@ void FreeProjection::mark_column(std::size_t column,
       any |= corners[i] != &kNoCorners;
     }
     if (!any) continue;
-    const BrickWords voxels = seen_[brick] == Seen::kAll ? kAllCorners : voxels_of_corners(corners);
+    const BrickWords voxels =
+        visible_corners_[brick] == VisibleCorners::kAll ? kAllCorners : voxels_of_corners(corners);
     if (voxels != kNoCorners) passed.unite_brick(brick, voxels.data());
   }
 }

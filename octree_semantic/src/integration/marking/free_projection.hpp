@@ -21,7 +21,7 @@ namespace hypermap {
 ///
 /// A voxel was looked through when any of its eight corners is in front of what was measured at the
 /// pixel in which the corner falls. Centres would not do: rays that only clip a voxel free it too,
-/// at the edge of a thing in the picture and along a surface seen at a grazing angle, and a map
+/// at the edge of an object in the image and along a surface seen at a grazing angle, and a map
 /// made with centres keeps what rays would have removed (2 to 5 % more occupied voxels in real
 /// frames). The corners are shared by eight voxels, so they cost no more than centres.
 ///
@@ -40,17 +40,17 @@ class FreeProjection {
             BitLayer& passed);
 
  private:
-  enum class Seen : std::uint8_t { kNothing, kSome, kAll };
+  enum class VisibleCorners : std::uint8_t { kNothing, kSome, kAll };
 
   void set_up(const RgbdFrame& frame,
               const DepthPyramid& pyramid,
               double resolution_m,
               double max_range_m,
               const WindowGeometry& window);
-  void see_column(const DepthPyramid& pyramid, std::size_t column, const WindowGeometry& window);
-  [[nodiscard]] Seen see_brick(const DepthPyramid& pyramid,
-                               const std::array<float, 3>& first,
-                               BrickWords& corners) const;
+  void test_column(const DepthPyramid& pyramid, std::size_t column, const WindowGeometry& window);
+  [[nodiscard]] VisibleCorners test_brick(const DepthPyramid& pyramid,
+                                          const std::array<float, 3>& first,
+                                          BrickWords& corners) const;
   void mark_column(std::size_t column, const WindowGeometry& window, BitLayer& passed) const;
   [[nodiscard]] const BrickWords& corners_of(std::size_t brick) const noexcept;
 
@@ -61,7 +61,7 @@ class FreeProjection {
   std::array<float, 3> half_{};    // half the extent of its corners along the camera's axes
   float radius_m_ = 0.0F;          // of the ball around its corners
   float max_range_m_ = 0.0F;
-  std::vector<Seen> seen_;
+  std::vector<VisibleCorners> visible_corners_;
   std::vector<BrickWords> corners_;  // valid where kSome
 };
 

@@ -24,7 +24,7 @@ int key_within_volume(double voxels) {
       std::clamp(std::floor(voxels) + kOriginKey, 0.0, static_cast<double>(kKeysPerAxis - 1)));
 }
 
-/// The sensor and the four corners of the picture at the farthest depth.
+/// The sensor and the four corners of the image at the farthest depth.
 Box box_of_view(const RgbdFrame& frame, double farthest_m) {
   const PinholeCamera& camera = frame.camera;
   const Eigen::Vector3d sensor = frame.map_from_camera.origin().xyz;
@@ -53,18 +53,18 @@ void MeasuredPoints::set_sensor(const PointInMap& sensor) {
   }
 }
 
-KeyBox MeasuredPoints::reach(double resolution_m, double max_range_m) const {
+KeyBox MeasuredPoints::key_bounds(double resolution_m, double max_range_m) const {
   const double range_voxels = max_range_m / resolution_m + 2.0;
-  KeyBox reach;
+  KeyBox key_bounds;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     const double sensor_voxels = static_cast<double>(sensor_[i]) / resolution_m;
     const double low = bounds_.min_in_map[axis] / resolution_m - 1.0;
     const double high = bounds_.max_in_map[axis] / resolution_m + 1.0;
-    reach.min[i] = key_within_volume(std::max(low, sensor_voxels - range_voxels));
-    reach.max[i] = key_within_volume(std::min(high, sensor_voxels + range_voxels));
+    key_bounds.min[i] = key_within_volume(std::max(low, sensor_voxels - range_voxels));
+    key_bounds.max[i] = key_within_volume(std::min(high, sensor_voxels + range_voxels));
   }
-  return reach;
+  return key_bounds;
 }
 
 DepthPoints::DepthPoints(const RgbdFrame& frame) : frame_(&frame) {

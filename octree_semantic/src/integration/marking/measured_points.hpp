@@ -44,7 +44,7 @@ class MeasuredPoints {
   [[nodiscard]] virtual std::size_t num_chunks() const = 0;
   [[nodiscard]] const PointF& sensor() const noexcept { return sensor_; }
   /// Voxels that a ray to any of the measurements may touch, within the range.
-  [[nodiscard]] KeyBox reach(double resolution_m, double max_range_m) const;
+  [[nodiscard]] KeyBox key_bounds(double resolution_m, double max_range_m) const;
   /// Replaces the chunk by the `index`-th one. Points that are no measurement are counted by
   /// reason. Throws std::bad_alloc.
   virtual void read(std::size_t index, PointChunk& chunk, IntegrationReport& report) const = 0;

@@ -16,7 +16,7 @@ namespace hypermap {
 
 /// Appends the ends of rays through
 ///
-/// * a coarse grid of pixels, 9 x 7 with the border: next to the sensor the whole picture looks
+/// * a coarse grid of pixels, 9 x 7 with the border: next to the sensor the whole image looks
 ///   through less than a voxel, so no corner of one falls in it;
 /// * the measured pixels of tiles in which few are: a corner would fall beside them.
 ///

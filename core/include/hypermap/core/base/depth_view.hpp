@@ -17,7 +17,7 @@ enum class DepthEncoding : std::uint8_t {
   kUint16,       ///< 16-bit numbers of `units_per_m` to the metre; 0 is no measurement.
 };
 
-/// A depth picture that somebody else owns, in the byte order of this machine.
+/// A depth image that somebody else owns, in the byte order of this machine.
 struct DepthView {
   std::span<const std::byte> buffer;
   int width_px = 0;
@@ -28,8 +28,8 @@ struct DepthView {
   double units_per_m = 1000.0;  ///< Of kUint16: 1000 for millimetres, 5000 for TUM RGB-D.
 };
 
-/// The picture in metres. Floats that lie aligned and row by row are borrowed, not copied: the
-/// buffer then has to outlive the picture (a copy of the picture owns its pixels). All else is
+/// The image in metres. Floats that lie aligned and row by row are borrowed, not copied: the
+/// buffer then has to outlive the image (a copy of the image owns its pixels). All else is
 /// converted or copied.
 ///
 /// Errors: kInvalidArgument naming the field: sides outside 1 .. 65535, a stride shorter than a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A dense picture in memory, without an image library's type.
+/// A dense image in memory, without an image library's type.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace hypermap {
 
-/// A row-major picture. Shape: rows x columns, row 0 on top; `at(u, v)` is column u, row v.
+/// A row-major image. Shape: rows x columns, row 0 on top; `at(u, v)` is column u, row v.
 ///
 /// Owns its pixels, or borrows those of a buffer that outlives it (`borrowed`). A value either way:
 /// a copy owns its pixels, and so does a borrower once it is written to.
@@ -24,8 +24,8 @@ class Image {
   /// Requires: width_px >= 0, height_px >= 0.
   Image(int width_px, int height_px, Pixel fill = {})
       : width_px_(width_px), height_px_(height_px), pixels_(area(width_px, height_px), fill) {}
-  /// A picture of somebody else's pixels, which are not copied.
-  /// Requires: `pixels` holds width x height of them, row by row, and outlives the picture and
+  /// An image of somebody else's pixels, which are not copied.
+  /// Requires: `pixels` holds width x height of them, row by row, and outlives the image and
   /// whatever that is moved to.
   [[nodiscard]] static Image borrowed(int width_px, int height_px, const Pixel* pixels) {
     Image image;
@@ -118,7 +118,7 @@ struct Rgb8 {
 /// Metres along the optical axis. Not a measurement: 0, negative, NaN, infinite.
 using DepthImage = Image<float>;
 using ColorImage = Image<Rgb8>;
-/// 1 where the thing is, 0 elsewhere.
+/// 1 where the object is, 0 elsewhere.
 using MaskImage = Image<std::uint8_t>;
 
 }  // namespace hypermap

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How a function of the library says that it could not do what was asked.
+/// Results and errors of the library's functions.
 #pragma once
 
 #include <tl/expected.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a configuration document says, as plain values: also what nobody knows, so that it
+/// What a configuration document says, as plain values: also unknown keys, so that it
 /// survives load and save.
 #pragma once
 

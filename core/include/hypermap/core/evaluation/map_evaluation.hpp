@@ -2,7 +2,7 @@
 /// @file
 /// How good a map of objects is, measured against the truth.
 ///
-/// Source: [hypermap] 5.2.1 (the text's metric); docs/EVALUATION.md (one to one).
+/// Source: [hypermap] 5.2.1 (the thesis metric); docs/EVALUATION.md (one to one).
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -24,7 +24,8 @@ struct EvaluatedObject {
   std::string class_name;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Polygon footprint;
-  bool excluded = false;  ///< Truth only: never seen well enough, or of a class nobody can name.
+  bool excluded = false;  ///< Truth only: never visible well enough, or of a class that the
+                          ///< detector does not know.
   /// Largest side, height included; the footprint's largest side when not known (0).
   double size_m = 0.0;
 };
@@ -40,7 +41,7 @@ struct EvaluationOptions {
 /// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0.
 [[nodiscard]] Result<void> validate(const EvaluationOptions& options);
 
-/// The text's metric: nearest map object of the same class for each truth, which may serve several.
+/// The thesis metric: nearest map object of the same class for each truth, which may serve several.
 /// Source: [hypermap] 5.2.1. Means are none when `n` is 0.
 struct NearestMetric {
   std::size_t n = 0;                 ///< Truths whose class occurs in the map.
@@ -72,13 +73,13 @@ struct ClassMetrics {
   OneToOneMetric one_to_one;
 };
 
-/// What became of one truth; the pairs of a Wilcoxon test come from here.
+/// The result of one truth; the pairs of a Wilcoxon test come from here.
 struct TruthResult {
   std::size_t truth_index = 0;
   std::optional<std::size_t> matched_map_index;  ///< One to one.
   double matched_distance_m = 0.0;               ///< 0 when not matched.
   double jaccard_in_place = 0.0;                 ///< 0 when not matched.
-  std::optional<std::size_t> nearest_map_index;  ///< The text's.
+  std::optional<std::size_t> nearest_map_index;  ///< Of the thesis metric.
   double nearest_distance_m = 0.0;
   double aligned_jaccard = 0.0;
 };
@@ -88,11 +89,11 @@ struct EvaluationReport {
   std::map<std::string, ClassMetrics> classes;  ///< By canonical name.
   std::vector<TruthResult> truths;              ///< In the order of `truth`, chosen classes only.
   std::vector<std::size_t> false_positives;     ///< Indices into `map`, ascending.
-  std::vector<std::size_t> duplicates;          ///< Those of them that show an object twice.
+  std::vector<std::size_t> duplicates;          ///< Those of them that are duplicates.
 };
 
-/// Compares a map with the truth. Classes are compared by canonical_class_name. The text's metric
-/// counts excluded truths too when their class occurs in the map, as the text does.
+/// Compares a map with the truth. Classes are compared by canonical_class_name. The thesis metric
+/// counts excluded truths too when their class occurs in the map, as the thesis does.
 ///
 /// Requires: validate(options), valid footprints.
 /// Boundary: a distance of exactly the gate matches. Map objects near an excluded truth of their

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where a point of space falls in the picture, and what ray a pixel looks along.
+/// Where a point of space falls in the image, and what ray a pixel looks along.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -10,7 +10,7 @@
 
 namespace hypermap {
 
-/// Where a point falls in the picture. The centre of the upper left pixel is (0, 0).
+/// Where a point falls in the image. The centre of the upper left pixel is (0, 0).
 struct PixelPoint {
   double u_px = 0.0;
   double v_px = 0.0;
@@ -34,7 +34,7 @@ struct PinholeCamera {
     return {{(u_px - cx_px) / fx_px * depth_m, (v_px - cy_px) / fy_px * depth_m, depth_m}};
   }
   /// Where `point` is seen; none when it is not in front of the camera (z <= 0). The result may lie
-  /// outside the picture.
+  /// outside the image.
   [[nodiscard]] std::optional<PixelPoint> project(const PointInCamera& point) const {
     if (!(point.xyz.z() > 0.0)) return std::nullopt;
     return PixelPoint{fx_px * point.xyz.x() / point.xyz.z() + cx_px,
@@ -43,7 +43,7 @@ struct PinholeCamera {
 };
 
 /// Errors: kInvalidArgument naming the field: sides in 1..65535, focal lengths finite and > 0,
-/// centre finite and inside the picture (a margin of half its side is allowed).
+/// centre finite and inside the image (a margin of half its side is allowed).
 [[nodiscard]] Result<void> validate(const PinholeCamera& camera);
 
 }  // namespace hypermap

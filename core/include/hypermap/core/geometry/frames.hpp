@@ -11,7 +11,7 @@ namespace hypermap {
 namespace frame {
 struct Map {};     ///< Fixed world frame. +z is up. Every stored map quantity is in this frame.
 struct Camera {};  ///< Depth-camera optical frame. +z forward, +x right, +y down (pinhole).
-struct Input {};   ///< World frame of a dataset's trajectory, before it is turned upright into Map.
+struct Input {};   ///< World frame of a dataset's trajectory, before its alignment to gravity.
 }  // namespace frame
 
 /// A point whose frame is part of its type. Unit: metre.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What it means for an object that a frame does not show it.
+/// Missed detections: how an object decays when a frame does not show it.
 ///
 /// Source: [smap] 3.5.5, figure 3.23; [hypermap] 3.4.5 (visible area).
 #pragma once
@@ -10,8 +10,8 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "hypermap/core/objects/object_ledger.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/objects/observation_log.hpp"
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 
@@ -26,17 +26,17 @@ namespace hypermap {
 struct OptionTable;
 
 /// What one frame says about the place of one object.
-struct VisibilityVerdict {
+struct VisibilityResult {
   ObjectId object;
   Visibility state = Visibility::kOutOfView;
   double visible_fraction = 0.0;  ///< Of the object: its surface is there and open, in [0, 1].
   double absent_fraction = 0.0;   ///< Of the object: the camera looks through it, in [0, 1].
   double bearing_rad = 0.0;       ///< Of the camera seen from the object, map frame.
   double distance_m = 0.0;        ///< From the camera to the object's centroid.
-  friend bool operator==(const VisibilityVerdict&, const VisibilityVerdict&) = default;
+  friend bool operator==(const VisibilityResult&, const VisibilityResult&) = default;
 };
 
-/// Who judges what a frame shows of the known objects.
+/// How it is evaluated what a frame shows of the known objects.
 enum class VisibilityPolicy {
   kRays,    ///< Rays to the object's points; given by the 3D map. Ours.
   kHull,    ///< Inside the hull of all that the frame shows, from above. [hypermap] 3.4.5
@@ -51,7 +51,7 @@ enum class RemovalRule {
 
 struct AbsenceOptions {
   VisibilityPolicy policy = VisibilityPolicy::kRays;
-  /// Taken from the existence when the object is visible and nobody detects it.
+  /// Taken from the existence when the object is visible and not detected.
   LogOdds missed_decay{0.2};
   /// Taken from the existence when the object is not where it should be.
   LogOdds absent_decay{1.0};
@@ -65,8 +65,8 @@ struct AbsenceOptions {
   double occluded_factor = 0.0;
   /// Objects that this frame did detect lose nothing.
   bool spare_seen = true;
-  /// Farther than this times the farthest distance at which it was ever detected, nobody expects
-  /// to detect it; 0 expects it everywhere.
+  /// Farther than this times the farthest distance at which it was ever detected, a detection is
+  /// not expected; 0 expects it everywhere.
   double expected_range_factor = 1.1;
   RemovalRule removal = RemovalRule::kExistence;
   LogOdds min_existence{-2.0};              ///< For rule existence.
@@ -92,16 +92,16 @@ struct AbsenceReport {
   std::vector<ObjectId> removed;  ///< Ascending.
 };
 
-/// Negative association: weakens what should have been seen and was not, spares what is hidden,
-/// removes what nobody believes in any more.
+/// Negative association, missed detections: decays objects that were visible or absent and not
+/// detected, keeps occluded ones, removes those below the removal threshold.
 ///
-/// Verdicts about objects that are not in the map are left out. `seen_now`, ascending, are the
+/// Results about objects that are not in the map are left out. `detected`, ascending, are the
 /// objects that this frame detected.
-/// Requires: validate(options), at most one verdict per object.
+/// Requires: validate(options), at most one result per object.
 AbsenceReport apply_absences(ObjectMap& objects,
-                             std::span<const VisibilityVerdict> verdicts,
+                             std::span<const VisibilityResult> results,
                              const AbsenceOptions& options,
-                             std::span<const ObjectId> seen_now = {},
+                             std::span<const ObjectId> detected = {},
                              std::uint64_t frame_index = 0,
                              Stamp stamp = {});
 
@@ -109,15 +109,13 @@ AbsenceReport apply_absences(ObjectMap& objects,
 /// frame shows within `max_range_m` are visible. Occluded ones too: that is the source's.
 /// Source: [hypermap] 3.4.4 (visibility area).
 /// Errors: kNotFound when the frame shows no area.
-[[nodiscard]] Result<std::vector<VisibilityVerdict>> judge_by_hull(const ObjectMap& objects,
-                                                                   const RgbdFrame& frame,
-                                                                   double max_range_m);
+[[nodiscard]] Result<std::vector<VisibilityResult>> evaluate_visibility_by_hull(
+    const ObjectMap& objects, const RgbdFrame& frame, double max_range_m);
 
 /// Policy panels: each corner of a box takes the panel nearest by angle; panels are before, inside
-/// or after the box. Objects with no corner in the picture are left out.
+/// or after the box. Objects with no corner in the image are left out.
 /// Source: [smap] figure 3.23, Eq. (3.22) to (3.25), figure 3.24.
-[[nodiscard]] std::vector<VisibilityVerdict> judge_by_panels(const ObjectMap& objects,
-                                                             const BinnedDepthMap& depth,
-                                                             const AbsenceOptions& options);
+[[nodiscard]] std::vector<VisibilityResult> evaluate_visibility_by_panels(
+    const ObjectMap& objects, const BinnedDepthMap& depth, const AbsenceOptions& options);
 
 }  // namespace hypermap

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Who goes with whom, one to one, at least cost.
+/// One-to-one assignment at least cost.
 ///
 /// Source: H. W. Kuhn, "The Hungarian method for the assignment problem", 1955, in the form with
 /// potentials and shortest augmenting paths.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which object of the map an observation shows, and what it teaches about that object.
+/// Which object of the map an observation shows, and the update of that object.
 ///
 /// Source: [hypermap] 3.4.5 (policies `overlap` and `radius`); [smap] 3.5.4, figure 3.22 (policy
 /// `smap`); policy `assignment` is ours.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/core/geometry/footprint.hpp"
 #include "hypermap/core/geometry/frames.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/core/objects/class_belief.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/visibility_histogram.hpp"
@@ -25,7 +25,7 @@ namespace hypermap {
 
 struct OptionTable;
 
-/// One detected and segmented thing of one frame.
+/// One detected and segmented object of one frame.
 struct Observation {
   Segment segment;
   /// Full class vector, sorted by id, summing to 1.
@@ -43,14 +43,14 @@ struct Observation {
                                            const Detection& detection,
                                            Segment segment);
 
-/// Bearing of `camera` seen from `thing` in the map frame, in (-pi, pi]. Source: [smap]
+/// Bearing of the camera seen from the object in the map frame, in (-pi, pi]. Source: [smap]
 /// figure 3.19, phi_o. Boundary: 0 when one stands above the other.
-[[nodiscard]] double bearing_from_object_rad(const Eigen::Vector3d& thing_in_map,
+[[nodiscard]] double bearing_from_object_rad(const Eigen::Vector3d& object_in_map,
                                              const Eigen::Vector3d& camera_in_map);
 
 enum class AssociationPolicy {
   /// Ours: all observations of a frame and all objects near them are matched one to one so that the
-  /// sum of affinities is largest; then objects that came to share their points are merged.
+  /// sum of affinities is largest; then objects whose points overlap are merged.
   kAssignment,
   /// [hypermap] 3.4.5: same class and Jaccard index of the shapes above a threshold; several
   /// matches are combined.
@@ -63,7 +63,7 @@ enum class AssociationPolicy {
 
 /// Policy `kAssignment`. All of it is ours; docs/RESULTS.md has the comparison with the sources.
 ///
-/// A contact of two bodies is described by: the share of the points of each that lie within
+/// The overlap of two point sets is described by: the share of the points of each that lie within
 /// `near_m` of the other, the share of the smaller box that lies in the other, the distance of the
 /// centres in mean box diagonals, and the agreement of the class vectors.
 struct AssignmentOptions {
@@ -113,8 +113,8 @@ struct AssociationOptions {
   /// Bounds of 30 instead of 10: two confident errors shall not overturn sixty observations.
   ClassBeliefOptions belief = {.max_log_odds = LogOdds{30.0}, .min_log_odds = LogOdds{-30.0}};
   VisibilityHistogramOptions histogram = {};
-  PointEvidenceOptions points = {};
-  /// Classes that touch no object (a person walks by).
+  OccupancyVotesOptions points = {};
+  /// Their observations update no object (a person walks by).
   std::vector<ClassId> transient_classes = {};
 
   friend bool operator==(const AssociationOptions&, const AssociationOptions&) = default;
@@ -148,14 +148,14 @@ struct AssociationReport {
   std::vector<ObjectId> created;    ///< Ascending.
   std::vector<ObjectId> matched;    ///< Ascending, each once.
   std::vector<ObjectMerge> merged;  ///< In the order in which they happened.
-  std::size_t num_transient = 0;    ///< Of a class that touches nothing.
-  /// Showed an object that this frame had shown already; they teach nothing.
+  std::size_t num_transient = 0;    ///< Of a transient class.
+  /// Of an object that this frame had shown already; they update nothing.
   std::size_t num_repeated = 0;
   std::size_t num_without_shape = 0;  ///< Policies overlap and radius: the points span no area.
 };
 
-/// Positive association: matches observations of one frame with objects, updates those, creates
-/// what is new, merges what came to be the same.
+/// Positive association: matches observations of one frame with objects, updates those, creates new
+/// ones, merges duplicates.
 ///
 /// Requires: validate(options); observations have points and class scores.
 /// Boundary: observations of equal affinity go in their order; the result is the same on every run.
@@ -165,11 +165,13 @@ AssociationReport associate(ObjectMap& objects,
                             const AssociationOptions& options,
                             const AssociationScope& scope = {});
 
-/// What one observation teaches about an object: class (3.18), histogram (3.13), box (3.20, 3.21),
-/// shapes, points, existence, ledger. Source: [smap] 3.5.3; [hypermap] 3.4.5.
-void learn(Object& object, const Observation& observation, const AssociationOptions& options);
+/// Updates an object by one observation: class (3.18), histogram (3.13), box (3.20, 3.21), shapes,
+/// points, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.
+void update_object(Object& object,
+                   const Observation& observation,
+                   const AssociationOptions& options);
 
-/// An object that was seen once. Its id is kNoObject until it is in a map.
-[[nodiscard]] Object first_seen(const Observation& observation, const AssociationOptions& options);
+/// A new object from its first observation. Its id is kNoObject until it is in a map.
+[[nodiscard]] Object make_object(const Observation& observation, const AssociationOptions& options);
 
 }  // namespace hypermap

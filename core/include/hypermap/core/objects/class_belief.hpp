@@ -80,10 +80,10 @@ class ClassBelief {
   /// Source: [smap] figure 3.23, step 8. Requires: decay >= 0.
   void weaken(LogOdds decay);
 
-  /// Adds the evidence of another belief about the same thing, times `scale` in [0, 1].
+  /// Adds the evidence of another belief about the same object, times `scale` in [0, 1].
   void merge(const ClassBelief& other, double scale = 1.0);
 
-  /// Belief that the thing is of class `id`; l = 0 if the class was never observed.
+  /// Belief that the object is of class `id`; l = 0 if the class was never observed.
   [[nodiscard]] LogOdds log_odds(ClassId id) const;
   /// The most believed class; the lowest id of equals. None when nothing was observed.
   [[nodiscard]] std::optional<ClassLogOdds> best() const;

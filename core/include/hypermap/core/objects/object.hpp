@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One thing in the map, with all that is believed about it and why.
+/// One object in the map, with all that is believed about it and why.
 ///
 /// Source: [smap] pseudocode 3.4 (thing), 3.5.2 to 3.5.5; [hypermap] 3.4.5 (semantic object).
 #pragma once
@@ -9,10 +9,10 @@
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/box.hpp"
-#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/class_belief.hpp"
-#include "hypermap/core/objects/object_ledger.hpp"
+#include "hypermap/core/objects/observation_log.hpp"
 #include "hypermap/core/objects/shape_evidence.hpp"
 #include "hypermap/core/objects/visibility_histogram.hpp"
 
@@ -39,19 +39,19 @@ struct Object {
   Eigen::Vector3d centroid_in_map = Eigen::Vector3d::Zero();
   VisibilityHistogram histogram;
   ShapeEvidence shapes;
-  PointEvidence points;
-  ObjectLedger ledger;
+  OccupancyVotes points;
+  ObservationLog observation_log;
   Stamp first_seen;
   Stamp last_seen;
   std::uint32_t num_observations = 0;
-  /// From farther away nobody ever detected it, so nobody is expected to.
+  /// From farther away it was never detected, so a detection is not expected.
   double farthest_detection_m = 0.0;
 
   friend bool operator==(const Object&, const Object&) = default;
 };
 
 /// The class that an object most likely is, with the share that class has of the whole belief;
-/// none when nothing was ever said.
+/// none without any evidence.
 [[nodiscard]] std::optional<ClassEvidence> best_class(const Object& object);
 
 /// How the three terms of the object confidence are combined.
@@ -84,7 +84,7 @@ enum class ShapePolicy {
 [[nodiscard]] Result<Polygon> footprint(const Object& object,
                                         ShapePolicy policy = ShapePolicy::kVoxels);
 
-/// Joins two objects that turned out to be one: evidence adds up, lists concatenate, the older id
+/// Merges two duplicates: evidence adds up, lists concatenate, the older id
 /// stays, the box is that of the agreed points.
 ///
 /// Source: [hypermap] 3.4.5 (shape lists concatenate, existences add), capped at

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// All options of the way from detections to published objects, and the named sets of them.
+/// All options from detections to confirmed objects, and the named sets of them.
 ///
 /// Source: [smap] tables D.1 and D.2 (preset smap); [hypermap] 3.4.4, 3.4.5, 5.2.2 (preset
 /// hypermap). `data/options/*.yaml` are the same sets as files.
@@ -10,8 +10,8 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/objects/confirmation.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "hypermap/core/objects/publication.hpp"
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
@@ -33,7 +33,7 @@ struct ObjectPipelineOptions {
   AssociationOptions association;                ///< Points become objects.
   BinnedDepthMapOptions binned_depth;            ///< For visibility policy panels.
   AbsenceOptions absence;                        ///< Objects that are not seen.
-  PublicationOptions publication;                ///< Objects that the map stands for.
+  ConfirmationOptions confirmation;              ///< Which objects are confirmed.
   ShapePolicy footprint = ShapePolicy::kVoxels;  ///< What they cover from above.
   /// Names of classes that touch neither voxels nor objects; resolved by the class registry.
   std::vector<std::string> transient_class_names = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A picture's depth in coarse panels: what lies where, good enough to judge occlusion.
+/// An image's depth in coarse panels: what lies where, for occlusion tests.
 ///
 /// Source: [smap] 3.4, table D.1.
 #pragma once
@@ -46,10 +46,10 @@ struct DepthPanel {
   std::uint32_t num_points = 0;  ///< 0: nothing was measured, box and distances are 0.
 };
 
-/// A grid of panels over one picture, row-major, row 0 on top.
+/// A grid of panels over one image, row-major, row 0 on top.
 class BinnedDepthMap {
  public:
-  /// Requires: validate(frame), validate(options). Boundary: a picture with fewer pixels than
+  /// Requires: validate(frame), validate(options). Boundary: an image with fewer pixels than
   /// panels leaves panels empty. Cost: O(pixels). The same result with any number of threads.
   [[nodiscard]] static BinnedDepthMap create(const RgbdFrame& frame,
                                              const BinnedDepthMapOptions& options = {},
@@ -61,7 +61,7 @@ class BinnedDepthMap {
   /// Requires: 0 <= column < columns(), 0 <= row < rows().
   [[nodiscard]] const DepthPanel& at(int column, int row) const;
   /// The panel that a point of the map falls into; none when it is behind the camera or outside the
-  /// picture.
+  /// image.
   [[nodiscard]] const DepthPanel* panel_towards(const PointInMap& point) const;
   [[nodiscard]] const PointInMap& camera_centre() const noexcept { return camera_centre_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a depth picture measures: which pixels, where, and how exactly.
+/// What a depth image measures: which pixels, where, and how exactly.
 #pragma once
 
 #include "hypermap/core/geometry/camera.hpp"
@@ -44,7 +44,7 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// The pixels of a picture of that size whose centre lies in `box` after it grew by `margin_px` on
+/// The pixels of an image of that size whose centre lies in `box` after it grew by `margin_px` on
 /// each side.
 ///
 /// Boundary: empty when the box lies outside, is turned around, or has an edge that is NaN.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a detector said about one picture.
+/// What a detector said about one image.
 ///
 /// Source: [smap] Eq. (3.1) to (3.4).
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace hypermap {
 
-/// Axis-aligned box in the picture. Edges are continuous; pixel (u, v) covers [u, u+1) x [v, v+1).
+/// Axis-aligned box in the image. Edges are continuous; pixel (u, v) covers [u, u+1) x [v, v+1).
 struct PixelBox {
   double u_min_px = 0.0;
   double v_min_px = 0.0;
@@ -38,7 +38,7 @@ struct ClassEvidence {
   friend bool operator==(const ClassEvidence&, const ClassEvidence&) = default;
 };
 
-/// One detected thing in one picture.
+/// One detected object in one image.
 struct Detection {
   PixelBox box_px;
   /// Probability of each class that the detector knows, sorted by id, summing to 1.
@@ -46,7 +46,7 @@ struct Detection {
   /// The detector's own score of the detection, objectness included.
   Probability score;
   DetectorId detector;
-  /// Pixels of the thing in the size of the picture, when the detector gives them.
+  /// Pixels of the object in the size of the image, when the detector gives them.
   std::optional<MaskImage> mask;
 
   friend bool operator==(const Detection&, const Detection&) = default;
@@ -54,7 +54,7 @@ struct Detection {
 
 /// Errors: kInvalidArgument naming the field: a box that is not finite or inside out, a score
 /// outside [0, 1], class scores that are none, outside [0, 1], not ascending by id below 65,535 or
-/// whose sum is off 1 by more than 1e-3. The mask is judged with its picture, see
+/// whose sum is off 1 by more than 1e-3. The mask is judged with its image, see
 /// validate(RgbdFrame).
 [[nodiscard]] Result<void> validate(const Detection& detection);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which depth pixels inside a detection's box are the detected thing.
+/// Which depth pixels inside a detection's box are the detected object.
 ///
 /// Source: [smap] 3.3, table D.1; [hypermap] 3.4.4, 5.2.2.
 #pragma once
@@ -19,11 +19,11 @@ namespace hypermap {
 
 struct OptionTable;
 
-/// How the thing is told from what else the box shows.
+/// How the object is separated from the background of its box.
 enum class SegmentationPolicy {
   /// Ours: what continues outside the box is background (floor, table top, wall, neighbours); of
   /// the
-  /// rest, the surfaces that fill the box best. Works in the picture's order, so that a cup of 300
+  /// rest, the surfaces that fill the box best. Works in the image's order, so that a cup of 300
   /// pixels survives.
   kForeground,
   /// [smap] 3.3: range, voxel grid, statistical outliers, largest Euclidean cluster.
@@ -33,9 +33,9 @@ enum class SegmentationPolicy {
 };
 
 /// Policy `kForeground`. Deviation: in neither source; both keep the largest cluster, which for a
-/// small thing on a table is the table.
+/// small object on a table is the table.
 struct ForegroundOptions {
-  /// The picture around the box that is searched for background, as a share of the box's sides;
+  /// The image around the box that is searched for background, as a share of the box's sides;
   /// 0 searches nothing.
   double context_share = 0.3;
   /// At least this many pixels around the box, so that small boxes see their support. Unit: pixel.
@@ -54,18 +54,18 @@ struct ForegroundOptions {
   double depth_step_m = 0.02;
   /// Step allowed per metre of depth, for surfaces seen at an angle. No unit.
   double depth_step_per_m = 0.015;
-  /// Surfaces nearer to each other than this on the floor plan may be parts of one thing; 0 keeps
+  /// Surfaces nearer to each other than this on the floor plan may be parts of one object; 0 keeps
   /// only the best surface. Unit: metre.
   double part_gap_m = 0.08;
   /// And this near in height: the seat of a chair and its feet. Unit: metre.
   double part_height_gap_m = 0.4;
   /// A surface with more than this share of its pixels outside the box is not a part.
   double part_max_outside = 0.12;
-  /// Spacing of the points of small things; larger things get coarser ones. Unit: metre.
+  /// Spacing of the points of small objects; larger objects get coarser ones. Unit: metre.
   double point_spacing_m = 0.006;
   /// Points of one segment at most; the spacing grows until they fit.
   int max_points = 2000;
-  /// Fewer pixels than this are no evidence of a thing.
+  /// Fewer pixels than this are no evidence of an object.
   int min_pixels = 24;
 
   friend bool operator==(const ForegroundOptions&, const ForegroundOptions&) = default;
@@ -82,7 +82,7 @@ struct RegionGrowingOptions {
   int normal_neighbours = 50;
   /// Points around a point that its region may grow to. Not in the source.
   int region_neighbours = 30;
-  /// Smaller regions are no thing. Not in the source.
+  /// Smaller regions are no object. Not in the source.
   int region_min_points = 50;
 
   friend bool operator==(const RegionGrowingOptions&, const RegionGrowingOptions&) = default;
@@ -94,7 +94,7 @@ inline constexpr double kMaxSegmentedRangeM = 100.0;
 
 /// The defaults are ours; `smap_segmentation()` and `hypermap_segmentation()` are the sources'.
 struct GeometricSegmentationOptions {
-  /// How the thing is found.
+  /// How the object is found.
   SegmentationPolicy policy = SegmentationPolicy::kForeground;
   /// Nearer depth is dropped, R_min. Unit: metre.
   double min_range_m = 0.2;
@@ -111,9 +111,9 @@ struct GeometricSegmentationOptions {
   /// Points farther apart separate clusters; 0 disables clustering; cluster_tol.
   /// Unit: metre.
   double cluster_gap_m = 0.065;
-  /// Smaller clusters are no thing, cluster_min.
+  /// Smaller clusters are no object, cluster_min.
   int cluster_min_points = 50;
-  /// Larger clusters are no thing, cluster_max.
+  /// Larger clusters are no object, cluster_max.
   int cluster_max_points = 10000;
   /// Depth extent without loss of confidence, obj_ths. Unit: metre.
   double depth_slack_m = 0.2;
@@ -135,21 +135,21 @@ struct GeometricSegmentationOptions {
 /// The final values of [hypermap] 5.2.2.
 [[nodiscard]] GeometricSegmentationOptions hypermap_segmentation();
 
-/// Finds the thing that `detection` names in the depth of `frame`.
+/// Finds the object that `detection` names in the depth of `frame`.
 ///
 /// Policy kForeground also looks at the boxes of `frame.detections`: a surface that fills another
-/// box better is not this thing. Whether `detection` is among them does not matter.
+/// box better is not this object. Whether `detection` is among them does not matter.
 /// Requires: validate(frame), validate(options).
 /// Errors: kNotFound with the step after which nothing was left.
 /// Boundary: depth that is 0, negative, NaN or infinite is no measurement; a box that leaves the
-/// picture is cut; a mask, where the detection has one, replaces the box.
+/// image is cut; a mask, where the detection has one, replaces the box.
 /// Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in its
 /// points.
 [[nodiscard]] Result<Segment> segment(const RgbdFrame& frame,
                                       const Detection& detection,
                                       const GeometricSegmentationOptions& options);
 
-/// Asked whether another detection may still be begun; by one thread at a time.
+/// Whether another detection may still be begun; called by one thread at a time.
 using MayBegin = std::function<bool()>;
 
 /// `segment` for each detection, in parallel, in their order, `detections` in the place of

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The shape that one look at a thing leaves on the floor plan.
+/// The shape that one look at an object leaves on the floor plan.
 ///
 /// Source: [hypermap] 3.4.4.
 #pragma once

@@ -32,7 +32,7 @@ struct RgbdFrame {
 
 /// Whether a frame can be mapped and what is learnt from it be saved: judged here, at the door.
 ///
-/// Errors: kInvalidArgument naming the field: `index` beyond its range; a picture's size that is
+/// Errors: kInvalidArgument naming the field: `index` beyond its range; an image's size that is
 /// not the camera's; a pose that is no finite rigid motion (rotation off by more than 1e-3); of a
 /// detection (`detections[i]...`) a box that is not finite or inside out, a score outside [0, 1],
 /// class scores that are none, outside [0, 1], not ascending by id below 65,535 or whose sum is off

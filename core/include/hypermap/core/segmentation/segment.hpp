@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The part of a depth picture that belongs to one detected thing.
+/// The part of a depth image that belongs to one detected object.
 ///
-/// Source: [smap] Eq. (3.5): box, class vector and box confidence are what the map is told.
+/// Source: [smap] Eq. (3.5): box, class vector and box confidence are the input of the map.
 #pragma once
 
 #include "hypermap/core/base/log_odds.hpp"
@@ -15,24 +15,24 @@
 
 namespace hypermap {
 
-/// What one frame shows of one thing. Frame: Map. Unit: metre.
+/// What one frame shows of one object. Frame: Map. Unit: metre.
 struct Segment {
   /// Surface points, thinned by a voxel grid; never empty. Ordered by the first pixel of each
   /// voxel.
   std::vector<Eigen::Vector3f> points_in_map;
-  /// The depth pixels that lie on the thing, row-major positions in the picture, ascending.
+  /// The depth pixels that lie on the object, row-major positions in the image, ascending.
   std::vector<std::uint32_t> pixel_indices;
   Box box;  ///< Of `points_in_map`.
   /// Middle of the box. Source: [smap] pseudocode 3.2, (min + max) / 2.
   Eigen::Vector3d centroid_in_map = Eigen::Vector3d::Zero();
-  /// How compact the thing is along the line of sight. Source: [smap] pseudocode 3.3.
+  /// How compact the object is along the line of sight. Source: [smap] pseudocode 3.3.
   Probability box_confidence;
   double distance_m = 0.0;  ///< From the camera to `centroid_in_map`.
 
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// Confidence in a box from the nearest and the farthest point of its thing: 1 up to
+/// Confidence in a box from the nearest and the farthest point of its object: 1 up to
 /// `depth_slack_m` of extent, then falling by the share of the sensor's range that exceeds it.
 ///
 /// Source: [smap] pseudocode 3.3: (den - (num - obj_ths)) / den, den = R_max - R_min.

@@ -14,17 +14,17 @@
 
 namespace hypermap {
 
-/// Per pixel of the picture, what a step made of it.
+/// Per pixel of the image, what a step made of it.
 using LabelImage = Image<std::int32_t>;
 inline constexpr std::int32_t kLabelAbsent = -1;  ///< Not looked at, or dropped.
 inline constexpr std::int32_t kLabelNone = 0;     ///< Looked at, and in no segment.
-// 1, 2, ...: in that segment. Steps that do not tell segments apart use 1.
+// 1, 2, ...: in that segment. Steps that do not separate segments use 1.
 
 /// One step and what it left.
 struct SegmentationStep {
   std::string name;              ///< "crop", "range", "voxel grid", ...
   std::size_t num_points = 0;    ///< Pixels, or voxels after a voxel grid, that are left.
-  std::size_t num_segments = 0;  ///< Segments told apart; 0 when the step does not.
+  std::size_t num_segments = 0;  ///< Separate segments; 0 when the step does not separate them.
   double seconds = 0.0;          ///< Wall clock of this step alone.
   LabelImage labels;
 };
@@ -36,12 +36,12 @@ struct SegmentationTrace {
 };
 
 /// `segment` with all its steps kept. The segment is the same, byte for byte.
-/// Cost: a label picture per step on top of `segment`.
+/// Cost: a label image per step on top of `segment`.
 [[nodiscard]] SegmentationTrace trace_segmentation(const RgbdFrame& frame,
                                                    const Detection& detection,
                                                    const GeometricSegmentationOptions& options);
 
-/// Labels as a picture: pixels in no segment red, those of a segment in its colour, the rest as
+/// Labels as an image: pixels in no segment red, those of a segment in its colour, the rest as
 /// in `background` (black when that is empty).
 ///
 /// Source: [hypermap] 5.2.2: "red pixels do not belong to any segment".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What several detectors say about one picture, made into one set of detections.
+/// What several detectors say about one image, made into one set of detections.
 ///
 /// Source: [smap] 3.5.3, Eq. (3.14) to (3.16), figure 3.21.
 #pragma once
@@ -29,7 +29,7 @@ struct StackingOptions {
   /// Weight of each detector for kWeighted; one not named has weight 1. No unit.
   std::map<DetectorId, double> weights = {};
   /// Boxes of different detectors that overlap at least so much show the same thing:
-  /// intersection over union in the picture. No unit.
+  /// intersection over union in the image. No unit.
   double min_overlap = 0.5;
 
   friend bool operator==(const StackingOptions&, const StackingOptions&) = default;
@@ -51,14 +51,14 @@ struct StackingOptions {
     std::span<const DetectorId> detectors,
     const StackingOptions& options = {});
 
-/// Joins detections of different detectors that show the same thing; detections of one detector are
-/// never joined with each other.
+/// Joins detections of different detectors that show the same object; detections of one detector
+/// are never joined with each other.
 ///
 /// The joined detection has the mean box weighted by score, the union of the masks that there are,
 /// the highest score, and the detector of that score.
 /// Greedy by score, then by position: the same result for the same input.
 /// Errors: those of combine_class_scores, naming the detection.
-/// Cost: O(n^2) in the detections of one picture.
+/// Cost: O(n^2) in the detections of one image.
 [[nodiscard]] Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
                                                               const StackingOptions& options = {});
 

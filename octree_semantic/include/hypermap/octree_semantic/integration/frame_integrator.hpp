@@ -36,8 +36,8 @@ struct OptionTable;
 /// | exact | what the ray of each measurement passes | those of OctoMap's insertPointCloud |
 /// | discretize | what a ray to the centre of each end voxel passes | those of OctoMap's
 /// insertPointCloud with `discretize` |
-/// | projective | voxels of which the camera sees a corner before what it measured there; rays only
-/// where the picture is sparse | IoU with insertPointCloud 0.991 .. 0.999 |
+/// | projective | voxels with a corner before the measured depth; rays only
+/// where the image is sparse | IoU with insertPointCloud 0.991 .. 0.999 |
 ///
 /// Measured: CPU time of insertPointCloud over ours, one thread, labels included, 640 x 480 pixels,
 /// range 5 m; in brackets IoU of the occupied, then of the free voxels with insertPointCloud
@@ -49,7 +49,7 @@ struct OptionTable;
 /// | discretize | 50 (0.992, 0.987) | 68 (0.985, 0.969) |
 /// | projective | 247 (0.999, 0.992) | 80 (0.997, 0.991) |
 ///
-/// A cloud takes the first two only: it has no picture to project into.
+/// A cloud takes the first two only: it has no image to project into.
 enum class IntegrationMode : std::uint8_t { kExact, kDiscretize, kProjective };
 
 struct IntegrationOptions {
@@ -89,7 +89,7 @@ struct PixelLabels {
   std::vector<std::uint32_t> pixel_indices{};
 };
 
-/// What became of a frame's measurements. Each pixel or point is counted in exactly one of the
+/// Counts of a frame's measurements. Each pixel or point is counted in exactly one of the
 /// first five.
 struct IntegrationReport {
   std::size_t num_hits = 0;            ///< Ended in a voxel, which became more occupied.
@@ -124,7 +124,7 @@ class FrameIntegrator {
 
   /// The frame is in the map whole or, on an error, not at all.
   ///
-  /// Errors: kInvalidArgument from the options, when picture and camera disagree, when the pose is
+  /// Errors: kInvalidArgument from the options, when image and camera disagree, when the pose is
   /// not finite or the camera stands outside the volume of the map, when a label names a pixel that
   /// is not there or a class above 65,534; kLimit when range and resolution would need a window of
   /// more than 2^31 voxels; kOutOfMemory.

@@ -76,15 +76,15 @@ struct FrameReport {
   /// Of a class that does not stay or is not wanted.
   std::size_t num_transient = 0;
   std::size_t num_segments = 0;  ///< Detections that were found in the depth.
-  /// Detections that nobody looked at because the time was up, those of the lowest scores.
+  /// Detections dropped by the deadline, those of the lowest scores.
   std::size_t num_deadline_dropped = 0;
   std::size_t num_created = 0;
   std::size_t num_matched = 0;
-  std::size_t num_merged = 0;   ///< Objects that proved to be another one.
+  std::size_t num_merged = 0;   ///< Duplicates merged into another object.
   std::size_t num_removed = 0;  ///< Objects that proved absent.
-  /// False when nothing was asked about objects that were not seen: detections had been dropped, so
-  /// that not to be seen means nothing, or there was no memory or no Embree for it.
-  bool judged = false;
+  /// False when visibility was not evaluated: detections had been dropped, so that a missed
+  /// detection means nothing, or there was no memory or no Embree for it.
+  bool visibility_evaluated = false;
   /// Whether the frame is in a snapshot now. When memory ends before it is, the next frame tries.
   bool published = false;
   IntegrationReport integration;
@@ -122,9 +122,9 @@ class SemanticMapper {
   /// Puts one frame into the map: whole, or on an error not at all.
   ///
   /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
-  /// that cannot be found in the depth is counted, no error. Objects learn on a copy that takes
-  /// their place when the octree has the frame; should memory end after that, what is left of the
-  /// frame's work waits for the next one, see `FrameReport::judged`.
+  /// that cannot be found in the depth is counted, no error. Objects are updated on a copy that
+  /// takes their place when the octree has the frame; should memory end after that, what is left of
+  /// the frame's work waits for the next one, see `FrameReport::visibility_evaluated`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
   /// Puts one scan into the map: whole, or on an error not at all. Instances meet the objects as
@@ -172,8 +172,8 @@ class SemanticMapper {
                  OcclusionScene occlusion,
                  std::shared_ptr<const ClassRegistry> classes,
                  std::unique_ptr<SnapshotExchange> snapshots);
-  /// Voxels of one object are to become those of another, or of none.
-  struct Handover {
+  /// Voxels of one object that are to be relabelled to another, or to none.
+  struct PendingRelabel {
     ObjectId from;
     ObjectId into;
     Box bounds;
@@ -196,12 +196,12 @@ class SemanticMapper {
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
   /// The bounds of an object's voxels, which are forgotten.
   [[nodiscard]] Box take_voxel_bounds(ObjectId id) noexcept;
-  void hand_over_voxels();
-  void weaken_unseen(const RgbdFrame& frame,
-                     const AssociationReport& association,
-                     FrameReport& report);
-  [[nodiscard]] Result<std::vector<VisibilityVerdict>> judge(const RgbdFrame& frame,
-                                                             std::span<const ObjectId> seen_now);
+  void apply_pending_relabels();
+  void apply_missed_detections(const RgbdFrame& frame,
+                               const AssociationReport& association,
+                               FrameReport& report);
+  [[nodiscard]] Result<std::vector<VisibilityResult>> evaluate_objects(
+      const RgbdFrame& frame, std::span<const ObjectId> detected);
 
   SemanticMapperOptions options_;
   ClassFilter class_filter_;
@@ -213,7 +213,7 @@ class SemanticMapper {
   /// A box around all voxels that bear an object's id, perhaps larger: what an id's voxels are
   /// found by when it ends.
   std::unordered_map<ObjectId, Box> voxel_bounds_;
-  std::vector<Handover> handovers_;               ///< Still to be done; mostly none.
+  std::vector<PendingRelabel> pending_relabels_;  ///< In their order; mostly none.
   std::shared_ptr<const ClassRegistry> classes_;  ///< For snapshots; never null.
   std::unique_ptr<SnapshotExchange> snapshots_;
   std::uint64_t num_frames_ = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a frame shows of each known object: is it visible, hidden, or gone?
+/// Visibility of each known object in a frame: visible, occluded, or absent.
 ///
-/// Source: [smap] 3.5.5 and figure 3.23 ask it of panels of a binned depth map. Deviation: policy
+/// Source: [smap] 3.5.5 and figure 3.23 use panels of a binned depth map. Deviation: policy
 /// `rays`: rays from the camera to points of the object, against what this frame measured along
 /// them and, where it measured nothing, against the map's own geometry. So an object behind a table
-/// is hidden, and one that is only seen from behind is not gone.
+/// is occluded, and one that is only seen from behind is not absent.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
@@ -32,7 +32,7 @@ struct VisibilityOptions {
   std::optional<double> max_range_m = std::nullopt;
   double depth_tolerance_m = 0.08;        ///< Measured and expected depth agree within this,
   double depth_tolerance_per_m2 = 0.005;  ///< plus this times the depth squared. Kinect: 0.003
-  double min_in_view_share = 0.25;        ///< Less of the object in the picture: out of view.
+  double min_in_view_share = 0.25;        ///< Less of the object in the image: out of view.
   /// Less of what can be told is open to the camera: occluded.
   double min_open_share = 0.1;
   /// At least so much of what is open shows what lies behind: absent.
@@ -45,24 +45,24 @@ struct VisibilityOptions {
 [[nodiscard]] Result<void> validate(const VisibilityOptions& options);
 [[nodiscard]] const OptionTable& option_table(const VisibilityOptions& options);
 
-/// Answers lines of sight, 1 where hidden, in their order; as OcclusionScene::occluded.
-using AnswerLines = std::function<Result<std::vector<std::uint8_t>>(std::span<const SightLine>)>;
+/// Occlusion of rays, 1 where occluded, in their order; as OcclusionScene::occluded.
+using OcclusionQuery =
+    std::function<Result<std::vector<std::uint8_t>>(std::span<const OcclusionRay>)>;
 
-/// One verdict for each object whose box meets the space that the camera overlooks, by ascending
-/// id. `seen_now`, ascending, are objects that this frame detected: those are never occluded or
-/// absent. `answer` is asked once with all lines along which this frame measured nothing, and not
-/// at all when there are none: then the map need not be brought up to date for it.
+/// One result for each object whose box intersects the view frustum's bounds, by ascending id.
+/// `detected`, ascending, are objects that this frame detected: those are never occluded or absent.
+/// `query` is called once with all rays without depth, and not at all when there are none: then the
+/// scene need not be updated.
 ///
-/// Errors: those of `answer`.
-/// Boundary: where the frame measured nothing and the map hides nothing, nothing can be told; an
-/// object of which nothing can be told is out of view. An object without points is judged by the
-/// corners and the centre of its box.
-/// Requires: validate(options), validate(frame).
-[[nodiscard]] Result<std::vector<VisibilityVerdict>> judge_visibility(
+/// Errors: those of `query`.
+/// Boundary: a ray without depth that the map does not occlude is undecided; an object without
+/// decided rays is out of view. An object without points has rays to the corners and the centre of
+/// its box. Requires: validate(options), validate(frame).
+[[nodiscard]] Result<std::vector<VisibilityResult>> evaluate_visibility(
     const ObjectMap& objects,
     const RgbdFrame& frame,
-    const AnswerLines& answer,
+    const OcclusionQuery& query,
     const VisibilityOptions& options = {},
-    std::span<const ObjectId> seen_now = {});
+    std::span<const ObjectId> detected = {});
 
 }  // namespace hypermap

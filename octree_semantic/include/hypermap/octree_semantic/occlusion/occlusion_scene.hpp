@@ -19,11 +19,11 @@
 
 namespace hypermap {
 
-/// "Is something between these two points?"
-struct SightLine {
+/// A ray between two points that is tested for occlusion.
+struct OcclusionRay {
   PointInMap from;
   PointInMap to;
-  /// So much before `to` is left out: the thing itself should not hide itself.
+  /// So much before `to` is left out, so that the object does not occlude itself.
   double margin_m = 0.0;
 };
 
@@ -32,10 +32,9 @@ struct SightLine {
 /// Threads: queries may run concurrently, not while `update` runs.
 class OcclusionScene {
  public:
-  /// An empty scene: nothing occludes. Lines are followed together, 4, 8 or 16 at a time: as many
-  /// as the processor's vectors hold, not more than `max_lanes`.
-  /// Requires: max_lanes >= 4.
-  /// Errors: kUnavailable when Embree cannot start or can follow no lines together.
+  /// An empty scene: nothing occludes. Rays are traced in packets of 4, 8 or 16: as many as the
+  /// processor's vectors hold, not more than `max_lanes`. Requires: max_lanes >= 4. Errors:
+  /// kUnavailable when Embree cannot start or has no packets of rays.
   [[nodiscard]] static Result<OcclusionScene> create(std::size_t max_lanes = 16);
   OcclusionScene(OcclusionScene&&) noexcept;
   OcclusionScene& operator=(OcclusionScene&&) noexcept;
@@ -55,11 +54,10 @@ class OcclusionScene {
   /// and a millionth of the coordinates from an edge, either answer. A start inside an occupied
   /// voxel is occluded. Not longer than the margin, not finite, or starting beyond 10^9 voxels from
   /// the origin: not occluded.
-  [[nodiscard]] bool occluded(const SightLine& line) const;
-  /// One answer per line: 1 when occluded; the same as for the line alone. Fast for lines whose
-  /// neighbours come from the same place and go the same way, a camera's to one object. The result
-  /// does not depend on the number of threads.
-  [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const SightLine> lines,
+  [[nodiscard]] bool occluded(const OcclusionRay& ray) const;
+  /// One result per ray: 1 when occluded; the same as for the ray alone. Fast for coherent rays, a
+  /// camera's to one object. The result does not depend on the number of threads.
+  [[nodiscard]] std::vector<std::uint8_t> occluded(std::span<const OcclusionRay> rays,
                                                    int num_threads = 1) const;
 
   [[nodiscard]] std::size_t num_bricks() const noexcept;

@@ -97,7 +97,7 @@ class SemanticOctree {
   [[nodiscard]] const SensorModel& sensor_model() const noexcept { return model_; }
 
   /// What is known at a point; none where nothing is known or outside the volume.
-  /// Class and object are told of occupied voxels only: empty space belongs to nothing.
+  /// Class and object are given for occupied voxels only: empty space belongs to nothing.
   [[nodiscard]] std::optional<LeafSample> at(const PointInMap& point) const;
   [[nodiscard]] std::optional<LeafSample> at(const VoxelKey& key) const;
   [[nodiscard]] std::optional<StoredLeaf> stored_at(const VoxelKey& key) const;

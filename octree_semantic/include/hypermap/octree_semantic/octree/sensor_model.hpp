@@ -5,7 +5,7 @@
 /// Source: A. Hornung et al., "OctoMap", Autonomous Robots 34 (2013), Eq. (2), (4) and section 5.1.
 /// Deviation: log-odds are whole steps of 0.001 in 16 bits, where OctoMap has 32-bit floats; a
 /// voxel whose hits and misses cancel almost exactly (23 misses against 11 hits: -0.005 there,
-/// +0.002 here) may be judged differently.
+/// +0.002 here) may be classified differently.
 #pragma once
 
 #include "hypermap/core/base/log_odds.hpp"

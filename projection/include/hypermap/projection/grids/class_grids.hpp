@@ -18,7 +18,7 @@
 namespace hypermap {
 
 /// 100 where an occupied leaf of the class stands in the column, 0 where the column holds other
-/// things or is free, -1 where it is unknown.
+/// objects or is free, -1 where it is unknown.
 struct ClassColumns {
   ClassId id;
   OccupancyGrid grid;

@@ -10,7 +10,7 @@ namespace hypermap {
 struct OptionTable;
 
 struct LayerOptions {
-  /// Band of heights over the floor in which things are obstacles. Unit: metre.
+  /// Band of heights over the floor in which occupied voxels are obstacles. Unit: metre.
   double min_height_m = 0.1;
   double max_height_m = 1.8;  ///< Above min_height_m.
   /// Least share of the band's height that must have been seen free for a free cell.

@@ -6,7 +6,7 @@
 /// column above a cell, within the height band:
 /// - occupied, when any occupied leaf lies in it;
 /// - else free, when at least `min_free_share` of its volume was seen free;
-/// - else unknown. Unknown is not free: what nobody saw may hold a wall.
+/// - else unknown. Unknown is not free: what was not observed may hold a wall.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"

@@ -11,7 +11,7 @@
 namespace hypermap {
 
 /// Objects of a semantic layer as evaluations take them: of a truth made here with its excluded
-/// things marked, or of a map labelled by hand (nothing excluded, size from the footprint).
+/// objects marked, or of a map labelled by hand (nothing excluded, size from the footprint).
 ///
 /// A shape of several parts stands for its convex hull.
 [[nodiscard]] std::vector<EvaluatedObject> evaluated_objects(const SemanticLayer& layer);

@@ -85,8 +85,8 @@ struct Layer {
 /// characters, slash, backslash or colon, not "." or "..", no blank at either end.
 [[nodiscard]] Result<void> validate_layer_name(std::string_view name);
 
-/// Layers in the order of the configuration (those of the strict form come first), frames, and keys
-/// that nobody knows.
+/// Layers in the order of the configuration (those of the strict form come first), frames, and
+/// unknown keys.
 ///
 /// A value: copy it, compare it; a reader fills one aside and swaps it in.
 class Hypermap {

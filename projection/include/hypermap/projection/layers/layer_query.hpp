@@ -29,7 +29,7 @@ struct LayerQuery {
   std::optional<Polygon> area = std::nullopt;
 };
 
-/// One thing found.
+/// One object found.
 struct LayerAnswer {
   std::uint64_t id = 0;    ///< Of the object; of a grid's cell its place in row-major order.
   std::string name;        ///< String representation: the object's name; Free, Occupied, Unknown.

@@ -22,7 +22,7 @@ namespace hypermap {
 
 inline constexpr std::string_view kSemanticLayerClass = "SemanticLayer";
 
-/// A thing with a name and a shape.
+/// An object with a name and a shape.
 struct SemanticObject {
   std::uint64_t id = 0;             ///< Unique in its layer.
   std::string name = {};            ///< The class as text; not unique.
@@ -32,7 +32,7 @@ struct SemanticObject {
   /// The shape as its file wrote it (a ring wound more than once, an unclosed one); saved again as
   /// long as it still stands for `parts`, so that only edited shapes are rewritten.
   std::string shape_text = {};
-  /// Keys of its file that nobody knows, as a map; null when there are none.
+  /// Unknown keys of its file, as a map; null when there are none.
   ValueTree extra = {};
 
   friend bool operator==(const SemanticObject&, const SemanticObject&) = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where labels stand in a picture so that none covers another.
+/// Where labels stand in an image so that none covers another.
 ///
 /// Scope: greedy, in the order given: early labels get the best places. Pure arithmetic.
 #pragma once
@@ -13,7 +13,7 @@
 namespace hypermap {
 
 /// Open: rectangles that share an edge do not overlap.
-[[nodiscard]] bool overlap(const PictureRect& a, const PictureRect& b);
+[[nodiscard]] bool overlap(const ImageRect& a, const ImageRect& b);
 
 /// A text of known size and the place it speaks of.
 struct LabelRequest {
@@ -24,7 +24,7 @@ struct LabelRequest {
 };
 
 struct PlacedLabel {
-  PictureRect rect;
+  ImageRect rect;
   bool shown = true;    ///< False where no free place was left; `rect` is meaningless then.
   bool leader = false;  ///< The label stands apart from its anchor: draw a line between them.
 };
@@ -41,8 +41,8 @@ struct LabelLayoutOptions {
 /// One result per request, in their order. Labels whose anchor lies outside the canvas, and labels
 /// without a free place, are not shown. Cost: O(labels * places tried * (labels + obstacles)).
 [[nodiscard]] std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests,
-                                                    const PictureRect& canvas,
-                                                    std::span<const PictureRect> obstacles,
+                                                    const ImageRect& canvas,
+                                                    std::span<const ImageRect> obstacles,
                                                     const LabelLayoutOptions& options = {});
 
 }  // namespace hypermap

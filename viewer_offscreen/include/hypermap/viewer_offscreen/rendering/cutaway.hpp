@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What to leave out of a picture so that one can look into a room: the ceiling, and walls between
+/// What to leave out of an image so that one can look into a room: the ceiling, and walls between
 /// the eye and the room.
 #pragma once
 

@@ -62,7 +62,7 @@ struct VoxelFace {
 /// Voxels larger than the finest edge keep all their faces and are seen as open (they are few: our
 /// own maps have none). Errors: kLimit for more than 2^25 faces; kOutOfMemory.
 /// Cost: O(voxels), about 0.2 us each.
-[[nodiscard]] Result<std::vector<VoxelFace>> bare_faces(std::span<const OccupiedVoxel> voxels,
-                                                        std::span<const FaceDirection> directions);
+[[nodiscard]] Result<std::vector<VoxelFace>> exposed_faces(
+    std::span<const OccupiedVoxel> voxels, std::span<const FaceDirection> directions);
 
 }  // namespace hypermap

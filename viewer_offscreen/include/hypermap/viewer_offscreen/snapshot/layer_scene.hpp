@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a picture shows of a layer, of whatever type.
+/// What an image shows of a layer, of whatever type.
 #pragma once
 
 #include "hypermap/projection/layers/hypermap.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a picture shows of a map, wherever the map lives: in an archive or in a running mapper.
+/// What an image shows of a map, wherever the map lives: in an archive or in a running mapper.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"

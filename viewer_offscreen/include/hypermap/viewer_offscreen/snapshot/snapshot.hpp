@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A picture of a map: voxels by class, objects, 2D layers, with legend and scale.
+/// An image of a map: voxels by class, objects, 2D layers, with legend and scale.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
@@ -53,9 +53,9 @@ struct SnapshotScene {
   ClassRegistry classes = {};
 };
 
-/// Draws the scene. The same scene and options give the same picture on one machine and driver.
+/// Draws the scene. The same scene and options give the same image on one machine and driver.
 ///
-/// Boundary: a scene without anything to show gives an empty picture that says so.
+/// Boundary: a scene without anything to show gives an empty image that says so.
 /// Errors: those of validate(SnapshotOptions); those of EglContext::create; kUnavailable when no
 /// font is found (the places are named); kLimit for more than 2^25 visible voxel faces;
 /// kOutOfMemory.

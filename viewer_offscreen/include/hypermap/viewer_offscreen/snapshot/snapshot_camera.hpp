@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where a point of the map falls in a picture.
+/// Where a point of the map falls in a image.
 #pragma once
 
 #include "hypermap/core/geometry/camera.hpp"
@@ -14,31 +14,31 @@
 
 namespace hypermap {
 
-/// The eye of a picture. A value.
+/// The eye of a image. A value.
 ///
 /// Pixels: as in PinholeCamera the centre of the upper left pixel is (0, 0).
 class SnapshotCamera {
  public:
-  /// Looks so that all `points_in_map` fall into `area` of a picture of this size, centred, as
+  /// Looks so that all `points_in_map` fall into `area` of an image of this size, centred, as
   /// large as possible; a pose view stays where it is and only takes its depth range from the
   /// points.
   ///
   /// Boundary: without points a cube of 2 m around the origin is framed; points that coincide are
-  /// framed with 1 m around them. Requires: validate(options) passed; area inside the picture.
+  /// framed with 1 m around them. Requires: validate(options) passed; area inside the image.
   [[nodiscard]] static SnapshotCamera frame(const SnapshotOptions& options,
                                             std::span<const Eigen::Vector3d> points_in_map,
-                                            const PictureRect& area);
+                                            const ImageRect& area);
 
   /// Shape: 4 x 4; OpenGL's clip space.
   [[nodiscard]] const Eigen::Matrix4d& clip_from_map() const noexcept { return clip_from_map_; }
-  /// None behind the eye. May lie outside the picture.
+  /// None behind the eye. May lie outside the image.
   [[nodiscard]] std::optional<PixelPoint> project(const Eigen::Vector3d& point_in_map) const;
   /// None for a perspective: there, lengths shrink with distance.
   [[nodiscard]] std::optional<double> pixels_per_m() const noexcept { return pixels_per_m_; }
   /// From the scene to the eye (parallel views), or where the eye stands (pose).
   [[nodiscard]] const Eigen::Vector3d& backwards_in_map() const noexcept { return backwards_; }
   [[nodiscard]] const std::optional<Eigen::Vector3d>& eye_in_map() const noexcept { return eye_; }
-  /// Towards the right and the upper edge of the picture.
+  /// Towards the right and the upper edge of the image.
   [[nodiscard]] const Eigen::Vector3d& right_in_map() const noexcept { return right_; }
   [[nodiscard]] const Eigen::Vector3d& up_in_map() const noexcept { return up_; }
 
@@ -47,7 +47,7 @@ class SnapshotCamera {
   void look(const Eigen::Vector3d& backwards, const Eigen::Vector3d& right);
   void frame_parallel(const SnapshotOptions& options,
                       std::span<const Eigen::Vector3d> points_in_map,
-                      const PictureRect& area);
+                      const ImageRect& area);
   void frame_pose(const PoseView& view,
                   const SnapshotOptions& options,
                   std::span<const Eigen::Vector3d> points_in_map);

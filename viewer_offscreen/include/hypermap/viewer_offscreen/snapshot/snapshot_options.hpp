@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a picture of a map is to show, and from where.
+/// What an image of a map is to show, and from where.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -26,7 +26,7 @@ struct IsoView {
 /// From where a camera stands, as a camera sees.
 struct PoseView {
   MapFromCamera map_from_camera = {};
-  /// The camera to imitate, scaled to the picture's size; none: `horizontal_fov_deg`.
+  /// The camera to imitate, scaled to the image's size; none: `horizontal_fov_deg`.
   std::optional<PinholeCamera> camera = std::nullopt;
   double horizontal_fov_deg = 70.0;  ///< 10 .. 150.
 };
@@ -77,6 +77,6 @@ struct SnapshotSize {
   friend bool operator==(SnapshotSize, SnapshotSize) = default;
 };
 /// "1280x720". Errors: kInvalidArgument when it is no size or a side is outside 64..8192.
-[[nodiscard]] Result<SnapshotSize> parse_picture_size(std::string_view text);
+[[nodiscard]] Result<SnapshotSize> parse_image_size(std::string_view text);
 
 }  // namespace hypermap

@@ -13,7 +13,7 @@
 namespace hypermap {
 
 /// It answers as an occupancy layer: Occupied, 100, is where things of the class are; Free, 0,
-/// where the space is free or holds other things.
+/// where the space is free or holds other objects.
 class ClassGridLayer final : public MapLayer {
  public:
   explicit ClassGridLayer(OccupancyGrid grid) : cells_(std::move(grid)) {}

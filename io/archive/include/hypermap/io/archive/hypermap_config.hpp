@@ -26,7 +26,7 @@ inline constexpr std::string_view kConfigName = "hmap_config.yaml";
 /// archives, which say nothing.
 inline constexpr std::int64_t kArchiveFormatVersion = 1;
 
-/// A layer as the configuration tells of it; content comes from its file.
+/// A layer as the configuration describes it; content comes from its file.
 struct LayerEntry {
   std::string class_name;
   LayerInfo info;

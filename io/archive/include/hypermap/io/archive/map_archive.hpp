@@ -38,7 +38,7 @@ struct OctomapExtension {
   friend bool operator==(const OctomapExtension&, const OctomapExtension&) = default;
 };
 
-/// A grid of how much of a cell things of one class cover, in per cent; -1 where nothing is known.
+/// A grid of how much of a cell objects of one class cover, in per cent; -1 where nothing is known.
 struct ClassGrid {
   std::string class_name;
   std::string frame_id = "map";
@@ -79,7 +79,7 @@ struct ArchiveLimits {
 };
 
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
-/// anywhere (absolute); told apart by content.
+/// anywhere (absolute); distinguished by content.
 ///
 /// Everything is parsed aside; what is returned is whole. `layers` are the types of layers that
 /// are loaded; those of other classes are kept as they are.

@@ -14,27 +14,27 @@
 
 namespace hypermap {
 
-/// The objects that the layer `semantic` stands for, in the order of their ids; all when there is
-/// no such layer. The others are not sure enough yet. Valid as long as the archive is not changed.
-[[nodiscard]] std::vector<const Object*> shown_objects(const MapArchive& archive);
+/// The confirmed objects, those of the layer `semantic`, in the order of their ids; all when there
+/// is no such layer. The others are tentative. Valid as long as the archive is not changed.
+[[nodiscard]] std::vector<const Object*> confirmed_objects_of(const MapArchive& archive);
 
-/// The voxels with the classes that the map stands for: a voxel of one of the objects `shown` bears
-/// that object's class, any other none; a voxel that does not reach the object's box
-/// grown by 5 cm, which a surface may be measured off, is of none. So neither a false alarm nor a
-/// single segment that took the floor in, which label voxels too, reach a grid or a picture; what
-/// each voxel itself was told stays in the octree.
+/// The voxels with the classes of confirmed objects: a voxel of one of the objects `confirmed`
+/// bears that object's class, any other none; a voxel that does not reach the object's box grown by
+/// 5 cm, which a surface may be measured off, is of none. So neither a false alarm nor a single
+/// segment that took the floor in, which label voxels too, reach a grid or an image; each voxel's
+/// own label stays in the octree.
 ///
 /// Requires: archive.octree, which outlives the result. Ids that are no objects are left out.
-[[nodiscard]] LeafSource published_leaves(const MapArchive& archive,
-                                          std::span<const ObjectId> shown);
+[[nodiscard]] LeafSource confirmed_leaves(const MapArchive& archive,
+                                          std::span<const ObjectId> confirmed);
 
-/// The voxels that the map shows: those of its octree as `published_leaves` of `shown_objects`,
-/// else those of the first octree of another program, as they are; none when there is neither.
-/// Requires: the archive outlives the result and is not changed.
+/// The voxels that the map shows: those of its octree as `confirmed_leaves` of
+/// `confirmed_objects_of`, else those of the first octree of another program, as they are; none
+/// when there is neither. Requires: the archive outlives the result and is not changed.
 [[nodiscard]] LeafSource shown_leaves(const MapArchive& archive);
 
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
-/// octree and from the objects that `objects` publishes; other layers stay as they are.
+/// octree and from the objects that `objects` confirms; other layers stay as they are.
 ///
 /// Requires: archive.octree. Errors: those of the grids and layers.
 /// Cost: two walks over the leaves.

@@ -34,7 +34,7 @@ struct MapQuery {
   std::string frame_id = {};
 };
 
-/// One thing found.
+/// One object found.
 struct MapAnswer {
   std::uint64_t id = 0;
   std::string name;  ///< Of an object: its best class, `unknown` when none was named.

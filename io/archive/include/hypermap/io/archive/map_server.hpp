@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Occupancy grids as others keep them: a YAML file and a picture.
+/// Occupancy grids as others keep them: a YAML file and a image.
 ///
 /// Source: [hypermap] 3.3.5 (occupancy files); ROS wiki, map_server.
-/// Row 0 of the picture is the top, row 0 of a grid the bottom. With c the grey value, p = (255 -
+/// Row 0 of the image is the top, row 0 of a grid the bottom. With c the grey value, p = (255 -
 /// c) / 255 (p = c / 255 when negated); occupied when p > occupied_thresh, free when p <
 /// free_thresh.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
-#include "hypermap/core/base/value_tree.hpp"
 
 #include <array>
 #include <filesystem>
@@ -58,34 +58,34 @@ struct MapMetadata {
 [[nodiscard]] Result<Loaded<MapMetadata>> parse_map_metadata(std::string_view yaml,
                                                              const SourceName& source);
 
-/// Turns a picture into occupancies. Errors: kLimit.
-/// Deviation: a PGM of another maxval and 16-bit pictures are scaled to 0..255 (their full
+/// Turns an image into occupancies. Errors: kLimit.
+/// Deviation: a PGM of another maxval and 16-bit images are scaled to 0..255 (their full
 /// precision counts in p), where the first implementation reads 8 bit only.
-[[nodiscard]] Result<Loaded<OccupancyGrid>> grid_from_picture(const Picture& picture,
-                                                              const MapMetadata& metadata,
-                                                              MapDialect dialect);
+[[nodiscard]] Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
+                                                            const MapMetadata& metadata,
+                                                            MapDialect dialect);
 
-/// A map on disk; the picture is looked for beside the YAML file.
-/// Errors: those above, of read_picture, and kIo. Nothing is half loaded.
+/// A map on disk; the image is looked for beside the YAML file.
+/// Errors: those above, of read_image_file, and kIo. Nothing is half loaded.
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
                                                       MapDialect dialect = MapDialect::kMapServer);
 
 /// The bytes of a map's two files.
 struct MapFiles {
   std::string yaml;
-  std::string picture;
+  std::string image;
 };
 
 /// The strict form of archives: scale mode, thresholds 1 and 0, PNG of grey and alpha: 100 is (0,
 /// 255), 0 is (255, 255), unknown (127, 0). Reading it as kHypermap gives the same grid. Errors:
 /// kInvalidArgument when the grid has no cells.
 [[nodiscard]] Result<MapFiles> write_scale_map(const OccupancyLayer& layer,
-                                               const std::string& picture_name);
+                                               const std::string& image_name);
 
 /// The form for ROS: trinary, PGM P5: free 254, unknown 205 (so is every value between), occupied
 /// 0; thresholds 0.65 and 0.196. Errors: kInvalidArgument when the grid has no cells.
 [[nodiscard]] Result<MapFiles> write_trinary_map(const OccupancyLayer& layer,
-                                                 const std::string& picture_name);
+                                                 const std::string& image_name);
 
 /// The same area without a turn, for consumers that ignore the origin's yaw: each new cell takes
 /// the most occupied of the old cells that it meets, unknown before free. Boundary: a grid without

@@ -31,7 +31,7 @@ struct ObjectFileLimits {
 /// that an object cannot have, a number of lines that is not the one said; kUnsupported "written by
 /// a newer version N"; kLimit.
 /// Boundary: polygons must have rings of three points and more within 1e6 m; whether they cross
-/// themselves is not judged again.
+/// themselves is not checked again.
 [[nodiscard]] Result<ObjectMap> parse_objects(std::string_view bytes,
                                               const SourceName& source,
                                               const ObjectFileLimits& limits = {});

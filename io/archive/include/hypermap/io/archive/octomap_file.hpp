@@ -24,7 +24,7 @@ struct OctomapLimits {
   std::uint64_t max_nodes = std::uint64_t{1} << 31;
 };
 
-/// Reads `.ot` (OcTree, ColorOcTree, OcTreeStamped, SemanticOcTree) and `.bt`, told apart by the
+/// Reads `.ot` (OcTree, ColorOcTree, OcTreeStamped, SemanticOcTree) and `.bt`, distinguished by the
 /// first line; a name that ends in `.ot` or `.bt` must agree with it.
 ///
 /// `.bt` knows free and occupied only; they become OctoMap's clamping values -2 and 3.511.

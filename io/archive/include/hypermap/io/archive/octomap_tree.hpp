@@ -75,9 +75,9 @@ struct OctomapTree {
 /// Large leaves are split, so a file of a few bytes could ask for any amount of memory. Recorded
 /// maps have 3 to 12 voxels a leaf.
 struct OctreeConversionOptions {
-  std::uint64_t max_voxels = std::uint64_t{1} << 31U;       ///< In all.
-  std::uint64_t max_voxels_per_leaf = 512;                  ///< On average; judged beyond the next.
-  std::uint64_t unjudged_voxels = std::uint64_t{1} << 22U;  ///< 9 MB of bricks, a second.
+  std::uint64_t max_voxels = std::uint64_t{1} << 31U;  ///< In all.
+  std::uint64_t max_voxels_per_leaf = 512;             ///< On average; checked beyond the next.
+  std::uint64_t unchecked_voxels = std::uint64_t{1} << 22U;  ///< 9 MB of bricks, a second.
 };
 
 /// A map of our own: large leaves are split into voxels, log-odds rounded to steps of 0.001 and

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/value_tree.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/io/codec/source_name.hpp"
-#include "hypermap/core/base/value_tree.hpp"
 
 #include <memory>
 #include <string>
@@ -20,7 +20,7 @@ struct Provenance {
   std::string input;            ///< Name of the dataset, without its folder.
   std::string input_hash;       ///< As `InputHash` gives it.
   ValueTree options = {};       ///< What was asked for, as a map; null when unknown.
-  MapFromInput map_from_input;  ///< How the input's world was turned upright.
+  MapFromInput map_from_input;  ///< How the input's world was aligned to gravity.
   ValueTree extra = {};         ///< Unknown keys, as a map; null when there are none.
   friend bool operator==(const Provenance& a, const Provenance& b);
 };
@@ -40,7 +40,7 @@ class InputHash {
   InputHash& operator=(InputHash&&) noexcept;
   ~InputHash();
 
-  /// Pieces are told apart: "ab" + "c" differs from "a" + "bc".
+  /// Pieces are distinguished: "ab" + "c" differs from "a" + "bc".
   void add(std::string_view piece);
   [[nodiscard]] std::string text() const;
 

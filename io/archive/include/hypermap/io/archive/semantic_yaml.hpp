@@ -3,7 +3,7 @@
 /// Semantic layers as files: a YAML list of named shapes.
 ///
 /// Source: [hypermap] 3.3.5 (semantic files). An entry has `name` and `shape` (WKT), and may have
-/// `tags`, `confidence` (a number, or one for each tag), `id`, and keys that nobody knows, which
+/// `tags`, `confidence` (a number, or one for each tag), `id`, and unknown keys, which
 /// are kept.
 #pragma once
 

@@ -16,11 +16,11 @@ namespace hypermap {
 
 struct FileCheckOptions {
   std::optional<FileKind> as = std::nullopt;  ///< Insisted on; none: found by content.
-  PictureSize size = {};                      ///< What a picture must measure; 0: any.
+  ImageSize size = {};                        ///< What an image must measure; 0: any.
   bool strict = false;                        ///< Findings become errors.
 };
 
-struct FileJudgement {
+struct FileCheckResult {
   std::optional<FileKind> kind;  ///< None when it could not be found.
   std::string summary;           ///< "2 poses"; empty when the file was refused.
   std::vector<Finding> findings;
@@ -30,9 +30,9 @@ struct FileJudgement {
   [[nodiscard]] int exit_code() const;
 };
 
-/// Reads the file as its kind asks, whole, and throws it away.
+/// Reads the whole file by the reader of its kind and discards it.
 /// Cost: bounded by the limits of the readers.
-[[nodiscard]] FileJudgement check_file(const std::filesystem::path& path,
-                                       const FileCheckOptions& options = {});
+[[nodiscard]] FileCheckResult check_file(const std::filesystem::path& path,
+                                         const FileCheckOptions& options = {});
 
 }  // namespace hypermap

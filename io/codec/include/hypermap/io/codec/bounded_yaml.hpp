@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// YAML from untrusted hands: read within limits, asked by key and type, with errors that name
+/// YAML from untrusted sources: read within limits, accessed by key and type, with errors that name
 /// file, line and field.
 ///
 /// Scope: one document a file, UTF-8 (a byte order mark is skipped; UTF-16 is refused), line ends
@@ -9,8 +9,8 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/codec/source_name.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -16,7 +16,7 @@ namespace hypermap {
 enum class FileKind : std::uint8_t {
   kArchive,
   kOctree,
-  kMap,  ///< map_server YAML with its picture.
+  kMap,  ///< map_server YAML with its image.
   kImage,
   kDepth,
   kSemantic,  ///< A list of names and polygons.
@@ -36,7 +36,7 @@ enum class FileKind : std::uint8_t {
 /// What a file most likely is: a folder is a dataset; `.hmap`, `.ot` and `.bt` are what they say;
 /// else its first 64 KiB decide, and where they do not (empty, comments only) its extension.
 ///
-/// Boundary: a 16-bit picture of one channel is taken for depth. A broken file is given the kind
+/// Boundary: a 16-bit image of one channel is taken for depth. A broken file is given the kind
 /// that it seems to be, so that the reader of that kind can say what is wrong. Errors: kIo;
 /// kUnsupported when nothing fits.
 [[nodiscard]] Result<FileKind> find_file_kind(const std::filesystem::path& path);

@@ -77,9 +77,9 @@ template <class Parse>
   return list_of(node, parse);
 }
 
-/// A value that the library judged: its refusal, said of this node.
+/// A value that the library validated; its error refers to this node.
 template <class T>
-[[nodiscard]] Result<T> judged(const JsonNode& node, Result<T> value) {
+[[nodiscard]] Result<T> validated(const JsonNode& node, Result<T> value) {
   if (value) return value;
   const Error& error = value.error();
   return node.error(ErrorCode::kMalformedFile,

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,9 +19,9 @@ namespace hypermap {
 /// Errors: kMalformedFile for numbers that are none, zero or too large, a sample above maxval, too
 /// few samples, bytes after them (one line end is allowed in P5, blanks and comments in P2);
 /// kLimit for the size.
-[[nodiscard]] Result<Picture> decode_pgm(std::string_view bytes,
-                                         const SourceName& source,
-                                         const PictureLimits& limits = {});
+[[nodiscard]] Result<DecodedImage> decode_pgm(std::string_view bytes,
+                                              const SourceName& source,
+                                              const ImageLimits& limits = {});
 
 /// A P5 file's bytes with maxval 255. Errors: kInvalidArgument when the image is empty.
 [[nodiscard]] Result<std::string> encode_pgm(const Image<std::uint8_t>& image);

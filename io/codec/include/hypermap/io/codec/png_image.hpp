@@ -6,7 +6,7 @@
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <cstdint>
 #include <string>
@@ -18,9 +18,9 @@ namespace hypermap {
 /// IEND, a wrong chunk length or CRC, a forbidden depth, filter or palette index, too few or too
 /// many pixels, bytes after IEND; kLimit for the size; kOutOfMemory.
 /// Cost: text and other ancillary chunks are checked by CRC and never inflated.
-[[nodiscard]] Result<Picture> decode_png(std::string_view bytes,
-                                         const SourceName& source,
-                                         const PictureLimits& limits = {});
+[[nodiscard]] Result<DecodedImage> decode_png(std::string_view bytes,
+                                              const SourceName& source,
+                                              const ImageLimits& limits = {});
 
 /// Grey and alpha of one pixel.
 struct GrayAlpha8 {
@@ -32,7 +32,7 @@ struct GrayAlpha8 {
 /// What to save when writing a PNG.
 enum class PngEffort {
   kSmall,  ///< Space: for what is kept, as the layers of an archive.
-  kFast,   ///< Time, about a tenth: for the many pictures of a sequence.
+  kFast,   ///< Time, about a tenth: for the many images of a sequence.
 };
 
 /// A PNG file's bytes: no time stamp, no text, fixed filter and, for an effort, a fixed

@@ -5,8 +5,8 @@
 
 namespace hypermap {
 
-/// Width or height of a picture.
-inline constexpr int kMaxPictureSidePx = 65'535;
+/// Width or height of a image.
+inline constexpr int kMaxImageSidePx = 65'535;
 /// Magnitude of a coordinate, in metres or pixels.
 inline constexpr double kMaxCoordinate = 1e6;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Members of a zip file that nobody vouches for.
+/// Members of a zip file from an untrusted source.
 ///
 /// Readers of zip files disagree about damaged ones: local and central headers may say different
 /// things, bytes may belong to no member or to two. Here the file must say one thing only. It is
@@ -30,7 +30,7 @@ struct ZipLimits {
   std::size_t max_entries = 1024;                            ///< Folder entries included.
   std::uint64_t max_entry_bytes = std::uint64_t{2} << 30;    ///< One member, inflated.
   std::uint64_t max_total_bytes = std::uint64_t{8} << 30;    ///< All members, inflated.
-  /// Inflated over packed size; judged for members larger than `ratio_free_bytes`.
+  /// Inflated over packed size; checked for members larger than `ratio_free_bytes`.
   std::uint64_t max_ratio = 200;
   std::uint64_t ratio_free_bytes = std::uint64_t{1} << 20;
 };
@@ -48,7 +48,7 @@ struct ZipMember {
 /// An archive whose structure was found sound; members are inflated when they are asked for.
 class ZipReader {
  public:
-  /// Judges the whole structure: end record, central directory, local headers and descriptors, that
+  /// Checks the whole structure: end record, central directory, local headers and descriptors, that
   /// members tile the file without gap or overlap, names, methods, sizes and ratios. Nothing is
   /// inflated.
   /// Errors: kMalformedFile; kUnsupported (encrypted, another method, zip64); kLimit; kIo. `entry`
@@ -62,7 +62,7 @@ class ZipReader {
   [[nodiscard]] bool contains(std::string_view name) const { return index_of_.contains(name); }
 
   /// The content of a member, read to its last byte and checked against size and CRC-32.
-  /// Errors: kNotFound; kLimit when it is larger than `max_bytes`, judged before anything is
+  /// Errors: kNotFound; kLimit when it is larger than `max_bytes`, checked before anything is
   /// inflated; kMalformedFile when data, size and CRC-32 do not fit each other; kIo; kOutOfMemory.
   [[nodiscard]] Result<std::string> read(std::string_view name,
                                          std::uint64_t max_bytes = std::uint64_t{2} << 30) const;

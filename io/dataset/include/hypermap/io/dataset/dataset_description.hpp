@@ -2,7 +2,7 @@
 /// @file
 /// Where things are in a dataset's folder and what they mean: the content of a `dataset.yaml`.
 ///
-/// The known layouts are such descriptions too, made by looking (`look_for_layout`).
+/// The known layouts are such descriptions too, made by looking (`find_layout`).
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -18,17 +18,17 @@
 
 namespace hypermap {
 
-/// How poses find their pictures.
+/// How poses find their images.
 enum class PosePairing {
   kStamp,   ///< Nearest stamp within the tolerance.
-  kNumber,  ///< Record number, or number in the pose file's name, equals the picture's number.
-  kOrder,   ///< The n-th pose belongs to the n-th picture.
+  kNumber,  ///< Record number, or number in the pose file's name, equals the image's number.
+  kOrder,   ///< The n-th pose belongs to the n-th image.
 };
 
 enum class TrajectoryFormat {
   kTum,     ///< Lines `t tx ty tz qx qy qz qw`.
   kLog,     ///< Open3D's records of a header and a 4x4 matrix.
-  kMatrix,  ///< A file with one 4x4 matrix for each picture.
+  kMatrix,  ///< A file with one 4x4 matrix for each image.
 };
 
 enum class PoseDirection { kCameraToWorld, kWorldToCamera };
@@ -41,7 +41,7 @@ enum class CameraAxes {
 };
 
 /// Paths are relative to the dataset's folder. A pattern has one `*` in its last part, which stands
-/// for the picture's number or stamp.
+/// for the image's number or stamp.
 struct DatasetDescription {
   std::string layout = "described";
   std::string name;
@@ -58,12 +58,12 @@ struct DatasetDescription {
   std::optional<std::string> up_axis;   ///< x, -x, y, -y, z, -z
   std::vector<std::string> detections;  ///< Files, one detector each.
   double stamp_tolerance_s = 0.02;      ///< Range: 0 .. 3600
-  double frame_rate_hz = 30.0;          ///< Stamps of pictures that only have numbers. 1e-3 .. 1e4
+  double frame_rate_hz = 30.0;          ///< Stamps of images that only have numbers. 1e-3 .. 1e4
   /// Depth that is not registered to colour: its own camera, and where that is.
   std::optional<Intrinsics> depth_intrinsics;
   std::string depth_intrinsics_file;
   Eigen::Isometry3d color_from_depth = Eigen::Isometry3d::Identity();
-  /// Pictures of class numbers and of instances, which become detections; patterns or empty.
+  /// Images of class numbers and of instances, which become detections; patterns or empty.
   std::string labels;
   std::string instances;
 };
@@ -80,7 +80,6 @@ struct DatasetDescription {
 /// Errors: kIo when the folder is not there; kNotFound when it has none, with what was looked for;
 /// those of a `dataset.yaml`.
 /// Findings: intrinsics that the folder lacks and that were taken from the dataset's publication.
-[[nodiscard]] Result<Loaded<DatasetDescription>> look_for_layout(
-    const std::filesystem::path& folder);
+[[nodiscard]] Result<Loaded<DatasetDescription>> find_layout(const std::filesystem::path& folder);
 
 }  // namespace hypermap

@@ -36,7 +36,7 @@ struct DatasetOptions {
   std::size_t first = 0;                                 ///< Frames before it are left out.
   std::size_t stride = 1;                                ///< Every n-th frame. Range: >= 1
   std::optional<std::size_t> max_frames = std::nullopt;  ///< None: all. Range: >= 1
-  bool read_color = true;                                ///< False: frames have no colour picture.
+  bool read_color = true;                                ///< False: frames have no colour image.
 };
 
 /// What a folder holds, for messages and `info`.
@@ -73,7 +73,7 @@ class DatasetReader {
   /// Frame `index` of `size()`; its `index` counts what stride leaves out as well.
   ///
   /// Errors, each naming the file; the other frames stay readable: kNotFound without pose or
-  /// picture; kMalformedFile for a picture or pose that cannot be read; kInvalidArgument for a
+  /// image; kMalformedFile for an image or pose that cannot be read; kInvalidArgument for a
   /// wrong size. Requires: index < size().
   [[nodiscard]] virtual Result<RgbdFrame> read(std::size_t index) const = 0;
   [[nodiscard]] virtual const DatasetSummary& summary() const noexcept = 0;
@@ -88,7 +88,7 @@ class DatasetReader {
   MapFromInput map_from_input_;
 };
 
-/// Opens the folder `path`. Pictures are read later, one by one; lists, poses and detections now.
+/// Opens the folder `path`. Images are read later, one by one; lists, poses and detections now.
 /// Classes of the detections are added to `registry`.
 ///
 /// Errors: kNotFound when it is no known layout, with what was looked for; kIo; whatever the

@@ -3,7 +3,7 @@
 /// Detections of any detector as files: read in three forms, written in two.
 ///
 /// Forms: frame JSON (one object, or one per line), COCO JSON (results list, or object with
-/// `images`, `categories` and `annotations`), plain text (a file per picture). See io/README.md.
+/// `images`, `categories` and `annotations`), plain text (a file per image). See io/README.md.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
@@ -27,7 +27,7 @@ struct DetectionLimits {
   std::size_t max_document_bytes = std::size_t{16} << 20U;  ///< One JSON document or line.
   std::size_t max_per_frame = 1000;
   std::size_t max_label_bytes = 256;
-  std::uint64_t max_picture_pixels = std::uint64_t{1} << 28U;
+  std::uint64_t max_image_pixels = std::uint64_t{1} << 28U;
 };
 
 struct DetectionReadOptions {
@@ -44,7 +44,8 @@ struct NamedScore {
   friend bool operator==(const NamedScore&, const NamedScore&) = default;
 };
 
-/// Pixels of a thing, run-length coded: runs of 0 and 1 in turn, the first of 0, column by column.
+/// Pixels of an object, run-length coded: runs of 0 and 1 in turn, the first of 0, column by
+/// column.
 struct RleMask {
   int width_px = 0;
   int height_px = 0;
@@ -59,19 +60,19 @@ struct RleMask {
 struct NamedDetection {
   std::string label;  ///< Plain text, whatever it holds.
   Probability score;
-  PixelBox box_px;                 ///< As written; inside the picture once its size is known.
+  PixelBox box_px;                 ///< As written; inside the image once its size is known.
   std::vector<NamedScore> scores;  ///< Empty: only label and score are known.
   std::optional<RleMask> mask;
   friend bool operator==(const NamedDetection&, const NamedDetection&) = default;
 };
 
-/// What was detected in one picture.
+/// What was detected in one image.
 struct FrameDetections {
   std::string image;           ///< Path or name as written; empty when only a stamp is given.
   std::optional<Stamp> stamp;  ///< Exact to the nanosecond.
   int width_px = 0;            ///< 0: not stated.
   int height_px = 0;
-  /// Boxes are shares of the picture's sides (YOLO text), not pixels.
+  /// Boxes are shares of the image's sides (YOLO text), not pixels.
   bool boxes_are_shares = false;
   std::vector<NamedDetection> detections;
   friend bool operator==(const FrameDetections&, const FrameDetections&) = default;
@@ -83,15 +84,15 @@ struct DetectionSet {
   /// What the detector can name: given by the options, else by the file's categories, else the
   /// labels in the order of first mention.
   std::vector<std::string> class_names;
-  std::size_t num_clipped = 0;  ///< Boxes that reached beyond a picture whose size is stated.
+  std::size_t num_clipped = 0;  ///< Boxes that exceeded an image whose size is stated.
 
   [[nodiscard]] std::size_t num_detections() const;
 };
 
-/// Reads `path` in whichever form it is; for plain text also a folder of `<picture>*.txt`.
+/// Reads `path` in whichever form it is; for plain text also a folder of `<image>*.txt`.
 ///
 /// Plain text: "class x y w h [score]" with a number for the class and centre and size as shares of
-/// the picture (YOLO), or "x y w h score" in pixels with upper left corner (no class: `object`, or
+/// the image (YOLO), or "x y w h score" in pixels with upper left corner (no class: `object`, or
 /// the only name of `class_names`).
 /// Errors: kIo; kLimit; kMalformedFile naming line and JSON path: no UTF-8, duplicate keys,
 /// literals that are no JSON, text after the end; score outside [0, 1]; box swapped, without area,
@@ -104,7 +105,7 @@ struct DetectionSet {
 [[nodiscard]] Result<Loaded<DetectionSet>> parse_detections(
     std::string_view text, const std::string& name, const DetectionReadOptions& options = {});
 
-/// Detections of one frame in ids, boxes clipped to the picture, each with a full class vector.
+/// Detections of one frame in ids, boxes clipped to the image, each with a full class vector.
 struct ResolvedDetections {
   std::vector<Detection> detections;
   std::size_t num_clipped = 0;
@@ -118,7 +119,7 @@ struct ResolvedDetections {
 [[nodiscard]] Result<std::vector<ClassId>> register_classes(
     std::span<const std::string> class_names, ClassRegistry& registry);
 
-/// Errors: kInvalidArgument when the stated picture size is another one, when a box is wholly
+/// Errors: kInvalidArgument when the stated image size is another one, when a box is wholly
 /// outside, when a mask has another size; kNotFound when a label is not in `registry`.
 [[nodiscard]] Result<ResolvedDetections> resolve(const FrameDetections& frame,
                                                  const ClassRegistry& registry,

@@ -39,7 +39,7 @@ class DetectionSetBuilder {
   std::set<std::string, std::less<>> unknown_keys_;
 };
 
-/// The part of `box` in the picture; none when they share no area.
+/// The part of `box` in the image; none when they share no area.
 [[nodiscard]] std::optional<PixelBox> clipped(const PixelBox& box, int width_px, int height_px);
 
 /// Box edges from four numbers, `is_xywh`: corner and size, else two corners.

@@ -28,7 +28,7 @@ struct Intrinsics {
 };
 
 /// Errors: kIo; kLimit (1 MiB); kMalformedFile naming the field: missing, no number, not finite,
-/// focal length <= 0, side outside 1 .. 65535 or no integer, centre outside the picture by more
+/// focal length <= 0, side outside 1 .. 65535 or no integer, centre outside the image by more
 /// than half its side, depth_scale <= 0. Findings: unknown keys; distortion, which is not applied.
 [[nodiscard]] Result<Loaded<Intrinsics>> read_intrinsics(const std::filesystem::path& path);
 

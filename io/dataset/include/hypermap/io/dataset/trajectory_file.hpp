@@ -70,7 +70,7 @@ struct NumberedTrajectory {
 [[nodiscard]] Result<Loaded<NumberedTrajectory>> read_log_trajectory(
     const std::filesystem::path& path, const TrajectoryOptions& options = {});
 
-/// Reads one 4x4 matrix, camera to world, as 7-Scenes and ScanNet keep one beside each picture.
+/// Reads one 4x4 matrix, camera to world, as 7-Scenes and ScanNet keep one beside each image.
 /// Errors: kIo; kMalformedFile naming line and rule (ScanNet marks lost tracking by infinities).
 [[nodiscard]] Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
                                                        const TrajectoryOptions& options = {});

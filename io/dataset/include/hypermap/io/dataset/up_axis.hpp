@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Stands a dataset's world upright: by a given axis, or by the floor that its pictures show.
+/// Aligns a dataset's world to gravity: by a given axis, or by the floor that its images show.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"

@@ -23,8 +23,8 @@ namespace hypermap {
 struct OnnxDetectorOptions {
   double min_score = 0.25;    ///< Objectness times class probability must exceed it. Range: 0 .. 1
   double nms_overlap = 0.45;  ///< Of two boxes of a class with more IoU the better stays. 0 .. 1
-  int input_side_px = 416;  ///< The picture is fitted into this square. A multiple of 32, 32..2048
-  std::size_t max_detections = 1000;  ///< The best of a picture are kept.
+  int input_side_px = 416;    ///< The image is fitted into this square. A multiple of 32, 32..2048
+  std::size_t max_detections = 1000;  ///< The best of an image are kept.
   DetectorId detector{0};             ///< Written into the detections.
   /// What the network's class outputs mean, in order. Empty: `coco_class_names()`.
   std::vector<std::string> class_names = {};
@@ -36,7 +36,7 @@ struct OnnxDetectorOptions {
 /// A network that is loaded and ready. Movable, not copyable.
 class OnnxDetector {
  public:
-  /// Adds the classes to `registry`. Runs the network once on a grey picture to see that its output
+  /// Adds the classes to `registry`. Runs the network once on a grey image to see that its output
   /// has the expected shape.
   /// Errors: kIo; kMalformedFile when it is no network or its output does not fit input size and
   /// class count; kInvalidArgument as `validate`.
@@ -48,12 +48,12 @@ class OnnxDetector {
   ~OnnxDetector();
 
   /// Best first. Class vectors are the network's class probabilities scaled to sum 1; `score` is
-  /// objectness times the best class probability. Boxes are clipped to the picture.
+  /// objectness times the best class probability. Boxes are clipped to the image.
   ///
-  /// Errors: kInvalidArgument for an empty picture; kMalformedFile when the network fails on it or
+  /// Errors: kInvalidArgument for an empty image; kMalformedFile when the network fails on it or
   /// gives numbers that are not finite. Cost: about 45 ms for YOLOX-nano on one core.
-  /// Threads: not safe to call concurrently on one detector. Same picture, same bytes.
-  [[nodiscard]] Result<std::vector<Detection>> detect(const ColorImage& picture);
+  /// Threads: not safe to call concurrently on one detector. Same image, same bytes.
+  [[nodiscard]] Result<std::vector<Detection>> detect(const ColorImage& image);
 
   /// Ids of the classes in the network's order.
   [[nodiscard]] std::span<const ClassId> classes() const noexcept;

@@ -32,7 +32,7 @@ struct ExportRequest {
   std::filesystem::path output;
   /// Which 2D layer; the first of the kind that the format needs when absent.
   std::optional<std::string> layer;
-  /// Only things, voxels or grids of these classes; all when empty.
+  /// Only objects, voxels or grids of these classes; all when empty.
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;

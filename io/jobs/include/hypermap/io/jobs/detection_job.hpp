@@ -17,7 +17,7 @@ namespace hypermap {
 struct DetectionJob {
   std::filesystem::path input;
   std::filesystem::path model;
-  /// `.jsonl`: a line of JSON for each picture; anything else: COCO results.
+  /// `.jsonl`: a line of JSON for each image; anything else: COCO results.
   std::filesystem::path output;
   DatasetOptions dataset;
   OnnxDetectorOptions detector;
@@ -30,7 +30,7 @@ struct DetectionJobReport {
 };
 
 /// Errors: those of open_dataset, OnnxDetector::load and of writing; kNotFound when no frame has a
-/// colour picture. Nothing is written on an error.
+/// colour image. Nothing is written on an error.
 [[nodiscard]] Result<DetectionJobReport> run_detection(const DetectionJob& job,
                                                        const JobProgress& progress = {});
 

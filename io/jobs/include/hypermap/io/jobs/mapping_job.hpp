@@ -23,7 +23,7 @@ struct MappingJob {
   std::filesystem::path input;
   std::filesystem::path output;
   DatasetOptions dataset;
-  /// A network that looks at each colour picture, besides any detections on file.
+  /// A network that looks at each colour image, besides any detections on file.
   std::optional<std::filesystem::path> model;
   OnnxDetectorOptions detector;
   SemanticMapperOptions mapper;
@@ -59,22 +59,22 @@ struct MappingReport {
   std::vector<Finding> findings;  ///< Repairs and unknown keys while opening the dataset.
   std::size_t num_detections = 0;
   std::size_t num_segments = 0;
-  std::size_t num_unjudged = 0;   ///< Frames after which absent objects were not asked for.
-  IntegrationReport points;       ///< Summed over the frames.
-  std::size_t num_objects = 0;    ///< Published.
-  std::size_t num_tentative = 0;  ///< Not sure enough to be published.
+  std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
+  IntegrationReport points;                ///< Summed over the frames.
+  std::size_t num_objects = 0;             ///< Confirmed.
+  std::size_t num_tentative = 0;           ///< Not confirmed.
   LeafCount leaves;
-  std::string up;  ///< How the world was turned upright, in words.
+  std::string up;  ///< How the world was aligned to gravity, in words.
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
 };
 
 /// With more than one thread the next frame is read and decoded while one is worked on.
-/// Errors: kInvalidArgument when the mapper has a deadline, or when a map is to be gone on from with
-/// corrected poses (what it holds has the old ones); those of open_dataset, with_corrected_poses,
-/// OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when more frames were
-/// skipped than allowed, naming the first. Nothing is written on an error.
+/// Errors: kInvalidArgument when the mapper has a deadline, or when a map is to be gone on from
+/// with corrected poses (what it holds has the old ones); those of open_dataset,
+/// with_corrected_poses, OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when
+/// more frames were skipped than allowed, naming the first. Nothing is written on an error.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 

@@ -25,7 +25,7 @@ struct CameraWaypoint {
 /// interpolants", 1984 (the harmonic mean for legs of any length).
 ///
 /// Time at a leg is what the slower of driving and turning needs, so that the sequence stays slow
-/// enough to see things wherever the robot turns.
+/// enough to see objects wherever the robot turns.
 class CameraPath {
  public:
   struct Options {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The things that simulated rooms are furnished with, as parametric shapes.
+/// The objects that simulated rooms are furnished with, as parametric shapes.
 ///
-/// Source: the kinds of things in [hypermap] figures 10 and 11 and in the rooms of [smap].
+/// Source: the kinds of objects in [hypermap] figures 10 and 11 and in the rooms of [smap].
 #pragma once
 
 #include "hypermap/core/base/result.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A furnished room as data, and the same room with its things in place.
+/// A furnished room as data, and the same room with its objects in place.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
@@ -19,13 +19,13 @@
 
 namespace hypermap {
 
-/// One thing in a scene.
+/// One object in a scene.
 struct SceneObject {
   std::string name = {};        ///< Unique in the scene.
   std::string class_name = {};  ///< What a person calls it.
   std::string shape = {};       ///< One of `furniture_shapes()`.
-  std::string on = {};          ///< Name of the thing that it stands on; empty: the floor.
-  /// Centre of its ground plan in the map, or, when it stands on something, in that thing's frame
+  std::string on = {};          ///< Name of the object that it stands on; empty: the floor.
+  /// Centre of its ground plan in the map, or, when it stands on something, in that object's frame
   /// (origin at its middle). Unit: metre.
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double height_m = 0.0;  ///< Above the floor, or above the top of what it stands on.
@@ -55,13 +55,13 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<CameraWaypoint> waypoints;
   CameraPath::Options path;
-  /// How much a seed moves free-standing things on the floor; two fifths of it what stands on
+  /// How much a seed moves free-standing objects on the floor; two fifths of it what stands on
   /// others.
   double position_jitter_m = 0.05;
   double yaw_jitter_rad = 0.1745329251994329577;  ///< 10 degrees
 };
 
-/// A thing in its place.
+/// An object in its place.
 struct PlacedObject {
   ObjectId id = kNoObject;  ///< 1, 2, ... in the scene's order.
   std::string name = {};
@@ -80,10 +80,10 @@ struct FurnishedScene {
   std::vector<Eigen::Vector3d> lights_in_map;
 };
 
-/// Puts everything in its place. `seed` moves and turns the free-standing things a little (uniform
-/// within the scene's jitter); things on others go with them. Seed 0 moves nothing.
+/// Puts everything in its place. `seed` moves and turns the free-standing objects a little (uniform
+/// within the scene's jitter); objects on others go with them. Seed 0 moves nothing.
 ///
-/// Errors: kNotFound for a shape or a supporting thing that does not exist (or comes later in the
+/// Errors: kNotFound for a shape or a supporting object that does not exist (or comes later in the
 /// list); kInvalidArgument for what `build_furniture` and `footprint` refuse. `entry` names the
 /// object.
 [[nodiscard]] Result<FurnishedScene> furnish(const Scene& scene, std::uint64_t seed);

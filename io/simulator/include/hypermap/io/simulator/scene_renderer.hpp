@@ -18,7 +18,7 @@ namespace hypermap {
 /// Which object each pixel shows; kNoObject where it shows the room.
 using InstanceImage = Image<ObjectId>;
 
-/// A picture without noise. Shape: all images have the camera's size.
+/// An image without noise. Shape: all images have the camera's size.
 struct RenderedView {
   DepthImage depth_m;          ///< Along the optical axis; 0 where no ray hits.
   Image<float> incidence_cos;  ///< |cos| between ray and surface normal; 0 where no ray hits.
@@ -46,8 +46,8 @@ class SceneRenderer {
   /// How much of each object's own silhouette is unhidden in the view: pixels of the object over
   /// pixels that it would fill alone, both counted on a grid, 0 .. 1.
   ///
-  /// The silhouette reaches beyond the picture (to twice its size on each side), so that what the
-  /// picture's edge cuts off counts as hidden. Result: one number per id in `objects`.
+  /// The silhouette reaches beyond the image (to twice its size on each side), so that what the
+  /// image's edge cuts off counts as hidden. Result: one number per id in `objects`.
   /// Requires: `view` was rendered with the same camera and pose.
   [[nodiscard]] std::vector<double> unhidden_shares(const RenderedView& view,
                                                     std::span<const ObjectId> objects,

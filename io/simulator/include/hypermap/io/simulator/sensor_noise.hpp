@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a structured-light depth camera makes of a perfect depth picture.
+/// What a structured-light depth camera makes of a perfect depth image.
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
@@ -30,11 +30,11 @@ struct SensorNoiseOptions {
 /// sigma(z) = noise_base_m + noise_per_m2 (z - 0.4 m)^2.
 [[nodiscard]] double axial_noise_m(double depth_m, const SensorNoiseOptions& options);
 
-/// The measured picture: 0 where there is no measurement, else depth with noise in whole steps.
+/// The measured image: 0 where there is no measurement, else depth with noise in whole steps.
 ///
 /// `incidence_cos` is |cos| of the angle between ray and surface normal. `seed` and `frame` name
-/// the random stream; each pixel has its own numbers, so any order of work gives the same picture.
-/// Requires: both pictures have one size.
+/// the random stream; each pixel has its own numbers, so any order of work gives the same image.
+/// Requires: both images have one size.
 [[nodiscard]] DepthImage measured_depth(const DepthImage& true_depth_m,
                                         const Image<float>& incidence_cos,
                                         const SensorNoiseOptions& options,

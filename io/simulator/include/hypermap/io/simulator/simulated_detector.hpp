@@ -22,9 +22,9 @@ namespace hypermap {
 /// Source: docs/EVALUATION.md, "Noise".
 struct SimulatedDetectorOptions {
   bool noisy = true;                    ///< False: exact boxes, no misses, no false alarms.
-  int min_visible_px = 200;             ///< Smaller things are not seen.           Range: >= 1
-  double min_unhidden_share = 0.2;      ///< Things hidden more are not seen.       Range: 0 .. 1
-  double miss_rate = 0.15;              ///< Share of visible things missed.        Range: 0 .. 1
+  int min_visible_px = 200;             ///< Smaller ones are not detected.           Range: >= 1
+  double min_unhidden_share = 0.2;      ///< Objects hidden more are not seen.       Range: 0 .. 1
+  double miss_rate = 0.15;              ///< Share of visible objects missed.        Range: 0 .. 1
   double false_alarms_per_frame = 0.3;  ///< Mean of a Poisson distribution.        Range: 0 .. 20
   double box_jitter = 0.04;             ///< Std. dev. of an edge, share of side.   Range: 0 .. 1
   double similar_weight = 0.2;          ///< Share of the weight at similar classes. Range: 0 .. 1
@@ -32,7 +32,7 @@ struct SimulatedDetectorOptions {
   double min_score = 0.3;               ///< Scores are uniform from here ...       Range: 0 .. 1
   double max_score = 0.95;              ///< ... to here.                           Range: 0 .. 1
   double perfect_probability = 0.99;    ///< Of the true class without noise.       Range: 0 .. 1
-  /// Also give the pixels of each thing (not of false alarms).
+  /// Also give the pixels of each object (not of false alarms).
   bool masks = false;
   /// What the detector can name. Empty: `coco_class_names()`.
   std::vector<std::string> class_names = {};
@@ -41,7 +41,7 @@ struct SimulatedDetectorOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SimulatedDetectorOptions& options);
 
-/// A thing as it appears in one picture.
+/// An object as it appears in one image.
 struct VisibleObject {
   ObjectId id;
   std::string_view class_name;
@@ -55,7 +55,7 @@ struct VisibleObject {
 [[nodiscard]] std::vector<VisibleObject> visible_objects(
     const Image<ObjectId>& instances, std::span<const std::string_view> class_names);
 
-/// Names things in pictures. A value: same seed, same frame, same things give the same detections.
+/// Names objects in images. A value: same seed, same frame, same objects give the same detections.
 ///
 /// Class vectors of the noisy detector: the score is the weight of the named class; of it a fifth
 /// goes to similar classes (chair/sofa, cup/bottle, tvmonitor/laptop, diningtable/desk, table/desk,
@@ -70,7 +70,7 @@ class SimulatedDetector {
                                                         std::uint64_t seed);
 
   /// True when the detector has a word for the class.
-  [[nodiscard]] bool can_name(std::string_view class_name) const;
+  [[nodiscard]] bool knows_class(std::string_view class_name) const;
 
   /// True when an object of this size and openness counts as visible.
   [[nodiscard]] bool is_visible(const VisibleObject& object) const;

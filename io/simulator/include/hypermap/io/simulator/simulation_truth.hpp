@@ -7,7 +7,7 @@
 ///
 ///     thing: cup_1                      name in the scene
 ///     box: [x0, y0, z0, x1, y1, z1]     true bounding box, metres
-///     excluded: reason                  only where the thing does not count in evaluations
+///     excluded: reason                  only where the object does not count in evaluations
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -30,7 +30,7 @@ struct TrueOccupancyOptions {
 };
 
 /// Which cells the true surfaces meet. Cells that the camera's way cannot reach over free cells are
-/// unknown: the inside of things, what lies behind walls.
+/// unknown: the inside of objects, what lies behind walls.
 ///
 /// Errors: kInvalidArgument for the band; those of `OccupancyGrid::create`.
 /// Boundary: a point on the edge between two cells belongs as `cell_at` says, so that a wall on an
@@ -39,7 +39,7 @@ struct TrueOccupancyOptions {
                                                    std::span<const CameraWaypoint> way,
                                                    const TrueOccupancyOptions& options = {});
 
-/// Why a thing does not count in evaluations; empty when it does.
+/// Why an object does not count in evaluations; empty when it does.
 /// Source: docs/EVALUATION.md, "Match": never 200 depth pixels in any frame, or not nameable.
 [[nodiscard]] std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& detector);
 

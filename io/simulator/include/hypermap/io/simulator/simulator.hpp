@@ -44,7 +44,7 @@ struct SimulatedFrame {
   RgbdFrame frame;                     ///< As a dataset reader would give it: noise, recorded pose.
   MapFromCamera true_pose;             ///< Where the camera really was.
   InstanceImage instances;             ///< What each pixel really shows.
-  std::vector<VisibleObject> visible;  ///< Things with enough pixels, in id order.
+  std::vector<VisibleObject> visible;  ///< Objects with enough pixels, in id order.
   std::vector<int> depth_pixels;       ///< Measured pixels of each object, by id - 1.
 };
 
@@ -61,7 +61,7 @@ class Simulator {
   [[nodiscard]] std::size_t size() const noexcept;
   /// Requires: index < size(). Safe to call concurrently; frames do not depend on each other.
   [[nodiscard]] SimulatedFrame render(std::size_t index) const;
-  /// The things in their places, in id order.
+  /// The objects in their places, in id order.
   [[nodiscard]] std::span<const PlacedObject> objects() const noexcept;
   /// The room, for whoever derives truth from it.
   [[nodiscard]] const FurnishedScene& furnished() const noexcept;
@@ -81,7 +81,7 @@ struct SimulatedTruth {
   std::string class_name;
   int most_depth_pixels = 0;           ///< In the frame that shows it best.
   std::size_t num_frames_visible = 0;  ///< Frames that show it well enough for the detector.
-  std::string excluded_because;        ///< Empty when it counts in evaluations.
+  std::string exclusion_reason;        ///< Empty when it counts in evaluations.
 };
 
 struct SimulationReport {
@@ -97,7 +97,7 @@ struct SimulationReport {
 ///     groundtruth.txt               recorded poses
 ///     intrinsics.json               camera and depth scale
 ///     detections.jsonl              boxes with full class vectors
-///     truth.hmap                    the things as objects and footprints, the true occupancy
+///     truth.hmap                    the objects as objects and footprints, the true occupancy
 ///
 /// Written beside `output_dir` under a temporary name and renamed at the end: a failure leaves
 /// nothing. An `output_dir` that exists is replaced only when it is empty or holds a simulation

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/io/dataset/upright.hpp"
+#include "hypermap/io/dataset/gravity_alignment.hpp"
 
 #include "hypermap/io/dataset/up_axis.hpp"
 
 namespace hypermap {
 namespace {
 
-Result<Upright> by_axis(const std::string& axis, const std::string& who) {
+Result<GravityAlignment> by_axis(const std::string& axis, const std::string& who) {
   HYPERMAP_ASSIGN_OR_RETURN(const MapFromInput map_from_input, map_from_input_axis(axis));
-  return Upright{map_from_input, axis + " of the input is up, " + who};
+  return GravityAlignment{map_from_input, axis + " of the input is up, " + who};
 }
 
-Result<Upright> by_floor(const DatasetReader& dataset) {
+Result<GravityAlignment> by_floor(const DatasetReader& dataset) {
   auto floor = estimate_floor(dataset);
   if (!floor) {
     Error error = std::move(floor).error();
     error.what += "; the axis that points up can be given with --up";
     return Unexpected(std::move(error));
   }
-  return Upright{floor->map_from_input, "by the floor found: " + to_string(*floor)};
+  return GravityAlignment{floor->map_from_input, "by the floor found: " + to_string(*floor)};
 }
 
 }  // namespace
 
-Result<Upright> turn_upright(const DatasetReader& dataset,
-                             const std::optional<std::string>& wanted) {
+Result<GravityAlignment> align_to_gravity(const DatasetReader& dataset,
+                                          const std::optional<std::string>& wanted) {
   if (wanted && *wanted != "floor") return by_axis(*wanted, "as asked for");
   if (wanted) return by_floor(dataset);
   const DatasetSummary& summary = dataset.summary();

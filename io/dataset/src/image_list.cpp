@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture_list.hpp"
+#include "image_list.hpp"
 
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
@@ -109,7 +109,8 @@ bool is_pattern(std::string_view text) {
   return text.find('*') != std::string_view::npos;
 }
 
-Result<std::vector<ListedFile>> list_pictures(const fs::path& folder, const std::string& pattern) {
+Result<std::vector<ListedFile>> list_image_files(const fs::path& folder,
+                                                 const std::string& pattern) {
   HYPERMAP_ASSIGN_OR_RETURN(const Pattern parts, take_apart(pattern));
   std::vector<ListedFile> files;
   std::error_code ec;
@@ -122,7 +123,7 @@ Result<std::vector<ListedFile>> list_pictures(const fs::path& folder, const std:
     if (star) files.push_back(listed(parts, name, *star));
     if (files.size() > kMaxFiles) {
       return Unexpected(Error{.code = ErrorCode::kLimit,
-                              .what = "at most 1000000 pictures are listed",
+                              .what = "at most 1000000 images are listed",
                               .file = place.string()});
     }
   }
@@ -144,7 +145,7 @@ Result<std::vector<ListedFile>> list_pictures(const fs::path& folder, const std:
   return files;
 }
 
-Result<std::vector<ListedFile>> read_picture_list(const fs::path& folder, const std::string& list) {
+Result<std::vector<ListedFile>> read_image_list(const fs::path& folder, const std::string& list) {
   const fs::path path = folder / list;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxListBytes));
   std::vector<ListedFile> files;
@@ -161,7 +162,7 @@ Result<std::vector<ListedFile>> read_picture_list(const fs::path& folder, const 
     files.push_back(std::move(*file));
     if (files.size() > kMaxFiles) {
       return Unexpected(Error{.code = ErrorCode::kLimit,
-                              .what = "at most 1000000 pictures are listed",
+                              .what = "at most 1000000 images are listed",
                               .file = path.string()});
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which objects the map stands for.
+/// Which objects are confirmed; the others are tentative.
 ///
 /// Source: [hypermap] 3.4.5; [smap] figure 3.23, C.3.
 #pragma once
@@ -16,26 +16,26 @@ namespace hypermap {
 
 struct OptionTable;
 
-struct PublicationOptions {
-  /// Existence must be above. None: not asked.
+struct ConfirmationOptions {
+  /// Existence must be above. None: no condition.
   std::optional<LogOdds> min_existence = LogOdds(3.0);
-  /// Object confidence must not be below, o_valid. None: not asked.
+  /// Object confidence must not be below, o_valid. None: no condition.
   std::optional<Probability> min_confidence = std::nullopt;
   ObjectConfidenceOptions confidence = {};
   std::uint32_t min_observations = 3;  ///< Seen less often is not enough.
-  /// Of two objects on the same points only the stronger one is published.
+  /// Of two objects on the same points only the stronger one is confirmed.
   bool one_per_place = true;
   double same_place_share = 0.5;  ///< Share of the points of the smaller that lie in the other ...
   double same_place_diagonal = 0.4;  ///< ... whose diagonal it has at least this share of.
-  friend bool operator==(const PublicationOptions&, const PublicationOptions&) = default;
+  friend bool operator==(const ConfirmationOptions&, const ConfirmationOptions&) = default;
 };
 
 /// Errors: kInvalidArgument naming the first field out of its range.
-[[nodiscard]] Result<void> validate(const PublicationOptions& options);
-[[nodiscard]] const OptionTable& option_table(const PublicationOptions& options);
+[[nodiscard]] Result<void> validate(const ConfirmationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const ConfirmationOptions& options);
 
-/// In ascending order of ids.
-[[nodiscard]] std::vector<ObjectId> published(const ObjectMap& objects,
-                                              const PublicationOptions& options);
+/// Ids of the confirmed objects, ascending.
+[[nodiscard]] std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
+                                                      const ConfirmationOptions& options);
 
 }  // namespace hypermap

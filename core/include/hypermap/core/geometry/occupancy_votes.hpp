@@ -40,46 +40,46 @@ struct PointVote {
   friend auto operator<=>(const PointVote&, const PointVote&) = default;
 };
 
-struct PointEvidenceOptions {
+struct OccupancyVotesOptions {
   double edge_m = 0.01;            ///< Edge of a cell to begin with.
   std::uint32_t max_cells = 4096;  ///< More make cells twice as wide.
   /// A cell counts when it has at least this share of the votes that a typical vote's cell has. 0
   /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
-  friend bool operator==(const PointEvidenceOptions&, const PointEvidenceOptions&) = default;
+  friend bool operator==(const OccupancyVotesOptions&, const OccupancyVotesOptions&) = default;
 };
 
 /// Errors: kInvalidArgument naming the field and its range.
-[[nodiscard]] Result<void> validate(const PointEvidenceOptions& options);
-[[nodiscard]] const OptionTable& option_table(const PointEvidenceOptions& options);
+[[nodiscard]] Result<void> validate(const OccupancyVotesOptions& options);
+[[nodiscard]] const OptionTable& option_table(const OccupancyVotesOptions& options);
 
-/// Everything that a PointEvidence remembers, for storing it.
-struct PointEvidenceState {
+/// Everything that a OccupancyVotes remembers, for storing it.
+struct OccupancyVotesState {
   double edge_m = 0.01;                ///< Now: the first edge, doubled some times.
   std::uint32_t num_observations = 0;  ///< That voted.
   std::vector<PointVote> votes;        ///< Ascending by cell.
-  friend bool operator==(const PointEvidenceState&, const PointEvidenceState&) = default;
+  friend bool operator==(const OccupancyVotesState&, const OccupancyVotesState&) = default;
 };
 
 /// A bounded set of voted cells. Frame: Map. A value; memory at most max_cells cells, shared by
 /// copies until one of them observes.
-class PointEvidence {
+class OccupancyVotes {
  public:
-  PointEvidence() : PointEvidence(PointEvidenceOptions{}) {}
+  OccupancyVotes() : OccupancyVotes(OccupancyVotesOptions{}) {}
   /// Requires: validate(options).
-  explicit PointEvidence(const PointEvidenceOptions& options);
+  explicit OccupancyVotes(const OccupancyVotesOptions& options);
   /// Errors: as validate(options); kInvalidArgument when the cells are not ascending, are more than
   /// allowed, have no votes or more votes than observations, or the edge is not the options' edge
   /// doubled.
-  [[nodiscard]] static Result<PointEvidence> from_state(const PointEvidenceOptions& options,
-                                                        PointEvidenceState state);
+  [[nodiscard]] static Result<OccupancyVotes> from_state(const OccupancyVotesOptions& options,
+                                                         OccupancyVotesState state);
 
   /// One observation votes once for each cell that it has a point in.
   /// Boundary: points that are not finite or beyond 1e6 m are left out.
   /// Cost: O((points + cells) log).
   void observe(std::span<const Eigen::Vector3f> points_in_map);
-  /// Adds the votes of another evidence of the same thing.
-  void merge(const PointEvidence& other);
+  /// Adds the votes of another evidence of the same object.
+  void merge(const OccupancyVotes& other);
 
   /// Centres of the cells that enough observations agree on, in the order of cells.
   [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
@@ -90,17 +90,17 @@ class PointEvidence {
   [[nodiscard]] Result<Polygon> footprint() const;
 
   [[nodiscard]] bool empty() const noexcept { return state_->votes.empty(); }
-  [[nodiscard]] const PointEvidenceState& state() const noexcept { return *state_; }
-  [[nodiscard]] const PointEvidenceOptions& options() const noexcept { return options_; }
-  friend bool operator==(const PointEvidence& a, const PointEvidence& b) {
+  [[nodiscard]] const OccupancyVotesState& state() const noexcept { return *state_; }
+  [[nodiscard]] const OccupancyVotesOptions& options() const noexcept { return options_; }
+  friend bool operator==(const OccupancyVotes& a, const OccupancyVotes& b) {
     return a.options_ == b.options_ && (a.state_ == b.state_ || *a.state_ == *b.state_);
   }
 
  private:
-  void take(PointEvidenceState state);
+  void take(OccupancyVotesState state);
 
-  PointEvidenceOptions options_;
-  std::shared_ptr<const PointEvidenceState> state_;  ///< Never null.
+  OccupancyVotesOptions options_;
+  std::shared_ptr<const OccupancyVotesState> state_;  ///< Never null.
   std::uint32_t votes_needed_ = 1;  ///< Of a cell that counts. Follows from state_.
 };
 

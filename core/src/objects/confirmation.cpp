@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/objects/publication.hpp"
+#include "hypermap/core/objects/confirmation.hpp"
 
-#include "contact.hpp"
+#include "overlap.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNearM = 0.025;
 
-bool is_believed(const Object& object, const PublicationOptions& options) {
+bool is_confirmed(const Object& object, const ConfirmationOptions& options) {
   if (options.min_existence && !(object.existence > *options.min_existence)) return false;
   if (options.min_confidence &&
       object_confidence(object, options.confidence) < *options.min_confidence) {
@@ -28,34 +28,38 @@ bool is_stronger(const Object& a, const Object& b) {
 }
 
 /// True when `weaker` lies on the points of `stronger`, or the reverse, and is of like size.
-bool is_same_place(const Body& weaker, const Body& stronger, const PublicationOptions& options) {
+bool is_same_place(const PointSet& weaker,
+                   const PointSet& stronger,
+                   const ConfirmationOptions& options) {
   if (!weaker.box.intersects(stronger.box)) return false;
-  const Contact c = contact(weaker, stronger, kNearM);
+  const Overlap c = measure_overlap(weaker, stronger, kNearM);
   return std::max(c.share_of_first, c.share_of_second) >= options.same_place_share &&
          c.diagonal_ratio >= options.same_place_diagonal;
 }
 
 }  // namespace
 
-std::vector<ObjectId> published(const ObjectMap& objects, const PublicationOptions& options) {
-  std::vector<const Object*> believed;
+std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
+                                        const ConfirmationOptions& options) {
+  std::vector<const Object*> candidates;
   for (const Object& object : objects.objects()) {
-    if (is_believed(object, options)) believed.push_back(&object);
+    if (is_confirmed(object, options)) candidates.push_back(&object);
   }
-  std::sort(believed.begin(), believed.end(), [](const Object* a, const Object* b) {
+  std::sort(candidates.begin(), candidates.end(), [](const Object* a, const Object* b) {
     return is_stronger(*a, *b);
   });
   std::vector<ObjectId> ids;
-  std::vector<Body> taken;
-  for (const Object* object : believed) {
-    Body body = body_of(*object, kNearM);
-    const bool is_double =
-        options.one_per_place && std::any_of(taken.begin(), taken.end(), [&](const Body& stronger) {
-          return is_same_place(body, stronger, options);
+  std::vector<PointSet> taken;
+  for (const Object* object : candidates) {
+    PointSet point_set = point_set_of(*object, kNearM);
+    const bool is_duplicate =
+        options.one_per_place &&
+        std::any_of(taken.begin(), taken.end(), [&](const PointSet& stronger) {
+          return is_same_place(point_set, stronger, options);
         });
-    if (is_double) continue;
+    if (is_duplicate) continue;
     ids.push_back(object->id);
-    taken.push_back(std::move(body));
+    taken.push_back(std::move(point_set));
   }
   std::sort(ids.begin(), ids.end());
   return ids;

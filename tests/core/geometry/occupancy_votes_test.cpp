@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include "support/object_builders.hpp"
 
@@ -19,29 +19,29 @@ using testing_support::box_at;
 using testing_support::only;
 using testing_support::surface_of;
 
-TEST(PointEvidence, PointsFallIntoCellsByTheFloor) {
+TEST(OccupancyVotes, PointsFallIntoCellsByTheFloor) {
   // [smap] Eq. (3.8), restored: floor(p / S_leaf); -0.001 / 0.01 lies in cell -1.
-  PointEvidence points;
+  OccupancyVotes points;
   points.observe(std::vector<Eigen::Vector3f>{{-0.001F, 0.001F, 0.0199F}});
   ASSERT_EQ(points.state().votes.size(), 1U);
   EXPECT_EQ(points.state().votes[0].cell, (PointCell{-1, 0, 1}));
 }
 
-TEST(PointEvidence, CellsAreSortedAndUniqueHoweverFarApartTheyLie) {
+TEST(OccupancyVotes, CellsAreSortedAndUniqueHoweverFarApartTheyLie) {
   std::mt19937 random(67);
   std::uniform_real_distribution<float> within(-0.4F, 0.4F);
   for (const float far_m : {0.0F, 30'000.0F}) {  // the second lies 3 million cells away
     std::vector<Eigen::Vector3f> points{{far_m, -far_m, 0.0F}};
     for (int i = 0; i < 900; ++i) points.emplace_back(within(random), within(random), 0.05F);
     std::set<PointCell> expected;
-    const double edge_m = PointEvidenceOptions{}.edge_m;
+    const double edge_m = OccupancyVotesOptions{}.edge_m;
     for (const Eigen::Vector3f& p : points) {
       const auto cell = [&](int axis) {
         return static_cast<std::int32_t>(std::floor(static_cast<double>(p[axis]) / edge_m));
       };
       expected.insert({cell(0), cell(1), cell(2)});
     }
-    PointEvidence evidence;
+    OccupancyVotes evidence;
     evidence.observe(points);
     std::vector<PointCell> cells;
     for (const PointVote& vote : evidence.state().votes) cells.push_back(vote.cell);
@@ -49,8 +49,8 @@ TEST(PointEvidence, CellsAreSortedAndUniqueHoweverFarApartTheyLie) {
   }
 }
 
-TEST(PointEvidence, AnObservationVotesOncePerCell) {
-  PointEvidence points;
+TEST(OccupancyVotes, AnObservationVotesOncePerCell) {
+  OccupancyVotes points;
   points.observe(std::vector<Eigen::Vector3f>{{0.001F, 0, 0}, {0.002F, 0, 0}, {0.011F, 0, 0}});
   points.observe(std::vector<Eigen::Vector3f>{{0.005F, 0, 0}});
   ASSERT_EQ(points.state().votes.size(), 2U);
@@ -59,19 +59,19 @@ TEST(PointEvidence, AnObservationVotesOncePerCell) {
   EXPECT_EQ(points.state().num_observations, 2U);
 }
 
-TEST(PointEvidence, TheFootprintIsThatOfTheThing) {
+TEST(OccupancyVotes, TheFootprintIsThatOfTheThing) {
   const Box box = box_at({1.0, 2.0, 0.5}, {0.5, 0.4, 1.0});
-  PointEvidence points;
+  OccupancyVotes points;
   for (int i = 0; i < 5; ++i) points.observe(surface_of(box));
   const Polygon truth = make_polygon({{0.75, 1.8}, {1.25, 1.8}, {1.25, 2.2}, {0.75, 2.2}}).value();
   EXPECT_GT(jaccard(points.footprint().value(), truth), 0.85);
 }
 
-TEST(PointEvidence, StrayPointsAreOutvoted) {
+TEST(OccupancyVotes, StrayPointsAreOutvoted) {
   const Box box = box_at({0.0, 0.0, 0.5}, {0.4, 0.4, 1.0});
   std::mt19937 random(5);
   std::uniform_real_distribution<float> far(-1.5F, 1.5F);
-  PointEvidence points;
+  OccupancyVotes points;
   for (int frame = 0; frame < 40; ++frame) {
     auto seen = surface_of(box);
     for (int i = 0; i < 100; ++i) seen.emplace_back(far(random), far(random), far(random));
@@ -82,25 +82,25 @@ TEST(PointEvidence, StrayPointsAreOutvoted) {
   EXPECT_LT(points.agreed_box()->extent().maxCoeff(), 1.05);
 }
 
-TEST(PointEvidence, ASideSeenSeldomStays) {
+TEST(OccupancyVotes, ASideSeenSeldomStays) {
   const auto all = surface_of(box_at({0.0, 0.0, 0.5}, {0.6, 0.6, 1.0}));
-  PointEvidence points;
+  OccupancyVotes points;
   for (int i = 0; i < 30; ++i) points.observe(only(all, [](const auto& p) { return p.y() < 0; }));
   for (int i = 0; i < 8; ++i) points.observe(only(all, [](const auto& p) { return p.y() > 0; }));
   EXPECT_NEAR(points.agreed_box()->extent().y(), 0.6, 0.03);
 }
 
-TEST(PointEvidence, LargeThingsGetLargerCellsAndMemoryStaysFlat) {
-  PointEvidence points;
+TEST(OccupancyVotes, LargeThingsGetLargerCellsAndMemoryStaysFlat) {
+  OccupancyVotes points;
   for (int i = 0; i < 10; ++i) points.observe(surface_of(box_at({0, 0, 0.5}, {2.0, 1.0, 1.0})));
   EXPECT_LE(points.state().votes.size(), points.options().max_cells);
   EXPECT_GT(points.state().edge_m, points.options().edge_m);
   EXPECT_NEAR(points.agreed_box()->extent().x(), 2.0, 0.05);
 }
 
-TEST(PointEvidence, StraysSideBySideDoNotAgreeWhenCellsWiden) {
+TEST(OccupancyVotes, StraysSideBySideDoNotAgreeWhenCellsWiden) {
   // One observation in twenty is twice as long; the cells are doubled on the way.
-  PointEvidence points;
+  OccupancyVotes points;
   for (int i = 0; i < 60; ++i) {
     const double length = i % 20 == 3 ? 4.0 : 2.0;
     points.observe(surface_of(box_at({0, 0, 0.5}, {length, 1.0, 1.0}), 0.015));
@@ -109,12 +109,12 @@ TEST(PointEvidence, StraysSideBySideDoNotAgreeWhenCellsWiden) {
   EXPECT_NEAR(points.agreed_box()->extent().x(), 2.0, 0.08);
 }
 
-TEST(PointEvidence, MergingAddsVotesAcrossCellSizes) {
-  PointEvidence large;
+TEST(OccupancyVotes, MergingAddsVotesAcrossCellSizes) {
+  OccupancyVotes large;
   large.observe(surface_of(box_at({0, 0, 0.5}, {2.0, 1.0, 1.0})));
-  PointEvidence small;
+  OccupancyVotes small;
   small.observe(surface_of(box_at({0, 0, 1.05}, {0.1, 0.1, 0.1})));
-  PointEvidence both = large;
+  OccupancyVotes both = large;
   both.merge(small);
   EXPECT_EQ(both.state().num_observations, 2U);
   EXPECT_GT(both.agreed_box()->max_in_map.z(), 1.05);
@@ -122,36 +122,36 @@ TEST(PointEvidence, MergingAddsVotesAcrossCellSizes) {
   EXPECT_EQ(small.state(), both.state());
 }
 
-TEST(PointEvidence, PointsThatAreNoneAreLeftOut) {
+TEST(OccupancyVotes, PointsThatAreNoneAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  PointEvidence points;
+  OccupancyVotes points;
   points.observe(std::vector<Eigen::Vector3f>{{nan, 0, 0}, {1e30F, 0, 0}});
   EXPECT_TRUE(points.empty());
   EXPECT_FALSE(points.agreed_box().has_value());
   EXPECT_EQ(points.footprint().error().code, ErrorCode::kNotFound);
 }
 
-TEST(PointEvidence, OnePointHasAFootprint) {
-  PointEvidence points;
+TEST(OccupancyVotes, OnePointHasAFootprint) {
+  OccupancyVotes points;
   points.observe(std::vector<Eigen::Vector3f>{{0.0F, 0.0F, 0.0F}});
   // A square of half a cell: 0.005^2.
   EXPECT_NEAR(area_m2(points.footprint().value()), 2.5e-5, 1e-9);
 }
 
-TEST(PointEvidence, WhatIsStoredComesBackAndNonsenseIsRefused) {
-  PointEvidence points;
+TEST(OccupancyVotes, WhatIsStoredComesBackAndNonsenseIsRefused) {
+  OccupancyVotes points;
   points.observe(surface_of(box_at({0, 0, 0}, {1, 1, 1})));
-  EXPECT_EQ(PointEvidence::from_state(points.options(), points.state()).value(), points);
-  PointEvidenceState edge = points.state();
+  EXPECT_EQ(OccupancyVotes::from_state(points.options(), points.state()).value(), points);
+  OccupancyVotesState edge = points.state();
   edge.edge_m *= 1.5;
-  EXPECT_EQ(PointEvidence::from_state({}, edge).error().field, "points.edge_m");
-  PointEvidenceState disordered = points.state();
+  EXPECT_EQ(OccupancyVotes::from_state({}, edge).error().field, "points.edge_m");
+  OccupancyVotesState disordered = points.state();
   std::swap(disordered.votes[0], disordered.votes[1]);
-  EXPECT_FALSE(PointEvidence::from_state({}, disordered).has_value());
-  PointEvidenceState infinite = points.state();
+  EXPECT_FALSE(OccupancyVotes::from_state({}, disordered).has_value());
+  OccupancyVotesState infinite = points.state();
   infinite.edge_m = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(PointEvidence::from_state({}, infinite).has_value());
-  EXPECT_EQ(validate(PointEvidenceOptions{.edge_m = 0.0}).error().field, "edge_m");
+  EXPECT_FALSE(OccupancyVotes::from_state({}, infinite).has_value());
+  EXPECT_EQ(validate(OccupancyVotesOptions{.edge_m = 0.0}).error().field, "edge_m");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "touch_grid.hpp"
+#include "proximity_grid.hpp"
 
 #include "geometry/floor_of.hpp"
 
@@ -75,7 +75,8 @@ void CellTiles::mark(std::uint64_t key, std::uint64_t cells) {
   tiles_[slot].cells |= cells;
 }
 
-TouchGrid::TouchGrid(std::span<const Eigen::Vector3d> points, double near_m) : near_m_(near_m) {
+ProximityGrid::ProximityGrid(std::span<const Eigen::Vector3d> points, double near_m)
+    : near_m_(near_m) {
   // Points in a row are mostly neighbours: each tile is written once for all of them.
   Cell place;
   std::uint64_t cells = 0;
@@ -91,10 +92,10 @@ TouchGrid::TouchGrid(std::span<const Eigen::Vector3d> points, double near_m) : n
   mark_around(place.x, place.y, place.z, cells);
 }
 
-void TouchGrid::mark_around(std::int64_t x,
-                            std::int64_t tile_y,
-                            std::int64_t tile_z,
-                            std::uint64_t cells) {
+void ProximityGrid::mark_around(std::int64_t x,
+                                std::int64_t tile_y,
+                                std::int64_t tile_z,
+                                std::uint64_t cells) {
   const auto along_z = spread_along_z(cells);
   for (std::size_t i = 0; i < along_z.size(); ++i) {
     const auto along_y = spread_along_y(along_z[i]);
@@ -107,7 +108,7 @@ void TouchGrid::mark_around(std::int64_t x,
   }
 }
 
-bool TouchGrid::is_near(const Eigen::Vector3d& point) const {
+bool ProximityGrid::is_near(const Eigen::Vector3d& point) const {
   const Cell c = cell_of(point, near_m_);
   const std::uint64_t bit = bit_of(c);
   const auto is_marked = [&](std::int64_t dx) {
@@ -116,7 +117,7 @@ bool TouchGrid::is_near(const Eigen::Vector3d& point) const {
   return is_marked(0) || is_marked(-1) || is_marked(1);
 }
 
-double TouchGrid::share_near(std::span<const Eigen::Vector3d> points) const {
+double ProximityGrid::share_near(std::span<const Eigen::Vector3d> points) const {
   if (points.empty()) return 0.0;
   std::size_t num_near = 0;
   for (const Eigen::Vector3d& p : points) num_near += is_near(p) ? 1U : 0U;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Judge of bare map configurations and of files of options.
-#include "file_judges.hpp"
+// Checks of bare map configurations and of files of options.
+#include "file_checks.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
@@ -67,15 +67,15 @@ bool is_options_file(std::string_view text) {
 
 }  // namespace
 
-Result<Verdict> judge_config(const fs::path& path) {
+Result<FileSummary> check_config(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxConfigBytes));
   if (is_options_file(text)) {
     HYPERMAP_TRY(read_options(path, {}));
-    return Verdict{"options", {}};
+    return FileSummary{"options", {}};
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, parse_hypermap_config(text, SourceName{path.string()}));
-  Verdict out{"configuration of " + std::to_string(loaded.value.layers.size()) + " layer(s)",
-              std::move(loaded.findings)};
+  FileSummary out{"configuration of " + std::to_string(loaded.value.layers.size()) + " layer(s)",
+                  std::move(loaded.findings)};
   note_absent_files(loaded.value, path, out.findings);
   return out;
 }

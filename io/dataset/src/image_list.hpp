@@ -28,14 +28,14 @@ struct ListedFile {
 /// preference. Boundary: a folder that is not there gives none.
 /// Errors: kInvalidArgument for a pattern without or with several `*`; kIo; kLimit at 10^6 files;
 /// kMalformedFile when two names have one number.
-[[nodiscard]] Result<std::vector<ListedFile>> list_pictures(const std::filesystem::path& folder,
-                                                            const std::string& pattern);
+[[nodiscard]] Result<std::vector<ListedFile>> list_image_files(const std::filesystem::path& folder,
+                                                               const std::string& pattern);
 
 /// Lines `stamp path`, or only `path`; `#` begins a comment. Files need not exist. By stamp.
 /// Errors: kIo; kLimit; kMalformedFile naming the line: no path, a path that leaves the folder, a
 /// stamp that is none or occurs twice; some lines with and some without stamp.
-[[nodiscard]] Result<std::vector<ListedFile>> read_picture_list(const std::filesystem::path& folder,
-                                                                const std::string& list);
+[[nodiscard]] Result<std::vector<ListedFile>> read_image_list(const std::filesystem::path& folder,
+                                                              const std::string& list);
 
 /// The first run of digits in the last part of a path; none when there is none.
 [[nodiscard]] std::optional<std::uint64_t> number_in_name(std::string_view path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Judges of what sequences are made of.
-#include "file_judges.hpp"
+// Checks of what sequences are made of.
+#include "file_checks.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/dataset_description.hpp"
@@ -33,11 +33,11 @@ std::size_t num_columns(std::string_view text) {
   return 0;
 }
 
-Result<Verdict> judge_frames(const DatasetReader& reader) {
+Result<FileSummary> check_frames(const DatasetReader& reader) {
   const DatasetSummary& summary = reader.summary();
-  Verdict out{summary.layout + ", " + number_of(reader.size(), "frame") + ", " +
-                  number_of(summary.num_detections, "detection"),
-              summary.findings};
+  FileSummary out{summary.layout + ", " + number_of(reader.size(), "frame") + ", " +
+                      number_of(summary.num_detections, "detection"),
+                  summary.findings};
   for (const std::string& name : summary.unpaired) {
     out.findings.push_back(
         {Severity::kWarning, {.code = ErrorCode::kNotFound, .what = name, .field = "unpaired"}});
@@ -51,31 +51,31 @@ Result<Verdict> judge_frames(const DatasetReader& reader) {
 
 }  // namespace
 
-Result<Verdict> judge_depth(const fs::path& path, PictureSize expected) {
+Result<FileSummary> check_depth(const fs::path& path, ImageSize expected) {
   HYPERMAP_ASSIGN_OR_RETURN(const DepthImage depth, read_depth(path, {}, expected));
   const auto valid =
       std::count_if(depth.pixels().begin(), depth.pixels().end(), [](float z) { return z > 0.0F; });
-  return Verdict{std::to_string(depth.width_px()) + " x " + std::to_string(depth.height_px()) +
-                     ", " + number_of(static_cast<std::size_t>(valid), "measured pixel"),
-                 {}};
+  return FileSummary{std::to_string(depth.width_px()) + " x " + std::to_string(depth.height_px()) +
+                         ", " + number_of(static_cast<std::size_t>(valid), "measured pixel"),
+                     {}};
 }
 
-Result<Verdict> judge_trajectory(const fs::path& path) {
+Result<FileSummary> check_trajectory(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxSequenceTextBytes));
   const std::size_t columns = num_columns(text);
   if (columns == 3) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_log_trajectory(path));
-    return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+    return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
   }
   if (columns == 4) {
     HYPERMAP_TRY(read_pose_matrix(path));
-    return Verdict{number_of(1, "pose"), {}};
+    return FileSummary{number_of(1, "pose"), {}};
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_tum_trajectory(path));
-  return Verdict{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+  return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
 }
 
-Result<Verdict> judge_intrinsics(const fs::path& path, PictureSize expected) {
+Result<FileSummary> check_intrinsics(const fs::path& path, ImageSize expected) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_intrinsics(path));
   const Intrinsics& k = loaded.value;
   if (k.width_px || expected.width_px > 0) {
@@ -86,25 +86,25 @@ Result<Verdict> judge_intrinsics(const fs::path& path, PictureSize expected) {
   const std::string size =
       k.width_px ? std::to_string(*k.width_px) + " x " + std::to_string(k.height_px.value_or(0))
                  : "no size stated";
-  return Verdict{"camera, " + size, std::move(loaded.findings)};
+  return FileSummary{"camera, " + size, std::move(loaded.findings)};
 }
 
-Result<Verdict> judge_detections(const fs::path& path) {
+Result<FileSummary> check_detections(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(path));
-  return Verdict{number_of(loaded.value.num_detections(), "detection") + " in " +
-                     number_of(loaded.value.frames.size(), "frame"),
-                 std::move(loaded.findings)};
+  return FileSummary{number_of(loaded.value.num_detections(), "detection") + " in " +
+                         number_of(loaded.value.frames.size(), "frame"),
+                     std::move(loaded.findings)};
 }
 
-Result<Verdict> judge_dataset(const fs::path& path) {
+Result<FileSummary> check_dataset(const fs::path& path) {
   std::error_code ec;
   if (!fs::is_directory(path, ec)) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_dataset_description(path));
-    return Verdict{"description of a dataset", std::move(loaded.findings)};
+    return FileSummary{"description of a dataset", std::move(loaded.findings)};
   }
   ClassRegistry registry;
   HYPERMAP_ASSIGN_OR_RETURN(const auto reader, open_dataset(path, {}, registry));
-  return judge_frames(*reader);
+  return check_frames(*reader);
 }
 
 }  // namespace hypermap

@@ -9,8 +9,8 @@
 namespace hypermap {
 namespace {
 
-/// Source: [smap] Eq. (3.18); N is the number of classes that the vector speaks of.
-void learn_class(Object& object, const Observation& observation) {
+/// Source: [smap] Eq. (3.18); N is the number of classes in the vector.
+void update_belief(Object& object, const Observation& observation) {
   const double num_classes =
       std::max<double>(2.0, static_cast<double>(observation.class_scores.size()));
   object.belief.observe(observation.class_scores, Probability(1.0 / num_classes));
@@ -35,7 +35,7 @@ void filter_box(Object& object, const Segment& segment, const AssociationOptions
   blend(object.centroid_in_map, segment.centroid_in_map);
 }
 
-void learn_place(Object& object, const Segment& segment, const AssociationOptions& options) {
+void update_geometry(Object& object, const Segment& segment, const AssociationOptions& options) {
   filter_box(object, segment, options);
   object.points.observe(segment.points_in_map);
   if (auto shape = projected_hull(segment.points_in_map, options.shape_leaf_m)) {
@@ -49,24 +49,26 @@ void learn_place(Object& object, const Segment& segment, const AssociationOption
 }
 
 void record(Object& object, const Observation& observation, LogOdds effect) {
-  object.ledger.add({.frame_index = observation.frame_index,
-                     .stamp = observation.stamp,
-                     .kind = LedgerKind::kDetection,
-                     .visibility = Visibility::kVisible,
-                     .detector = observation.detector,
-                     .class_id = named_class(observation),
-                     .score = static_cast<float>(observation.score.value()),
-                     .bearing_rad = static_cast<float>(observation.bearing_rad),
-                     .distance_m = static_cast<float>(observation.distance_m),
-                     .effect = static_cast<float>(effect.value())});
+  object.observation_log.add({.frame_index = observation.frame_index,
+                              .stamp = observation.stamp,
+                              .kind = ObservationKind::kDetection,
+                              .visibility = Visibility::kVisible,
+                              .detector = observation.detector,
+                              .class_id = named_class(observation),
+                              .score = static_cast<float>(observation.score.value()),
+                              .bearing_rad = static_cast<float>(observation.bearing_rad),
+                              .distance_m = static_cast<float>(observation.distance_m),
+                              .effect = static_cast<float>(effect.value())});
 }
 
 }  // namespace
 
-void learn(Object& object, const Observation& observation, const AssociationOptions& options) {
-  learn_class(object, observation);
+void update_object(Object& object,
+                   const Observation& observation,
+                   const AssociationOptions& options) {
+  update_belief(object, observation);
   object.histogram.observe(observation.bearing_rad, observation.distance_m);
-  learn_place(object, observation.segment, options);
+  update_geometry(object, observation.segment, options);
   const LogOdds before = object.existence;
   object.existence = std::min(object.existence + options.seen_existence, options.max_existence);
   record(object, observation, object.existence - before);
@@ -75,16 +77,16 @@ void learn(Object& object, const Observation& observation, const AssociationOpti
   ++object.num_observations;
 }
 
-Object first_seen(const Observation& observation, const AssociationOptions& options) {
+Object make_object(const Observation& observation, const AssociationOptions& options) {
   Object object;
   if (auto belief = ClassBelief::create(options.belief)) object.belief = *std::move(belief);
   object.histogram = VisibilityHistogram(options.histogram);
-  object.points = PointEvidence(options.points);
-  // `learn` adds what an observation adds, so that a new object ends with what new ones have.
+  object.points = OccupancyVotes(options.points);
+  // `update_object` adds `seen_existence`, so that a new object ends with `new_existence`.
   object.existence = options.new_existence - options.seen_existence;
   object.first_seen = observation.stamp;
   object.last_seen = observation.stamp;
-  learn(object, observation, options);
+  update_object(object, observation, options);
   return object;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sight_packet.hpp"
+#include "ray_packet.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,9 +24,9 @@ kernels::BoxFaces faces_of(const OccupiedBox& box) {
   return faces;
 }
 
-bool start_together(std::span<const SightLine> lines) {
-  return std::all_of(lines.begin(), lines.end(), [&](const SightLine& line) {
-    return line.from.xyz == lines.front().from.xyz;
+bool have_common_origin(std::span<const OcclusionRay> rays) {
+  return std::all_of(rays.begin(), rays.end(), [&](const OcclusionRay& ray) {
+    return ray.from.xyz == rays.front().from.xyz;
   });
 }
 
@@ -69,17 +69,17 @@ class DirectionCubes {
 }  // namespace
 
 void test_occlusion(const RTCOccludedFunctionNArguments* arguments) {
-  const auto& context = *reinterpret_cast<LineFollower::Context*>(arguments->context);
+  const auto& context = *reinterpret_cast<RayPacketTracer::Context*>(arguments->context);
   const auto& bricks = *static_cast<const OccupiedBricks*>(arguments->geometryUserPtr);
   const OccupiedBrick& brick = bricks[arguments->primID];
   // Embree hands on packets of native width as they came, lane by lane.
   assert(arguments->N == 4 || arguments->N == 8 || arguments->N == 16);
   __builtin_prefetch(&brick.occupied);
-  std::uint32_t meeting =
-      context.kernels->meet_box(context.lines, faces_of(brick.box), arguments->valid, arguments->N);
-  for (; meeting != 0; meeting &= meeting - 1) {
-    const auto lane = static_cast<unsigned>(std::countr_zero(meeting));
-    if (!meets_occupied(brick, *context.rays[lane])) continue;
+  std::uint32_t hits = context.kernels->intersect_box(
+      context.packet, faces_of(brick.box), arguments->valid, arguments->N);
+  for (; hits != 0; hits &= hits - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(hits));
+    if (!hits_occupied_voxel(brick, *context.rays[lane])) continue;
     RTCRayN_tfar(arguments->ray, arguments->N, lane) = -std::numeric_limits<float>::infinity();
   }
 }
@@ -93,41 +93,41 @@ std::size_t widest_packet(RTCDevice device, std::size_t max_lanes) {
   return has(RTC_DEVICE_PROPERTY_NATIVE_RAY4_SUPPORTED) ? 4 : 0;
 }
 
-LineFollower::LineFollower(RTCScene scene, double voxels_per_m, std::size_t num_lanes)
+RayPacketTracer::RayPacketTracer(RTCScene scene, double voxels_per_m, std::size_t num_lanes)
     : scene_(scene), voxels_per_m_(voxels_per_m), num_lanes_(num_lanes) {
   rtcInitIntersectContext(&context_.embree);
   context_.kernels = &kernels::best_kernels();
 }
 
-std::uint64_t LineFollower::hidden(std::span<const SightLine> lines) {
-  assert(lines.size() <= kMaxLines);
-  prepare(lines);
-  // With the coherent flag Embree bounds a packet as a whole before it looks at each line: for
-  // lines from many places that costs a third, for those from one it gains a tenth, and their order
-  // as much again.
-  const bool together = start_together(lines);
+std::uint64_t RayPacketTracer::hidden(std::span<const OcclusionRay> rays) {
+  assert(rays.size() <= kMaxRays);
+  prepare(rays);
+  // With the coherent flag Embree bounds a packet as a whole before it tests each ray: for rays
+  // from many places that costs a third, for those from one it gains a tenth, and their order as
+  // much again.
+  const bool together = have_common_origin(rays);
   context_.embree.flags =
       together ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   std::iota(order_.begin(), order_.end(), std::uint8_t{0});
-  if (together && num_lines_ > num_lanes_) order_by_direction();
+  if (together && num_rays_ > num_lanes_) order_by_direction();
   std::uint64_t hidden = 0;
-  for (std::size_t first = 0; first < num_lines_; first += num_lanes_) {
-    hidden |= follow(first, std::min(num_lanes_, num_lines_ - first));
+  for (std::size_t first = 0; first < num_rays_; first += num_lanes_) {
+    hidden |= trace(first, std::min(num_lanes_, num_rays_ - first));
   }
   return hidden;
 }
 
-void LineFollower::prepare(std::span<const SightLine> lines) {
-  num_lines_ = 0;
-  for (std::size_t number = 0; number < lines.size(); ++number) {
-    const SightLine& line = lines[number];
-    const Eigen::Vector3d way = line.to.xyz - line.from.xyz;
+void RayPacketTracer::prepare(std::span<const OcclusionRay> rays) {
+  num_rays_ = 0;
+  for (std::size_t number = 0; number < rays.size(); ++number) {
+    const OcclusionRay& ray = rays[number];
+    const Eigen::Vector3d way = ray.to.xyz - ray.from.xyz;
     const double length_m = way.norm();
-    const Eigen::Vector3d origin = line.from.xyz * voxels_per_m_;
+    const Eigen::Vector3d origin = ray.from.xyz * voxels_per_m_;
     const bool is_near = origin.cwiseAbs().maxCoeff() < kFarthest;
     // False for NaN, which makes the length NaN too.
-    if (!(length_m > line.margin_m) || !std::isfinite(length_m) || !is_near) continue;
-    Line& into = lines_[num_lines_++];
+    if (!(length_m > ray.margin_m) || !std::isfinite(length_m) || !is_near) continue;
+    QueuedRay& into = rays_[num_rays_++];
     into.number = number;
     const Eigen::Vector3d direction = way * (1.0 / length_m);
     for (int i = 0; i < 3; ++i) {
@@ -136,33 +136,33 @@ void LineFollower::prepare(std::span<const SightLine> lines) {
       into.ray.direction[axis] = static_cast<float>(direction[i]);
       into.ray.inverse[axis] = inverse_of(into.ray.direction[axis]);
     }
-    into.ray.end = static_cast<float>((length_m - line.margin_m) * voxels_per_m_);
+    into.ray.end = static_cast<float>((length_m - ray.margin_m) * voxels_per_m_);
   }
 }
 
-void LineFollower::order_by_direction() {
-  const std::span<const Line> lines = std::span(lines_).first(num_lines_);
+void RayPacketTracer::order_by_direction() {
+  const std::span<const QueuedRay> rays = std::span(rays_).first(num_rays_);
   DirectionCubes cubes;
-  for (const Line& line : lines) cubes.include(line.ray.direction);
+  for (const QueuedRay& ray : rays) cubes.include(ray.ray.direction);
   cubes.close();
-  std::array<std::uint8_t, kMaxLines> cube_of{};
+  std::array<std::uint8_t, kMaxRays> cube_of{};
   std::array<std::uint8_t, DirectionCubes::kNum + 1> begin{};
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    cube_of[i] = static_cast<std::uint8_t>(cubes.cube(lines[i].ray.direction));
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    cube_of[i] = static_cast<std::uint8_t>(cubes.cube(rays[i].ray.direction));
     ++begin[cube_of[i] + std::size_t{1}];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin(), [](std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>(a + b);
   });
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
     order_[begin[cube_of[i]]++] = static_cast<std::uint8_t>(i);
   }
 }
 
-std::uint64_t LineFollower::follow(std::size_t first, std::size_t size) {
-  kernels::SightPacket& packet = context_.lines;
+std::uint64_t RayPacketTracer::trace(std::size_t first, std::size_t size) {
+  kernels::RayPacket& packet = context_.packet;
   for (std::size_t lane = 0; lane < size; ++lane) {
-    const WalkedRay& ray = lines_[order_[first + lane]].ray;
+    const WalkedRay& ray = rays_[order_[first + lane]].ray;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       packet.origin[axis][lane] = ray.origin[axis];
       packet.direction[axis][lane] = ray.direction[axis];
@@ -172,28 +172,28 @@ std::uint64_t LineFollower::follow(std::size_t first, std::size_t size) {
     context_.rays[lane] = &ray;
   }
   std::uint64_t hidden = 0;
-  for (std::uint32_t rest = send(size); rest != 0; rest &= rest - 1) {
+  for (std::uint32_t rest = trace_packet(size); rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-    hidden |= std::uint64_t{1} << lines_[order_[first + lane]].number;
+    hidden |= std::uint64_t{1} << rays_[order_[first + lane]].number;
   }
   return hidden;
 }
 
-std::uint32_t LineFollower::send(std::size_t size) {
+std::uint32_t RayPacketTracer::trace_packet(std::size_t size) {
   switch (num_lanes_) {
     case 16:
-      return send_as<RTCRay16>(size, rtcOccluded16);
+      return trace_packet_as<RTCRay16>(size, rtcOccluded16);
     case 8:
-      return send_as<RTCRay8>(size, rtcOccluded8);
+      return trace_packet_as<RTCRay8>(size, rtcOccluded8);
     default:
-      return send_as<RTCRay4>(size, rtcOccluded4);
+      return trace_packet_as<RTCRay4>(size, rtcOccluded4);
   }
 }
 
 template <class Rays, class Occluded>
-std::uint32_t LineFollower::send_as(std::size_t size, const Occluded& occluded) {
+std::uint32_t RayPacketTracer::trace_packet_as(std::size_t size, const Occluded& occluded) {
   constexpr std::size_t kLanes = sizeof(Rays::tfar) / sizeof(float);
-  const kernels::SightPacket& packet = context_.lines;
+  const kernels::RayPacket& packet = context_.packet;
   Rays rays{};
   std::copy_n(packet.origin[0], kLanes, rays.org_x);
   std::copy_n(packet.origin[1], kLanes, rays.org_y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/geometry/footprint.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
 #include "point_votes.hpp"
@@ -18,14 +18,14 @@ namespace {
 /// From so many observations on, a cell that only one of them saw is a stray.
 constexpr std::uint32_t kNumToOutvoteOne = 4;
 
-void widen(PointEvidenceState& state) {
+void widen(OccupancyVotesState& state) {
   state.votes = widened(state.votes);
   state.edge_m *= 2.0;
 }
 
 /// The share asked for of what the cell of a typical vote has: half of all votes lie in cells with
 /// more. Strays are many cells but few votes.
-std::uint32_t votes_needed(const PointEvidenceState& state, const PointEvidenceOptions& options) {
+std::uint32_t votes_needed(const OccupancyVotesState& state, const OccupancyVotesOptions& options) {
   std::uint64_t total = 0;
   std::uint32_t most = 0;
   for (const PointVote& vote : state.votes) {
@@ -40,7 +40,7 @@ std::uint32_t votes_needed(const PointEvidenceState& state, const PointEvidenceO
 }
 
 /// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
-void make_room(PointEvidenceState& state, const PointEvidenceOptions& options) {
+void make_room(OccupancyVotesState& state, const OccupancyVotesOptions& options) {
   while (state.votes.size() > options.max_cells) {
     const std::uint32_t needed = votes_needed(state, options);
     const auto num_agreed = static_cast<std::size_t>(
@@ -71,12 +71,12 @@ Result<void> check_edge(double edge_m, double first_edge_m) {
 
 }  // namespace
 
-PointEvidence::PointEvidence(const PointEvidenceOptions& options) : options_(options) {
+OccupancyVotes::OccupancyVotes(const OccupancyVotesOptions& options) : options_(options) {
   take({.edge_m = options.edge_m, .num_observations = 0, .votes = {}});
 }
 
-Result<PointEvidence> PointEvidence::from_state(const PointEvidenceOptions& options,
-                                                PointEvidenceState state) {
+Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& options,
+                                                  OccupancyVotesState state) {
   HYPERMAP_TRY(validate(options));
   if (!(state.edge_m <= kMaxVotedCoordinateM)) {
     return fail(ErrorCode::kInvalidArgument, "is too large or no number", "points.edge_m");
@@ -96,22 +96,22 @@ Result<PointEvidence> PointEvidence::from_state(const PointEvidenceOptions& opti
                 "cells must ascend, votes be in 1..num_observations",
                 "points.votes[" + std::to_string(i) + "]");
   }
-  PointEvidence evidence(options);
+  OccupancyVotes evidence(options);
   evidence.votes_needed_ = votes_needed(state, options);
-  evidence.state_ = std::make_shared<const PointEvidenceState>(std::move(state));
+  evidence.state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
   return evidence;
 }
 
-void PointEvidence::observe(std::span<const Eigen::Vector3f> points_in_map) {
+void OccupancyVotes::observe(std::span<const Eigen::Vector3f> points_in_map) {
   take({.edge_m = state_->edge_m,
         .num_observations = state_->num_observations + 1,
         .votes = sum_of(state_->votes, votes_of(points_in_map, state_->edge_m))});
 }
 
-void PointEvidence::merge(const PointEvidence& other) {
+void OccupancyVotes::merge(const OccupancyVotes& other) {
   assert(options_ == other.options_);
-  PointEvidenceState mine = *state_;
-  PointEvidenceState added = *other.state_;
+  OccupancyVotesState mine = *state_;
+  OccupancyVotesState added = *other.state_;
   while (added.edge_m < mine.edge_m) widen(added);
   while (mine.edge_m < added.edge_m) widen(mine);
   mine.num_observations += added.num_observations;
@@ -119,14 +119,14 @@ void PointEvidence::merge(const PointEvidence& other) {
   take(std::move(mine));
 }
 
-void PointEvidence::take(PointEvidenceState state) {
+void OccupancyVotes::take(OccupancyVotesState state) {
   make_room(state, options_);
   const std::uint32_t needed = votes_needed(state, options_);
-  state_ = std::make_shared<const PointEvidenceState>(std::move(state));
+  state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
   votes_needed_ = needed;
 }
 
-std::vector<Eigen::Vector3d> PointEvidence::agreed_points() const {
+std::vector<Eigen::Vector3d> OccupancyVotes::agreed_points() const {
   std::vector<Eigen::Vector3d> points;
   points.reserve(state_->votes.size());
   for (const PointVote& vote : state_->votes) {
@@ -135,7 +135,7 @@ std::vector<Eigen::Vector3d> PointEvidence::agreed_points() const {
   return points;
 }
 
-std::optional<Box> PointEvidence::agreed_box() const {
+std::optional<Box> OccupancyVotes::agreed_box() const {
   const std::vector<Eigen::Vector3d> points = agreed_points();
   if (points.empty()) return std::nullopt;
   Box box{points.front(), points.front()};
@@ -148,7 +148,7 @@ std::optional<Box> PointEvidence::agreed_box() const {
   return box;
 }
 
-Result<Polygon> PointEvidence::footprint() const {
+Result<Polygon> OccupancyVotes::footprint() const {
   if (empty()) return fail(ErrorCode::kNotFound, "the object has no points of its own");
   const double reach = 0.25 * state_->edge_m;
   std::vector<Eigen::Vector2d> corners;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How a dataset's world is turned so that +z is up.
+/// Alignment of a dataset's world to gravity, so that +z is up.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -12,7 +12,7 @@
 
 namespace hypermap {
 
-struct Upright {
+struct GravityAlignment {
   MapFromInput map_from_input;
   std::string explanation;  ///< For people: what was done and why.
 };
@@ -23,7 +23,7 @@ struct Upright {
 ///
 /// Errors: those of map_from_input_axis and estimate_floor; the latter say that an axis can be
 /// given.
-[[nodiscard]] Result<Upright> turn_upright(const DatasetReader& dataset,
-                                           const std::optional<std::string>& wanted);
+[[nodiscard]] Result<GravityAlignment> align_to_gravity(const DatasetReader& dataset,
+                                                        const std::optional<std::string>& wanted);
 
 }  // namespace hypermap

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/objects/object_ledger.hpp"
+#include "hypermap/core/objects/observation_log.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,48 +11,48 @@
 namespace hypermap {
 namespace {
 
-auto key_of(const LedgerSummary& s) {
+auto key_of(const ObservationLogSummary& s) {
   return std::tuple(s.kind, s.detector, s.class_id, s.bearing_bin);
 }
 
-bool precedes(const LedgerSummary& a, const LedgerSummary& b) {
+bool precedes(const ObservationLogSummary& a, const ObservationLogSummary& b) {
   return key_of(a) < key_of(b);
 }
 
-bool is_finite(const LedgerEntry& e) {
+bool is_finite(const ObservationLogEntry& e) {
   return std::isfinite(e.score) && std::isfinite(e.bearing_rad) && std::isfinite(e.distance_m) &&
          std::isfinite(e.effect);
 }
 
-bool is_sound(const LedgerSummary& s) {
-  return s.bearing_bin < ObjectLedger::kNumBearingBins && s.count > 0 &&
+bool is_sound(const ObservationLogSummary& s) {
+  return s.bearing_bin < ObservationLog::kNumBearingBins && s.count > 0 &&
          std::isfinite(s.score_sum) && std::isfinite(s.effect_sum);
 }
 
-LedgerSummary summary_of(const LedgerEntry& e) {
+ObservationLogSummary summary_of(const ObservationLogEntry& e) {
   return {.kind = e.kind,
           .detector = e.detector,
           .class_id = e.class_id,
-          .bearing_bin = ledger_bearing_bin(static_cast<double>(e.bearing_rad)),
+          .bearing_bin = log_bearing_bin(static_cast<double>(e.bearing_rad)),
           .count = 1,
           .score_sum = e.score,
           .effect_sum = e.effect,
           .last_frame_index = e.frame_index};
 }
 
-bool is_older(const LedgerEntry& a, const LedgerEntry& b) {
+bool is_older(const ObservationLogEntry& a, const ObservationLogEntry& b) {
   return a.frame_index < b.frame_index;
 }
 
-void keep_newest(std::vector<LedgerEntry>& entries) {
-  if (entries.size() <= ObjectLedger::kMaxNewest) return;
+void keep_newest(std::vector<ObservationLogEntry>& entries) {
+  if (entries.size() <= ObservationLog::kMaxNewest) return;
   entries.erase(entries.begin(),
-                entries.end() - static_cast<std::ptrdiff_t>(ObjectLedger::kMaxNewest));
+                entries.end() - static_cast<std::ptrdiff_t>(ObservationLog::kMaxNewest));
 }
 
 }  // namespace
 
-Result<ObjectLedger> ObjectLedger::from_state(ObjectLedgerState state) {
+Result<ObservationLog> ObservationLog::from_state(ObservationLogState state) {
   const auto refuse = [](const std::string& what) {
     return fail(ErrorCode::kInvalidArgument, what, "ledger");
   };
@@ -66,39 +66,39 @@ Result<ObjectLedger> ObjectLedger::from_state(ObjectLedgerState state) {
                       std::all_of(state.newest.begin(), state.newest.end(), is_finite) &&
                       std::all_of(state.summaries.begin(), state.summaries.end(), is_sound);
   if (!finite) return refuse("has a number that is not finite, a count of 0 or a bin beyond 17");
-  const auto not_ascending = [](const LedgerSummary& a, const LedgerSummary& b) {
+  const auto not_ascending = [](const ObservationLogSummary& a, const ObservationLogSummary& b) {
     return !precedes(a, b);
   };
   if (std::adjacent_find(state.summaries.begin(), state.summaries.end(), not_ascending) !=
       state.summaries.end()) {
     return refuse("summaries must ascend by kind, detector, class and bearing bin");
   }
-  ObjectLedger ledger;
-  ledger.state_ = std::move(state);
-  return ledger;
+  ObservationLog observation_log;
+  observation_log.state_ = std::move(state);
+  return observation_log;
 }
 
-void ObjectLedger::add(const LedgerEntry& entry) {
+void ObservationLog::add(const ObservationLogEntry& entry) {
   if (!state_.first) state_.first = entry;
   state_.newest.push_back(entry);
   keep_newest(state_.newest);
   summarise(summary_of(entry));
 }
 
-void ObjectLedger::merge(const ObjectLedger& other) {
+void ObservationLog::merge(const ObservationLog& other) {
   if (!state_.first || (other.state_.first && is_older(*other.state_.first, *state_.first))) {
     state_.first = other.state_.first;
   }
-  std::vector<LedgerEntry> both = state_.newest;
+  std::vector<ObservationLogEntry> both = state_.newest;
   both.insert(both.end(), other.state_.newest.begin(), other.state_.newest.end());
   std::stable_sort(both.begin(), both.end(), is_older);
   keep_newest(both);
   state_.newest = std::move(both);
-  for (const LedgerSummary& summary : other.state_.summaries) summarise(summary);
+  for (const ObservationLogSummary& summary : other.state_.summaries) summarise(summary);
   state_.num_unsummarised += other.state_.num_unsummarised;
 }
 
-void ObjectLedger::summarise(const LedgerSummary& addition) {
+void ObservationLog::summarise(const ObservationLogSummary& addition) {
   auto& all = state_.summaries;
   const auto it = std::lower_bound(all.begin(), all.end(), addition, precedes);
   if (it != all.end() && key_of(*it) == key_of(addition)) {
@@ -113,20 +113,21 @@ void ObjectLedger::summarise(const LedgerSummary& addition) {
   }
 }
 
-std::uint64_t ObjectLedger::num_detections(std::optional<ClassId> class_id) const {
+std::uint64_t ObservationLog::num_detections(std::optional<ClassId> class_id) const {
   std::uint64_t count = 0;
-  for (const LedgerSummary& s : state_.summaries) {
-    const bool counts = s.kind == LedgerKind::kDetection && (!class_id || s.class_id == *class_id);
+  for (const ObservationLogSummary& s : state_.summaries) {
+    const bool counts =
+        s.kind == ObservationKind::kDetection && (!class_id || s.class_id == *class_id);
     if (counts) count += s.count;
   }
   return count;
 }
 
-std::uint8_t ledger_bearing_bin(double bearing_rad) {
+std::uint8_t log_bearing_bin(double bearing_rad) {
   const double turns = bearing_rad / (2.0 * std::numbers::pi);
   const double share = turns - std::floor(turns);
-  const int bin = static_cast<int>(share * ObjectLedger::kNumBearingBins);
-  return static_cast<std::uint8_t>(std::min(bin, ObjectLedger::kNumBearingBins - 1));
+  const int bin = static_cast<int>(share * ObservationLog::kNumBearingBins);
+  return static_cast<std::uint8_t>(std::min(bin, ObservationLog::kNumBearingBins - 1));
 }
 
 }  // namespace hypermap

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact.hpp"
+#include "overlap.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,11 +17,11 @@ std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points)
   return out;
 }
 
-Body make_body(const Box& box,
-               const std::vector<Eigen::Vector3d>& points,
-               std::vector<ClassEvidence> classes,
-               double near_m) {
-  return {box, thinned(points), std::move(classes), TouchGrid(points, near_m)};
+PointSet make_point_set(const Box& box,
+                        const std::vector<Eigen::Vector3d>& points,
+                        std::vector<ClassEvidence> classes,
+                        double near_m) {
+  return {box, thinned(points), std::move(classes), ProximityGrid(points, near_m)};
 }
 
 double box_share(const Box& a, const Box& b) {
@@ -38,31 +38,32 @@ double highest(std::span<const ClassEvidence> classes) {
 
 }  // namespace
 
-Body body_of(const Observation& observation, double near_m) {
+PointSet point_set_of(const Observation& observation, double near_m) {
   std::vector<Eigen::Vector3d> points;
   points.reserve(observation.segment.points_in_map.size());
   for (const Eigen::Vector3f& p : observation.segment.points_in_map) {
     points.emplace_back(p.cast<double>());
   }
-  return make_body(observation.segment.box, points, observation.class_scores, near_m);
+  return make_point_set(observation.segment.box, points, observation.class_scores, near_m);
 }
 
-Body body_of(const Object& object, double near_m) {
-  return make_body(object.box, object.points.agreed_points(), object.belief.distribution(), near_m);
+PointSet point_set_of(const Object& object, double near_m) {
+  return make_point_set(
+      object.box, object.points.agreed_points(), object.belief.distribution(), near_m);
 }
 
-Contact contact(const Body& first, const Body& second, double near_m) {
+Overlap measure_overlap(const PointSet& first, const PointSet& second, double near_m) {
   const double first_diagonal = grown(first.box, near_m).extent().norm();
   const double second_diagonal = grown(second.box, near_m).extent().norm();
-  Contact out;
+  Overlap out;
   out.share_of_first = second.grid.share_near(first.points);
   out.share_of_second = first.grid.share_near(second.points);
   out.box_share = box_share(grown(first.box, near_m), grown(second.box, near_m));
   out.distance = (first.box.centre() - second.box.centre()).norm() /
                  (0.5 * (first_diagonal + second_diagonal));
   const bool first_is_part = out.share_of_first >= out.share_of_second;
-  const Body& part = first_is_part ? first : second;
-  const Body& whole = first_is_part ? second : first;
+  const PointSet& part = first_is_part ? first : second;
+  const PointSet& whole = first_is_part ? second : first;
   out.diagonal_ratio =
       first_is_part ? first_diagonal / second_diagonal : second_diagonal / first_diagonal;
   out.maturity_ratio = static_cast<double>(part.num_observations) / whole.num_observations;
@@ -88,7 +89,7 @@ double class_agreement(std::span<const ClassEvidence> a, std::span<const ClassEv
   return best;
 }
 
-bool is_same_thing(const Contact& c, const AssignmentOptions& options, double strictness) {
+bool is_same_object(const Overlap& c, const AssignmentOptions& options, double strictness) {
   const double larger = std::max(c.share_of_first, c.share_of_second);
   const double smaller = std::min(c.share_of_first, c.share_of_second);
   if (c.agreement >= options.same_class_agreement) {
@@ -102,7 +103,7 @@ bool is_same_thing(const Contact& c, const AssignmentOptions& options, double st
           c.maturity_ratio <= options.part_maturity);
 }
 
-double affinity(const Contact& c) {
+double affinity(const Overlap& c) {
   const double larger = std::max(c.share_of_first, c.share_of_second);
   const double smaller = std::min(c.share_of_first, c.share_of_second);
   const double nearness = std::max(0.0, 1.0 - c.distance);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The size of a picture, judged before memory is taken.
+/// The size of an image, checked before memory is allocated.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/picture_file.hpp"
+#include "hypermap/io/codec/image_file.hpp"
 
 #include <cstdint>
 
@@ -13,7 +13,7 @@ namespace hypermap {
 /// Errors: kMalformedFile when a side is 0 or negative; kLimit, named.
 [[nodiscard]] Result<void> check_size(std::int64_t width_px,
                                       std::int64_t height_px,
-                                      const PictureLimits& limits);
+                                      const ImageLimits& limits);
 
 [[nodiscard]] Error out_of_memory();
 

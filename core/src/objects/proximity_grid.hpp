@@ -32,11 +32,11 @@ class CellTiles {
 
 /// The cells that points fall into; what lies in one of them or next to one is near.
 ///
-/// Marks the cells and their neighbours along y and z, so that a question looks at three tiles.
-class TouchGrid {
+/// Marks the cells and their neighbours along y and z, so that a query reads three tiles.
+class ProximityGrid {
  public:
   /// Points up to `near_m` away are near, those beyond twice that never. Requires: near_m > 0.
-  TouchGrid(std::span<const Eigen::Vector3d> points, double near_m);
+  ProximityGrid(std::span<const Eigen::Vector3d> points, double near_m);
 
   [[nodiscard]] bool is_near(const Eigen::Vector3d& point) const;
   /// Of `points`, those that are near; 0 when there are none.

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Observation log of one object: detections and missed detections, with detector, viewpoint and
+/// effect.
+///
+/// Ours: the answer to "why is this in the map?". Memory: at most 16 KB an object.
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// What one frame shows of the place where an object should be.
+enum class Visibility : std::uint8_t {
+  kOutOfView,       ///< Outside the image or the range.
+  kVisible,         ///< Its surface is where it should be.
+  kPartlyOccluded,  ///< Some of it is visible, something hides the rest.
+  kOccluded,        ///< Something in front hides it.
+  kAbsent,          ///< The camera looks through the place where it should be.
+};
+
+/// What an entry of the log records.
+enum class ObservationKind : std::uint8_t {
+  kDetection,        ///< A detector saw it.
+  kMissedDetection,  ///< It was visible and not detected, or absent.
+};
+
+/// One observation of an object.
+struct ObservationLogEntry {
+  std::uint64_t frame_index = 0;
+  Stamp stamp = {};
+  ObservationKind kind = ObservationKind::kDetection;
+  Visibility visibility = Visibility::kVisible;
+  DetectorId detector = {};  ///< 0 for missed detections.
+  ClassId class_id = {};     ///< Named by the detector; the object's own for missed detections.
+  float score = 0.0F;        ///< Of the detection; the visible share for missed detections.
+  float bearing_rad = 0.0F;  ///< Of the camera from the object, in the map frame.
+  float distance_m = 0.0F;
+  float effect = 0.0F;  ///< Change of the existence in log-odds.
+  friend bool operator==(const ObservationLogEntry&, const ObservationLogEntry&) = default;
+};
+
+/// Sums over all entries of one kind, detector, class and direction.
+struct ObservationLogSummary {
+  ObservationKind kind = ObservationKind::kDetection;
+  DetectorId detector = {};
+  ClassId class_id = {};
+  std::uint8_t bearing_bin = 0;  ///< 0 to 17: 20 degrees each, as the visibility histogram's.
+  std::uint32_t count = 0;
+  float score_sum = 0.0F;
+  float effect_sum = 0.0F;
+  std::uint64_t last_frame_index = 0;
+  friend bool operator==(const ObservationLogSummary&, const ObservationLogSummary&) = default;
+};
+
+/// All state of a log, for storing it.
+struct ObservationLogState {
+  std::optional<ObservationLogEntry> first;
+  std::vector<ObservationLogEntry> newest;  ///< Oldest first.
+  std::vector<ObservationLogSummary>
+      summaries;                       ///< Ascending by kind, detector, class, bearing bin.
+  std::uint64_t num_unsummarised = 0;  ///< Entries that came when all summaries were taken.
+  friend bool operator==(const ObservationLogState&, const ObservationLogState&) = default;
+};
+
+/// The first and the newest entries, and sums over all of them.
+class ObservationLog {
+ public:
+  static constexpr std::size_t kMaxNewest = 64;
+  static constexpr std::size_t kMaxSummaries = 256;
+  static constexpr int kNumBearingBins = 18;
+
+  ObservationLog() = default;
+  /// Errors: kInvalidArgument: more entries or summaries than are kept, summaries not ascending, a
+  /// bin beyond the last, a number that is not finite, newest entries without a first one.
+  [[nodiscard]] static Result<ObservationLog> from_state(ObservationLogState state);
+
+  void add(const ObservationLogEntry& entry);
+  /// Joins the log of a duplicate: newest by frame, then as here.
+  void merge(const ObservationLog& other);
+
+  /// Detections of `class_id` (any class when none) that were recorded in sums.
+  [[nodiscard]] std::uint64_t num_detections(std::optional<ClassId> class_id = {}) const;
+  [[nodiscard]] const ObservationLogState& state() const noexcept { return state_; }
+  friend bool operator==(const ObservationLog&, const ObservationLog&) = default;
+
+ private:
+  void summarise(const ObservationLogSummary& addition);
+
+  ObservationLogState state_;
+};
+
+static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
+                      sizeof(ObservationLogSummary) * ObservationLog::kMaxSummaries +
+                      sizeof(ObservationLog) <=
+                  std::size_t{16} * 1024,
+              "an observation log takes at most 16 KB");
+
+/// Bin of 20 degrees that a bearing falls into; bin 0 starts at 0, counter-clockwise.
+[[nodiscard]] std::uint8_t log_bearing_bin(double bearing_rad);
+
+}  // namespace hypermap

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One check for each kind of file: reads it with its reader and summarises the content.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/dataset/depth_file.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+struct FileSummary {
+  std::string summary;
+  std::vector<Finding> findings;
+};
+
+/// Errors of all: those of the kind's reader.
+[[nodiscard]] Result<FileSummary> check_archive(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_octree(const std::filesystem::path& path);
+/// The description, and the image that it names; one that is absent is a finding.
+[[nodiscard]] Result<FileSummary> check_map(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_semantic(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_image(const std::filesystem::path& path,
+                                              ImageSize expected);
+[[nodiscard]] Result<FileSummary> check_depth(const std::filesystem::path& path,
+                                              ImageSize expected);
+/// TUM lines, Open3D records or one matrix, by how many numbers the first line has.
+[[nodiscard]] Result<FileSummary> check_trajectory(const std::filesystem::path& path);
+/// Errors: kInvalidArgument when the stated size is not `expected`.
+[[nodiscard]] Result<FileSummary> check_intrinsics(const std::filesystem::path& path,
+                                                   ImageSize expected);
+[[nodiscard]] Result<FileSummary> check_detections(const std::filesystem::path& path);
+/// A file of options, or a bare map configuration as text; files that it names and that are absent
+/// are findings.
+[[nodiscard]] Result<FileSummary> check_config(const std::filesystem::path& path);
+/// A folder, every frame of it, or a description (`dataset.yaml`) as text.
+[[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path);
+
+}  // namespace hypermap

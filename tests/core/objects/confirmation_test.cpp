@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/confirmation.hpp"
+
+#include "support/object_builders.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hypermap {
+namespace {
+
+using testing_support::box_at;
+using testing_support::observed;
+using testing_support::scores;
+using testing_support::surface_of;
+
+constexpr ClassId kSeenCup{1};
+constexpr ClassId kSeenOven{2};
+
+Object seen_times(const Box& box, ClassId id, int times) {
+  Object object = make_object(observed(surface_of(box), scores(id, 0.8)), {});
+  for (int i = 1; i < times; ++i)
+    update_object(object, observed(surface_of(box), scores(id, 0.8)), {});
+  return object;
+}
+
+TEST(Confirmation, ExistenceMustBeAboveTwo) {
+  // [hypermap] 3.4.5: 1 + 1 = 2 is not above 2, 3 is.
+  ObjectMap map;
+  (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 2));
+  (void)map.add(seen_times(box_at({2, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 3));
+  const ConfirmationOptions options{.min_existence = LogOdds(2.0), .min_observations = 1};
+  EXPECT_EQ(confirmed_objects(map, options), std::vector{ObjectId{2}});
+}
+
+TEST(Confirmation, OfTwoOnTheSamePointsTheStrongerIsPublished) {
+  ObjectMap map;
+  const Box box = box_at({0, 0, 0.3}, {0.6, 0.6, 0.6});
+  (void)map.add(seen_times(box, kSeenCup, 4));
+  (void)map.add(seen_times(box, kSeenOven, 6));
+  EXPECT_EQ(confirmed_objects(map, {}), std::vector{ObjectId{2}});
+  EXPECT_EQ(confirmed_objects(map, {.one_per_place = false}).size(), 2U);
+}
+
+TEST(Confirmation, ASmallThingOnALargeOneIsPublished) {
+  ObjectMap map;
+  (void)map.add(seen_times(box_at({0, 0, 0.72}, {1.4, 0.8, 0.04}), kSeenOven, 4));
+  (void)map.add(seen_times(box_at({0, 0, 0.79}, {0.08, 0.08, 0.1}), kSeenCup, 4));
+  EXPECT_EQ(confirmed_objects(map, {}).size(), 2U);
+}
+
+TEST(Confirmation, TheConfidenceRuleAsksForTheConfidence) {
+  // [smap] Eq. (3.27): seen once from 2.2 m: tp1 = 0.973, tp2 = 0.8, tp3 = 0 (0.57 is below the
+  // 0.847 of p = 0.7): (3.89 + 0.8) / 6 = 0.78.
+  ObjectMap map;
+  (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 1));
+  ConfirmationOptions options{.min_existence = std::nullopt,
+                              .min_confidence = Probability(0.77),
+                              .confidence = {ConfidenceRule::kWeighted},
+                              .min_observations = 1};
+  EXPECT_EQ(confirmed_objects(map, options).size(), 1U);
+  options.min_confidence = Probability(0.79);
+  EXPECT_TRUE(confirmed_objects(map, options).empty());
+}
+
+TEST(Confirmation, BadOptionsAreNamed) {
+  EXPECT_EQ(validate(ConfirmationOptions{.same_place_share = 2.0}).error().field,
+            "same_place_share");
+  EXPECT_TRUE(validate(ConfirmationOptions{}).has_value());
+}
+
+}  // namespace
+}  // namespace hypermap
