@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
+
+#include "hypermap/viewer_offscreen/rendering/egl_context.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr Rgb8 kRed{200, 30, 30};
+constexpr Rgb8 kBlue{30, 30, 200};
+
+/// A layer that draws what it is told to.
+class Sketch final : public MapLayer {
+ public:
+  explicit Sketch(std::vector<LayerPrimitive> primitives) : primitives_(std::move(primitives)) {}
+
+  [[nodiscard]] std::string_view class_name() const override { return "Sketch"; }
+  [[nodiscard]] LayerStatistics statistics() const override { return {}; }
+  [[nodiscard]] Result<std::vector<LayerAnswer>> query(const LayerQuery&) const override {
+    return std::vector<LayerAnswer>{};
+  }
+  [[nodiscard]] std::vector<LayerPrimitive> draw() const override { return primitives_; }
+  [[nodiscard]] Result<void> save(LayerWriter&) const override { return {}; }
+  [[nodiscard]] bool equals(const MapLayer& other) const override { return this == &other; }
+
+ private:
+  std::vector<LayerPrimitive> primitives_;
+};
+
+Layer sketch(std::vector<LayerPrimitive> primitives) {
+  return {.info = {.name = "sketch", .frame_id = "lab"}, .content = Sketch(std::move(primitives))};
+}
+
+DrawnArea square(double x) {
+  return {.parts = {make_polygon({{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}).value()},
+          .class_name = "sink"};
+}
+
+/// Two cells side by side, the left one red, the right one blue.
+DrawnCells two_cells() {
+  return {.geometry = {.resolution_m = 1.0, .cols = 2, .rows = 1}, .colors = {kRed, kBlue}};
+}
+
+TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
+  SnapshotScene scene;
+  const ClassId chair = scene.classes.add("chair").value();
+  scene = with_layer(std::move(scene),
+                     sketch({square(0),
+                             square(2),
+                             DrawnOccupancy{},
+                             two_cells(),
+                             DrawnLine{.points = {{0, 0}, {1, 1}}, .color = kRed},
+                             DrawnText{.position = {1, 1}, .text = "here", .color = kRed},
+                             DrawnBox{.box = {}, .class_name = "chair"},
+                             DrawnVoxels{[](const LeafVisitor&) {}}}));
+  EXPECT_EQ(scene.frame_id, "lab");
+  EXPECT_EQ(scene.semantic.size(), 2U);
+  EXPECT_TRUE(scene.occupancy);
+  EXPECT_EQ(scene.overlay.cells.size(), 1U);
+  EXPECT_EQ(scene.overlay.lines.size(), 1U);
+  EXPECT_EQ(scene.overlay.texts.size(), 1U);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].class_id, chair);
+  EXPECT_EQ(scene.objects[0].label, "chair");
+  EXPECT_TRUE(scene.leaves);
+}
+
+TEST(LayerScene, AreasOfOneLayerAreShownAndOverlaysOfAll) {
+  const SnapshotScene first = with_layer({}, sketch({square(0), two_cells()}));
+  const SnapshotScene both = with_layer(first, sketch({square(2), square(4), two_cells()}));
+  EXPECT_EQ(both.semantic, first.semantic);
+  EXPECT_EQ(both.overlay.cells.size(), 2U);
+}
+
+TEST(LayerScene, CellsHaveTheirColorsFromAbove) {
+  if (const auto context = EglContext::create(); !context)
+    GTEST_SKIP() << to_string(context.error());
+  const auto picture =
+      render_snapshot(with_layer({}, sketch({two_cells()})),
+                      {.view = TopView{}, .width_px = 200, .height_px = 100, .annotations = false});
+  ASSERT_TRUE(picture) << to_string(picture.error());
+  const auto is_near = [](Rgb8 a, Rgb8 b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 12;
+  };
+  EXPECT_TRUE(is_near(picture->at(70, 30), kRed));
+  EXPECT_TRUE(is_near(picture->at(130, 30), kBlue));
+}
+
+}  // namespace
+}  // namespace hypermap
