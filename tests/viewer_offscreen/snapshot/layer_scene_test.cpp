@@ -81,15 +81,15 @@ TEST(LayerScene, AreasOfOneLayerAreShownAndOverlaysOfAll) {
 TEST(LayerScene, CellsHaveTheirColorsFromAbove) {
   if (const auto context = EglContext::create(); !context)
     GTEST_SKIP() << to_string(context.error());
-  const auto picture =
+  const auto image =
       render_snapshot(with_layer({}, sketch({two_cells()})),
                       {.view = TopView{}, .width_px = 200, .height_px = 100, .annotations = false});
-  ASSERT_TRUE(picture) << to_string(picture.error());
+  ASSERT_TRUE(image) << to_string(image.error());
   const auto is_near = [](Rgb8 a, Rgb8 b) {
     return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 12;
   };
-  EXPECT_TRUE(is_near(picture->at(70, 30), kRed));
-  EXPECT_TRUE(is_near(picture->at(130, 30), kBlue));
+  EXPECT_TRUE(is_near(image->at(70, 30), kRed));
+  EXPECT_TRUE(is_near(image->at(130, 30), kBlue));
 }
 
 }  // namespace
