@@ -75,6 +75,9 @@ TEST_P(FarCloudModes, WithOneRangeTheVoxelsAreThoseOfTheDenseIntegration) {
         labels);
     EXPECT_GT(report.working_bytes, 0U);
     report.working_bytes = 0;
+    // Discretize: the dense one makes blank bricks where no centre is within the range.
+    EXPECT_LE(report.num_new_bricks, expected->num_new_bricks);
+    report.num_new_bricks = expected->num_new_bricks;
     EXPECT_EQ(report, *expected);
   }
   EXPECT_TRUE(sparse == dense);
