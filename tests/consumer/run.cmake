@@ -1,5 +1,5 @@
-# Installs the build into a fresh prefix, builds both consumers against it and runs them; asks for a component that does
-# not exist. Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... -DCXX=... -DCXX_FLAGS=...
+# Installs the build into a fresh prefix, builds the consumers and the examples against it and runs them; asks for a
+# component that does not exist. Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... -DCXX=... -DCXX_FLAGS=...
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -11,11 +11,14 @@ file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 set(configure -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
               -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
-foreach(consumer all by_components)
+foreach(consumer all by_components examples)
   run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/${consumer} -B ${WORK_DIR}/${consumer} ${configure})
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/${consumer})
-  run(${WORK_DIR}/${consumer}/consumer)
 endforeach()
+run(${WORK_DIR}/all/consumer)
+run(${WORK_DIR}/by_components/consumer)
+run(${CMAKE_COMMAND} -DPROGRAM=${WORK_DIR}/prefix/bin/hypermap -DEXAMPLES=${WORK_DIR}/examples
+    -DWORK_DIR=${WORK_DIR}/examples/work -P ${SOURCE_DIR}/../examples/run.cmake)
 
 # Sanitizer builds load libraries that they do not need.
 if(NOT CXX_FLAGS MATCHES "-fsanitize")

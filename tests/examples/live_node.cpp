@@ -57,6 +57,6 @@ int main(int argc, char** argv) {
   std::printf("%zu frames, %zu grids, at most %zu objects\n",
               std::size_t{last->num_frames},
               num_grids,
-              last->objects.size());
+              most_objects);
   return failed ? 1 : 0;
 }
