@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   }
 
   // Objects of a class.
-  for (const Object* object : shown_objects(map)) {
+  for (const Object* object : confirmed_objects_of(map)) {
     const auto best = best_class(*object);
     if (!best || best->id != *wanted) continue;
     const Eigen::Vector3d at = object->centroid_in_map;
