@@ -92,17 +92,18 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
   HYPERMAP_ASSIGN_OR_RETURN(filter.wanted,
                             ids_of(options.wanted_class_names, classes, "wanted_class_names"));
   HYPERMAP_ASSIGN_OR_RETURN(OcclusionScene occlusion, OcclusionScene::create());
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree empty, SemanticOctree::create(options.octree));
   try {
     auto known = std::make_shared<const ClassRegistry>(classes);
-    auto empty = std::make_shared<const MapSnapshot>(
-        MapSnapshot{SemanticOctree::create(options.octree).value(), ObjectMap{}, known, 0, 0, {}});
+    auto nothing = std::make_shared<const MapSnapshot>(
+        MapSnapshot{std::move(empty), ObjectMap{}, known, 0, 0, {}});
     SemanticMapper mapper(options,
                           std::move(filter),
                           std::move(octree),
                           std::move(objects),
                           std::move(occlusion),
                           std::move(known),
-                          std::make_unique<SnapshotExchange>(std::move(empty)));
+                          std::make_unique<SnapshotExchange>(std::move(nothing)));
     mapper.find_voxels_of_objects();
     if (options.publish_every_n_frames > 0) mapper.publish();
     return mapper;

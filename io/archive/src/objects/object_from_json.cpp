@@ -38,7 +38,7 @@ Result<ClassBelief> parse_belief(const JsonNode& node) {
     return saturation.error(ErrorCode::kMalformedFile, "expected clamp or shift");
   options.saturation = name == "clamp" ? Saturation::kClamp : Saturation::kShift;
   HYPERMAP_ASSIGN_OR_RETURN(auto entries, list_at(node, "classes", parse_class));
-  return judged(node, ClassBelief::from_entries(options, std::move(entries)));
+  return validated(node, ClassBelief::from_entries(options, std::move(entries)));
 }
 
 Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
@@ -65,7 +65,7 @@ Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
                               return bin.number().map([](double l) { return LogOdds(l); });
                             }));
   options.num_bins = static_cast<int>(bins.size());
-  return judged(node, VisibilityHistogram::from_bins(options, std::move(bins)));
+  return validated(node, VisibilityHistogram::from_bins(options, std::move(bins)));
 }
 
 Result<Box> parse_box(const JsonNode& node) {
@@ -99,7 +99,7 @@ Result<OccupancyVotes> parse_points(const JsonNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
                             integer_at<std::uint32_t>(node, "num_observations"));
   HYPERMAP_ASSIGN_OR_RETURN(state.votes, list_at(node, "votes", parse_vote));
-  return judged(node, OccupancyVotes::from_state(options, std::move(state)));
+  return validated(node, OccupancyVotes::from_state(options, std::move(state)));
 }
 
 /// Kind and visibility are stored as their numbers.
@@ -150,7 +150,7 @@ Result<ObservationLog> parse_observation_log(const JsonNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_log_summary));
   HYPERMAP_ASSIGN_OR_RETURN(state.num_unsummarised,
                             integer_at<std::uint64_t>(node, "num_unsummarised"));
-  return judged(node, ObservationLog::from_state(std::move(state)));
+  return validated(node, ObservationLog::from_state(std::move(state)));
 }
 
 /// Reads objects; knows the limit on vertices.
@@ -243,7 +243,7 @@ class ObjectReader {
     HYPERMAP_ASSIGN_OR_RETURN(state.shapes, list_at(node, "kept", [this](const JsonNode& shape) {
                                 return parse_polygon(shape);
                               }));
-    return judged(node, ShapeEvidence::from_state(std::move(state)));
+    return validated(node, ShapeEvidence::from_state(std::move(state)));
   }
 
   const ObjectFileLimits& limits_;
