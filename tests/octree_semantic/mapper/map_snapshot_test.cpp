@@ -121,7 +121,7 @@ TEST(MapSnapshot, HasTheClassesThatWereKnownThen) {
   const auto first = mapper.snapshot();
   ASSERT_TRUE(classes.add("table"));
   ASSERT_TRUE(mapper.integrate(frames()[1]));
-  EXPECT_EQ(mapper.snapshot()->classes->size(), 1U) << "nobody told the mapper";
+  EXPECT_EQ(mapper.snapshot()->classes->size(), 1U) << "nobody reported the mapper";
   ASSERT_TRUE(mapper.set_classes(classes));
   ASSERT_TRUE(mapper.integrate(frames()[2]));
   EXPECT_EQ(*mapper.snapshot()->classes, classes);
@@ -147,15 +147,15 @@ TEST(MapSnapshot, ChangedRegionsCoverWhatDiffers) {
   const auto after = mapper.snapshot();
   const std::vector<Box> regions = after->octree.changed_regions(before->octree.revision());
   EXPECT_LT(regions.size(), after->octree.num_bricks());
-  std::set<BrickKey> told;
+  std::set<BrickKey> reported;
   for (const Box& region : regions) {
-    told.insert(BrickKey::of(*after->octree.grid().key(PointInMap{region.centre()})));
+    reported.insert(BrickKey::of(*after->octree.grid().key(PointInMap{region.centre()})));
   }
   std::size_t num_different = 0;
   after->octree.for_each_stored_leaf([&](const StoredLeaf& leaf) {
     if (before->octree.stored_at(leaf.key) == leaf) return;
     ++num_different;
-    EXPECT_TRUE(told.contains(BrickKey::of(leaf.key)));
+    EXPECT_TRUE(reported.contains(BrickKey::of(leaf.key)));
   });
   EXPECT_GT(num_different, 1000U);
 }
