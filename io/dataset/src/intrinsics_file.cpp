@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
 
-Finding warning(Error error) {
+Finding intrinsics_warning(Error error) {
   return {Severity::kWarning, std::move(error)};
 }
 
@@ -64,7 +64,7 @@ std::vector<Finding> unknown_keys(const JsonNode& root, std::span<const std::str
     const auto nearest = nearest_name(member.key(), known);
     const std::string hint = nearest ? ", did you mean \"" + std::string(*nearest) + "\"?" : "";
     findings.push_back(
-        warning(member.error(ErrorCode::kMalformedFile, "unknown key" + hint).value()));
+        intrinsics_warning(member.error(ErrorCode::kMalformedFile, "unknown key" + hint).value()));
   }
   return findings;
 }
@@ -145,7 +145,7 @@ std::vector<Finding> distortion(const YamlNode& root) {
                      return !value || *value != 0.0;
                    });
   if (!any) return {};
-  return {warning(list.error("distortion is not applied, expected images without it"))};
+  return {intrinsics_warning(list.error("distortion is not applied, expected images without it"))};
 }
 
 Result<Loaded<Intrinsics>> parse_camera_info(std::string_view text, const std::string& name) {

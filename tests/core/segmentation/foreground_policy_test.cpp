@@ -14,6 +14,7 @@ using test::detection_of;
 using test::kChair;
 using test::kCup;
 using test::kCupboard;
+using test::kFloor;
 using test::kKeyboard;
 using test::kMouse;
 using test::kScreen;

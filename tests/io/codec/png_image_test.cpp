@@ -135,12 +135,12 @@ TEST(PngImage, InterlacedImagesOfEverySizeAreThoseOfOpenCv) {
         const DecodedImage image = decoded(bytes);
         const cv::Mat mat = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()),
                                          color == 0 ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
-        const ColorImage image = to_color(image);
+        const ColorImage color_image = to_color(image);
         for (int v = 0; v < mat.rows; ++v) {
           for (int u = 0; u < mat.cols; ++u) {
             const auto bgr =
                 color == 0 ? cv::Vec3b::all(mat.at<std::uint8_t>(v, u)) : mat.at<cv::Vec3b>(v, u);
-            ASSERT_EQ(image.at(u, v), (Rgb8{.r = bgr[2], .g = bgr[1], .b = bgr[0]}));
+            ASSERT_EQ(color_image.at(u, v), (Rgb8{.r = bgr[2], .g = bgr[1], .b = bgr[0]}));
           }
         }
         auto rows = adam7_rows(width, height, color);

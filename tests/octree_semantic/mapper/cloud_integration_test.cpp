@@ -63,7 +63,7 @@ TEST(CloudIntegration, InstancesBecomeObjectsAndOtherPointsLabelVoxels) {
     EXPECT_GT(report.integration.working_bytes, 0U);
   }
   ASSERT_EQ(mapper.objects().size(), 1U);
-  const Object& car = mapper.objects().objects()[0];
+  const Object& car = *mapper.objects().objects().begin();
   EXPECT_EQ(best_class(car)->id, ClassId{kCar});
   EXPECT_EQ(car.num_observations, 3U);
   const auto on_car = mapper.octree().at(PointInMap{{10.0, 0.0, 1.0}});
@@ -84,7 +84,7 @@ TEST(CloudIntegration, OnlyWantedClassesReachTheMap) {
   auto mapper = SemanticMapper::create(options, ClassRegistry::from_names(kNames).value()).value();
   ASSERT_TRUE(mapper.integrate_cloud(street()));
   ASSERT_EQ(mapper.objects().size(), 1U);
-  EXPECT_EQ(best_class(mapper.objects().objects()[0])->id, ClassId{kPerson});
+  EXPECT_EQ(best_class(*mapper.objects().objects().begin())->id, ClassId{kPerson});
   EXPECT_FALSE(mapper.octree().at(PointInMap{{30.0, 2.0, 0.02}})->best_class);
 }
 

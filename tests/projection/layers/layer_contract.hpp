@@ -91,7 +91,9 @@ inline void expect_layer_contract(const MapLayer& layer) {
   EXPECT_TRUE(layer.equals(layer));
   EXPECT_FALSE(layer.class_name().empty());
   EXPECT_GE(layer.version(), 1);
-  if (layer.statistics().bounds) EXPECT_FALSE(layer.draw().empty());
+  if (layer.statistics().bounds) {
+    EXPECT_FALSE(layer.draw().empty());
+  }
 }
 
 /// One number at the origin: the smallest type of layer that a program may add.

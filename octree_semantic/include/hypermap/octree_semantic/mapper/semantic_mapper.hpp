@@ -38,16 +38,16 @@ struct OptionTable;
 /// `integration.max_range_m` is the range of the whole map: `visibility`, `objects.segmentation`
 /// (up to kMaxSegmentedRangeM) and `objects.binned_depth` follow it where they say no other.
 struct SemanticMapperOptions {
-  OctreeOptions octree;
-  IntegrationOptions integration;
-  CloudOptions cloud;  ///< Of integrate_cloud.
-  ObjectPipelineOptions objects;
-  VisibilityOptions visibility;
+  OctreeOptions octree = {};
+  IntegrationOptions integration = {};
+  CloudOptions cloud = {};  ///< Of integrate_cloud.
+  ObjectPipelineOptions objects = {};
+  VisibilityOptions visibility = {};
   /// Bounds the work on a frame, for live use; off to begin with.
-  DeadlineOptions deadline;
+  DeadlineOptions deadline = {};
   /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
   /// not stay are named in `objects.transient_class_names`.
-  std::vector<std::string> wanted_class_names;
+  std::vector<std::string> wanted_class_names = {};
   /// Threads for the detections of a frame and for rays. The result does not depend on it.
   int num_threads = 1;
   /// A snapshot for other threads is published when so many frames were integrated since the last
