@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
 
   // ... the cell of the occupancy grid that it stands on, ...
   for (const Layer& layer : map.hypermap.layers()) {
-    const auto* occupancy = std::get_if<OccupancyLayer>(&layer.content);
+    const auto* occupancy = layer.content.as<OccupancyLayer>();
     const auto cell = occupancy ? occupancy->grid.at_point(place.head<2>()) : std::nullopt;
     if (cell) std::printf("layer %s: %d\n", layer.info.name.c_str(), static_cast<int>(*cell));
   }

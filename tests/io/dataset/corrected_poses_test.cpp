@@ -56,7 +56,7 @@ TEST(CorrectedPoses, AreTurnedWithTheWorld) {
   const auto corrected =
       with_corrected_poses(opened(folder.path()), folder.path() / "groundtruth.txt").value();
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
-  turned.translation() = {0.0, 0.0, 4.0};
+  turned.translation() = Eigen::Vector3d(0.0, 0.0, 4.0);
   corrected->set_map_from_input(MapFromInput(turned));
   EXPECT_EQ(corrected->read(1)->map_from_camera.origin().xyz, Eigen::Vector3d(1.0, 0.0, 4.0));
 }

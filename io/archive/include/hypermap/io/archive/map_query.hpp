@@ -23,7 +23,7 @@ namespace hypermap {
 
 /// Conditions that must all hold; those that are absent always do.
 struct MapQuery {
-  std::string layer;  ///< By its name in `archive_layers`.
+  std::string layer = {};  ///< By its name in `archive_layers`.
   /// String representation: an object's class in any spelling, a shape's name, Free, Occupied.
   std::optional<std::string> text = std::nullopt;
   /// Integer representation: an id, a cell's occupancy.
