@@ -20,22 +20,22 @@
 namespace hypermap {
 
 struct MappingJob {
-  std::filesystem::path input;
-  std::filesystem::path output;
-  DatasetOptions dataset;
+  std::filesystem::path input = {};
+  std::filesystem::path output = {};
+  DatasetOptions dataset = {};
   /// A network that looks at each colour image, besides any detections on file.
-  std::optional<std::filesystem::path> model;
-  OnnxDetectorOptions detector;
-  SemanticMapperOptions mapper;
-  LayerOptions layers;
+  std::optional<std::filesystem::path> model = std::nullopt;
+  OnnxDetectorOptions detector = {};
+  SemanticMapperOptions mapper = {};
+  LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
   /// none: what the dataset's description says, else z for TUM RGB-D, else "floor".
-  std::optional<std::string> up_axis;
+  std::optional<std::string> up_axis = std::nullopt;
   /// More skipped frames than this share make the whole job fail. 0 .. 1
   double max_skipped_share = 0.05;
   /// Corrected poses of the dataset's frames, as a loop closure leaves them: the map is built anew
   /// with them. See with_corrected_poses.
-  std::optional<std::filesystem::path> poses;
+  std::optional<std::filesystem::path> poses = std::nullopt;
   /// Go on from the archive at `output`.
   bool append = false;
 };
