@@ -108,7 +108,8 @@ Result<void> check_value(const OptionRow& row, const OptionValue& value) {
     case OptionKind::kNumbers:
       for (const double number : value.numbers()) {
         if (!row.range.contains(number)) {
-          return refused("each " + interval_rule(row.range) + ", one", number_text(number));
+          return fail(ErrorCode::kInvalidArgument,
+                      "each " + interval_rule(row.range) + ", one is " + number_text(number));
         }
       }
       return {};

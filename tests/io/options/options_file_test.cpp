@@ -103,7 +103,7 @@ TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {
               HasSubstr("must be one of exact, discretize, projective"));
   EXPECT_THAT(options_refusal("absence: {spare_seen: 2}\n"), HasSubstr("absence.spare_seen"));
   EXPECT_THAT(options_refusal("association: {histogram: {weights: [1, 2]}}\n"),
-              HasSubstr("must have 5"));
+              HasSubstr("expected 5 numbers"));
   EXPECT_THAT(options_refusal("segmentation: {min_range_m: 9}\n"), HasSubstr("max_range_m"));
   EXPECT_THAT(options_refusal("octree: 3\n"), HasSubstr("octree"));
   EXPECT_THAT(options_refusal("projection: {min_height_m: 2}\n"), HasSubstr("max_height_m"));
