@@ -5,7 +5,7 @@
 /// Scope: greedy, in the order given: early labels get the best places. Pure arithmetic.
 #pragma once
 
-#include "hypermap/viewer_offscreen/rendering/picture_rect.hpp"
+#include "hypermap/viewer_offscreen/rendering/image_rect.hpp"
 
 #include <span>
 #include <vector>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hypermap/core/geometry/camera.hpp"
-#include "hypermap/viewer_offscreen/rendering/picture_rect.hpp"
+#include "hypermap/viewer_offscreen/rendering/image_rect.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot_options.hpp"
 
 #include <Eigen/Core>
