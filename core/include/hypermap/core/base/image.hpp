@@ -39,14 +39,8 @@ class Image {
         height_px_(other.height_px_),
         pixels_(other.pixels().begin(), other.pixels().end()) {}
   Image(Image&& other) noexcept { swap(other); }
-  Image& operator=(const Image& other) {
-    Image copy(other);
-    swap(copy);
-    return *this;
-  }
-  Image& operator=(Image&& other) noexcept {
-    Image moved(std::move(other));
-    swap(moved);
+  Image& operator=(Image other) noexcept {
+    swap(other);
     return *this;
   }
   ~Image() = default;
