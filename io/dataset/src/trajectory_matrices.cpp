@@ -128,8 +128,8 @@ Result<Loaded<NumberedTrajectory>> read_log_trajectory(const std::filesystem::pa
 
 Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
                                          const TrajectoryOptions& options) {
-  constexpr std::size_t kMaxBytes = 65536;
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxBytes));
+  constexpr std::size_t kMaxPoseBytes = 65536;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxPoseBytes));
   const std::vector<TextLine> lines = content_lines(text);
   HYPERMAP_ASSIGN_OR_RETURN(const auto rows, parse_rows(lines, 0, path, options));
   if (lines.size() > 4) {

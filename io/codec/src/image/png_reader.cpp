@@ -37,7 +37,8 @@ std::uint64_t steps(std::int64_t size, int start, int step) {
 
 /// Bytes of all filtered rows, before compression.
 std::uint64_t raw_bytes(const PngHeader& header) {
-  const auto bits = static_cast<std::uint64_t>(header.bits * stored_channels(header.color));
+  const int bits_of_pixel = header.bits * stored_channels(header.color);
+  const auto bits = static_cast<std::uint64_t>(bits_of_pixel);
   const auto passes = header.interlaced ? std::span<const Pass>(kAdam7) : kWhole;
   std::uint64_t total = 0;
   for (const Pass& pass : passes) {
