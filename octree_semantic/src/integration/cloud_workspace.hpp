@@ -57,10 +57,10 @@ class CloudWorkspace {
   /// `toward` or nearer.
   [[nodiscard]] bool cast(const Scan& scan, const PointF& toward);
 
-  SparseMarks marks_;
-  Workers workers_;
   FrameWriter writer_;
+  Workers workers_;
   std::vector<std::uint32_t> cell_of_point_;
+  SparseMarks marks_;
 };
 
 }  // namespace hypermap

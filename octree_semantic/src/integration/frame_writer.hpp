@@ -77,12 +77,12 @@ class FrameWriter {
   /// Adds what the frame says to the labels of a brick that has votes.
   void observe_labels(LabelTable& labels, std::size_t brick_number, MilliLogOdds limit) noexcept;
 
-  LabelVotes votes_;
-  LabelEvidence evidence_;
   BeliefBatch batch_;
   std::vector<Staged> staged_;
   std::vector<kernels::MergeCounts> merged_;  // one per worker
   std::vector<std::optional<Box>> label_boxes_;
+  LabelVotes votes_;
+  LabelEvidence evidence_;
 };
 
 }  // namespace hypermap

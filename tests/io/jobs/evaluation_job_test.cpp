@@ -64,7 +64,8 @@ TEST_F(EvaluationJobTest, ALayerMustBeThereAndHaveShapes) {
   const auto truth = saved("truth.hmap", chairs_at({0}));
   const GridGeometry one_cell{.resolution_m = 0.05, .cols = 1, .rows = 1};
   const auto grid =
-      saved("grid.hmap", OccupancyLayer(OccupancyGrid::create(one_cell, {0}).value()));
+      saved("grid.hmap",
+            OccupancyLayer(OccupancyGrid::create(one_cell, std::vector<std::int8_t>{0}).value()));
   const auto absent = run_evaluation({.map = truth, .truth = truth, .layer = "smells"});
   ASSERT_FALSE(absent);
   EXPECT_EQ(absent.error().code, ErrorCode::kNotFound);
