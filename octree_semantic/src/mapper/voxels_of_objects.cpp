@@ -52,7 +52,7 @@ void SemanticMapper::adopt(ObjectMap objects,
                            std::span<const ObjectMerge> merges) noexcept {
   objects_ = std::move(objects);
   for (const auto& [from, into] : merges) {
-    const Box bounds = take_voxel_bounds(from);
+    Box bounds = take_voxel_bounds(from);
     grow_voxel_bounds(into, bounds);
     pending_relabels_.push_back({from, into, bounds});
   }
@@ -70,7 +70,7 @@ void SemanticMapper::grow_voxel_bounds(ObjectId id, const Box& by) noexcept {
 Box SemanticMapper::take_voxel_bounds(ObjectId id) noexcept {
   const auto found = voxel_bounds_.find(id);
   if (found == voxel_bounds_.end()) return no_voxel();
-  const Box bounds = found->second;
+  Box bounds = found->second;
   voxel_bounds_.erase(found);
   return bounds;
 }

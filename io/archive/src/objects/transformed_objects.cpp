@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "transformed_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kMaxCoordinateM = 1e6;
+
+/// Whole bins that come nearest to the turn, 0 to num_bins - 1.
+std::size_t bins_turned(double yaw_rad, std::size_t num_bins) {
+  const auto n = static_cast<long>(num_bins);
+  const long turned = std::lround(yaw_rad / kTurn * static_cast<double>(n));
+  return static_cast<std::size_t>((turned % n + n) % n);
+}
+
+Box moved_box(const Box& box, const Eigen::Isometry3d& motion) {
+  const auto corners = box.corners();
+  Box moved{motion * corners.front(), motion * corners.front()};
+  for (const Eigen::Vector3d& corner : corners) {
+    moved.min_in_map = moved.min_in_map.cwiseMin(motion * corner);
+    moved.max_in_map = moved.max_in_map.cwiseMax(motion * corner);
+  }
+  return moved;
+}
+
+Result<ShapeEvidence> moved_shapes(const ShapeEvidence& shapes, const UprightMotion& motion) {
+  ShapeEvidenceState state = shapes.state();
+  for (Polygon& shape : state.shapes) {
+    HYPERMAP_ASSIGN_OR_RETURN(shape, transformed(shape, motion));
+  }
+  if (state.hull) {
+    HYPERMAP_ASSIGN_OR_RETURN(state.hull, transformed(*state.hull, motion));
+  }
+  const Eigen::Isometry2d plane = motion.in_plane();
+  state.centroid_sum = plane.linear() * state.centroid_sum +
+                       static_cast<double>(state.num_seen) * plane.translation();
+  return ShapeEvidence::from_state(std::move(state));
+}
+
+Result<PointCell> moved_cell(const PointCell& cell,
+                             const Eigen::Isometry3d& motion,
+                             double edge_m) {
+  const Eigen::Vector3d centre(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5);
+  const Eigen::Vector3d moved = motion.linear() * centre + motion.translation() / edge_m;
+  if (!(moved.cwiseAbs().maxCoeff() * edge_m <= kMaxCoordinateM) ||
+      !(moved.cwiseAbs().maxCoeff() < INT32_MAX)) {
+    return fail(ErrorCode::kLimit, "would lie beyond 1e6 m", "points");
+  }
+  const auto index = [](double v) { return static_cast<std::int32_t>(std::floor(v)); };
+  return PointCell{index(moved.x()), index(moved.y()), index(moved.z())};
+}
+
+Result<OccupancyVotes> moved_votes(const OccupancyVotes& points, const Eigen::Isometry3d& motion) {
+  OccupancyVotesState state = points.state();
+  for (PointVote& vote : state.votes) {
+    HYPERMAP_ASSIGN_OR_RETURN(vote.cell, moved_cell(vote.cell, motion, state.edge_m));
+  }
+  // Of equal cells the one with most votes comes first, and stays.
+  std::sort(state.votes.begin(), state.votes.end(), [](const PointVote& a, const PointVote& b) {
+    return std::tie(a.cell, b.votes) < std::tie(b.cell, a.votes);
+  });
+  const auto end = std::unique(
+      state.votes.begin(), state.votes.end(), [](const PointVote& a, const PointVote& b) {
+        return a.cell == b.cell;
+      });
+  state.votes.erase(end, state.votes.end());
+  return OccupancyVotes::from_state(points.options(), std::move(state));
+}
+
+Result<VisibilityHistogram> turned_histogram(const VisibilityHistogram& histogram, double yaw_rad) {
+  std::vector<LogOdds> bins(histogram.bins().begin(), histogram.bins().end());
+  const std::size_t turned = bins_turned(yaw_rad, bins.size());
+  std::rotate(bins.rbegin(), bins.rbegin() + static_cast<std::ptrdiff_t>(turned), bins.rend());
+  return VisibilityHistogram::from_bins(histogram.options(), std::move(bins));
+}
+
+void turn(ObservationLogEntry& entry, double yaw_rad) {
+  if (yaw_rad == 0.0) return;
+  entry.bearing_rad =
+      static_cast<float>(std::remainder(static_cast<double>(entry.bearing_rad) + yaw_rad, kTurn));
+}
+
+Result<ObservationLog> turned_log(const ObservationLog& log, double yaw_rad) {
+  ObservationLogState state = log.state();
+  if (state.first) turn(*state.first, yaw_rad);
+  for (ObservationLogEntry& entry : state.newest) turn(entry, yaw_rad);
+  const std::size_t turned = bins_turned(yaw_rad, ObservationLog::kNumBearingBins);
+  for (ObservationLogSummary& summary : state.summaries) {
+    summary.bearing_bin =
+        static_cast<std::uint8_t>((summary.bearing_bin + turned) % ObservationLog::kNumBearingBins);
+  }
+  const auto key = [](const ObservationLogSummary& s) {
+    return std::tuple(s.kind, s.detector, s.class_id, s.bearing_bin);
+  };
+  std::sort(state.summaries.begin(), state.summaries.end(), [&](const auto& a, const auto& b) {
+    return key(a) < key(b);
+  });
+  return ObservationLog::from_state(std::move(state));
+}
+
+Result<Object> moved_object(Object object, const UprightMotion& motion) {
+  const Eigen::Isometry3d space = motion.in_space();
+  object.box = moved_box(object.box, space);
+  object.centroid_in_map = space * object.centroid_in_map;
+  HYPERMAP_ASSIGN_OR_RETURN(object.shapes, moved_shapes(object.shapes, motion));
+  HYPERMAP_ASSIGN_OR_RETURN(object.points, moved_votes(object.points, space));
+  HYPERMAP_ASSIGN_OR_RETURN(object.histogram, turned_histogram(object.histogram, motion.yaw_rad));
+  HYPERMAP_ASSIGN_OR_RETURN(object.observation_log,
+                            turned_log(object.observation_log, motion.yaw_rad));
+  return object;
+}
+
+}  // namespace
+
+Result<ObjectMap> transformed(const ObjectMap& objects, const UprightMotion& motion) {
+  std::vector<Object> moved;
+  moved.reserve(objects.size());
+  for (const Object& object : objects.objects()) {
+    auto there = moved_object(object, motion);
+    if (!there) {
+      return fail(
+          there.error().code, there.error().what, "object " + std::to_string(object.id.value));
+    }
+    moved.push_back(std::move(*there));
+  }
+  return ObjectMap::restore(std::move(moved), objects.next_id());
+}
+
+}  // namespace hypermap

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "transformed_parts.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+double turned_by(double angle_rad, double yaw_rad) {
+  return yaw_rad == 0.0 ? angle_rad : std::remainder(angle_rad + yaw_rad, kTurn);
+}
+
+Ring moved_ring(const Ring& ring, const Eigen::Isometry2d& motion) {
+  Ring moved;
+  moved.reserve(ring.size());
+  for (const Eigen::Vector2d& point : ring) moved.push_back(motion * point);
+  return moved;
+}
+
+}  // namespace
+
+Eigen::Isometry3d UprightMotion::in_space() const {
+  return Eigen::Translation3d(shift_m) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
+}
+
+Eigen::Isometry2d UprightMotion::in_plane() const {
+  return Eigen::Translation2d(shift_m.head<2>()) * Eigen::Rotation2Dd(yaw_rad);
+}
+
+Result<Polygon> transformed(const Polygon& polygon, const UprightMotion& motion) {
+  std::vector<Ring> holes;
+  for (const Ring& hole : polygon.holes) holes.push_back(moved_ring(hole, motion.in_plane()));
+  return make_polygon(moved_ring(polygon.outer, motion.in_plane()), std::move(holes));
+}
+
+Result<OccupancyGrid> transformed(const OccupancyGrid& grid, const UprightMotion& motion) {
+  if (grid.cells().empty()) return grid;
+  GridGeometry geometry = grid.geometry();
+  geometry.origin = motion.in_plane() * geometry.origin;
+  geometry.yaw_rad = turned_by(geometry.yaw_rad, motion.yaw_rad);
+  return OccupancyGrid::create(geometry, {grid.cells().begin(), grid.cells().end()});
+}
+
+Result<SemanticLayer> transformed(const SemanticLayer& layer, const UprightMotion& motion) {
+  std::vector<SemanticObject> objects(layer.objects().begin(), layer.objects().end());
+  for (SemanticObject& object : objects) {
+    for (Polygon& part : object.parts) {
+      auto moved = transformed(part, motion);
+      if (!moved) {
+        return fail(moved.error().code, moved.error().what, "object " + std::to_string(object.id));
+      }
+      part = std::move(*moved);
+    }
+    object.shape_text.clear();
+  }
+  return SemanticLayer::create(std::move(objects));
+}
+
+}  // namespace hypermap
