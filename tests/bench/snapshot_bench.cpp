@@ -55,8 +55,9 @@ ObjectMap objects_elsewhere(std::size_t num_objects) {
   ObjectMap objects;
   for (std::size_t i = 0; i < num_objects; ++i) {
     Object object;
+    const std::size_t row = i / 100;
     const Eigen::Vector3d corner(
-        400.0 + static_cast<double>(i % 100), 400.0 + static_cast<double>(i / 100), 0.0);
+        400.0 + static_cast<double>(i % 100), 400.0 + static_cast<double>(row), 0.0);
     object.box = {corner, corner + Eigen::Vector3d::Constant(0.5)};
     object.centroid_in_map = object.box.centre();
     (void)objects.add(std::move(object));

@@ -43,6 +43,7 @@ TEST(CowRef, AWriterBesideReadersNeverChangesWhatTheySee) {
   for (int round = 0; round < 50; ++round) {
     mine.writable().value = round;
     std::vector<std::thread> readers;
+    readers.reserve(4);
     for (int i = 0; i < 4; ++i) {
       readers.emplace_back([theirs = mine, round]() mutable {
         EXPECT_EQ(theirs->value, round);

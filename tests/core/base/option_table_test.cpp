@@ -161,6 +161,7 @@ TEST(OptionTable, ListedOptionsAreReadAndWrittenByName) {
   OuterOptions options;
   std::vector<std::string> names;
   const auto bound = bind_options(option_table(options), &options);
+  names.reserve(bound.size());
   for (const BoundOption& option : bound) names.push_back(option.name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"inner.share",
