@@ -7,12 +7,14 @@
 #include <cstdio>
 #include <numbers>
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 // 32 x 512 rays from 1.8 m above a street; a van stands beside it, 12 m ahead of the start.
 static LabelledCloud scan(std::uint64_t index) {
-  LabelledCloud cloud{
-      .index = index, .name = "scan", .stamp = {}, .sensor = {{0.5 * index, 0, 1.8}}};
+  LabelledCloud cloud{.index = index,
+                      .name = "scan",
+                      .stamp = {},
+                      .sensor = {{0.5 * static_cast<double>(index), 0, 1.8}}};
   const std::vector<ClassId> known{{0}, {1}};
   for (const ClassId id : known) {
     cloud.class_vectors.push_back(spread_score(id, Probability(0.9), known));

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <thread>
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 int main(int argc, char** argv) {
   if (argc != 3) return 4;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 // Stands for a network: what is at most 40 cm behind the nearest pixel is a "thing", or a "person".
 static Detection my_network(std::span<const float> metres, const PinholeCamera& camera) {

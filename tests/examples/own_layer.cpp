@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 /// Degrees Celsius per cell. Its integer is the rounded temperature, its string cold, mild or warm.
 class TemperatureField final : public MapLayer {

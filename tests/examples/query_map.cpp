@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 int main(int argc, char** argv) {
   if (argc != 3) return 4;

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-using namespace hypermap;
+using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
 static int complain(const Error& error) {
   std::fprintf(stderr, "%s\n", to_string(error).c_str());
