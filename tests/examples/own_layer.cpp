@@ -46,7 +46,7 @@ class TemperatureField final : public MapLayer {
     return LayerContent(std::move(field));
   }
 
-  std::string_view class_name() const override { return "TemperatureField"; }
+  [[nodiscard]] std::string_view class_name() const override { return "TemperatureField"; }
 
   Result<void> save(LayerWriter& writer) const override {
     std::vector<ValueTree> values;
@@ -57,7 +57,7 @@ class TemperatureField final : public MapLayer {
                                  {"celsius", make_list(std::move(values))}}));
   }
 
-  LayerStatistics statistics() const override {
+  [[nodiscard]] LayerStatistics statistics() const override {
     LayerStatistics statistics{.num_values = celsius.size()};
     if (celsius.empty()) return statistics;
     const Rect rect = bounds(geometry);
@@ -66,7 +66,7 @@ class TemperatureField final : public MapLayer {
     return statistics;
   }
 
-  Result<std::vector<LayerAnswer>> query(const LayerQuery& query) const override {
+  [[nodiscard]] Result<std::vector<LayerAnswer>> query(const LayerQuery& query) const override {
     std::vector<bool> in_area(celsius.size(), !query.area);
     if (query.area) {
       for_each_covered_cell(
@@ -87,7 +87,7 @@ class TemperatureField final : public MapLayer {
     return answers;
   }
 
-  std::vector<LayerPrimitive> draw() const override {
+  [[nodiscard]] std::vector<LayerPrimitive> draw() const override {
     DrawnCells cells{.geometry = geometry, .colors = {}};
     for (const double value : celsius) {
       const auto red = static_cast<std::uint8_t>(std::clamp(10.0 * (value - 5.0), 0.0, 255.0));
@@ -96,7 +96,9 @@ class TemperatureField final : public MapLayer {
     return {cells, DrawnText{.position = {0.5, 0.5}, .text = "temperature", .color = {}}};
   }
 
-  bool equals(const MapLayer& other) const override { return is_same_layer(*this, other); }
+  [[nodiscard]] bool equals(const MapLayer& other) const override {
+    return is_same_layer(*this, other);
+  }
   friend bool operator==(const TemperatureField& a, const TemperatureField& b) {
     return a.geometry == b.geometry && a.celsius == b.celsius;
   }
