@@ -119,7 +119,8 @@ TEST(ArchiveLayers, EveryPointOfAVoxelFindsItAndNoOther) {
     const PlanPoint point{{0.00625 * step, 0.01}, 0.12};
     const auto here = octree.content->query({.at = point}).value();
     ASSERT_EQ(here.size(), 1U) << step;
-    EXPECT_NEAR(here[0].position.x(), 0.025 + 0.05 * (step / 8), 1e-9) << step;
+    const int voxel = step / 8;
+    EXPECT_NEAR(here[0].position.x(), 0.025 + 0.05 * voxel, 1e-9) << step;
     EXPECT_TRUE(ids_of(*octree.content, {.at = PlanPoint{point.xy, 0.16}}).empty());
     EXPECT_EQ(ids_of(*octree.content, {.at = PlanPoint{point.xy}}).size(), 1U);
   }

@@ -38,8 +38,9 @@ MapArchive archive_with_sofas() {
   return archive;
 }
 
-auto ids_are(std::vector<std::uint64_t> ids) {
+auto ids_are(const std::vector<std::uint64_t>& ids) {
   std::vector<testing::Matcher<MapAnswer>> each;
+  each.reserve(ids.size());
   for (const std::uint64_t id : ids) each.push_back(Field(&MapAnswer::id, id));
   return testing::ElementsAreArray(each);
 }

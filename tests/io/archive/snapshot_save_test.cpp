@@ -72,6 +72,7 @@ TEST(SnapshotSave, AnArchiveSavedDuringMappingIsTheMapBetweenTwoFrames) {
     } while (!done);
   });
   std::vector<std::thread> readers;
+  readers.reserve(8);
   for (int i = 0; i < 8; ++i) {
     readers.emplace_back([&] {
       while (!done) {

@@ -110,7 +110,7 @@ TEST(BmpImage, PixelsAreThoseOfOpenCv) {
           to_color(*decode_image(std::string(bytes.begin(), bytes.end()), kBmpSource));
       for (int v = 0; v < 5; ++v) {
         for (int u = 0; u < width; ++u) {
-          const auto bgr = read.at<cv::Vec3b>(v, u);
+          const auto& bgr = read.at<cv::Vec3b>(v, u);
           ASSERT_EQ(image.at(u, v), (Rgb8{.r = bgr[2], .g = bgr[1], .b = bgr[0]}));
         }
       }
