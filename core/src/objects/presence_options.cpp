@@ -102,12 +102,12 @@ constexpr OptionRow kAbsenceRows[] = {
 
 constexpr OptionRow kPublicationRows[] = {
     option::number<&Confirmation::min_existence>("min_existence",
-                                                {-1000, 1000},
-                                                {.unit = "log-odds",
-                                                 .source = "[hypermap] 3.4.5",
-                                                 .effect = "Published above; none: not asked.",
-                                                 .smap = kNoValue,
-                                                 .hypermap = 2.0}),
+                                                 {-1000, 1000},
+                                                 {.unit = "log-odds",
+                                                  .source = "[hypermap] 3.4.5",
+                                                  .effect = "Published above; none: not asked.",
+                                                  .smap = kNoValue,
+                                                  .hypermap = 2.0}),
     option::number<&Confirmation::min_confidence>(
         "min_confidence",
         {0, 1},

@@ -21,8 +21,8 @@ using test::kScreen;
 using test::kTable;
 using test::office;
 using test::office_view;
-using test::SceneView;
 using test::OfficeObject;
+using test::SceneView;
 
 struct Expected {
   OfficeObject object;

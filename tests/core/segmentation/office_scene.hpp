@@ -8,7 +8,17 @@
 
 namespace hypermap::test {
 
-enum OfficeObject { kFloor = 100, kWall, kTable = 1, kScreen, kKeyboard, kMouse, kCup, kChair, kCupboard };
+enum OfficeObject {
+  kFloor = 100,
+  kWall,
+  kTable = 1,
+  kScreen,
+  kKeyboard,
+  kMouse,
+  kCup,
+  kChair,
+  kCupboard
+};
 
 /// A desk at a wall with what stands on it, a chair before it, a cupboard beside it.
 inline BoxScene office() {

@@ -210,6 +210,7 @@ TEST(MapSnapshot, EightReadersSeeWholeFramesWhileOneThreadWrites) {
   SemanticMapper mapper = publishing_every(1);
   std::atomic<bool> done{false};
   std::vector<std::thread> readers;
+  readers.reserve(8);
   for (std::size_t i = 0; i < 8; ++i) {
     readers.emplace_back([&, i] { read_snapshots(mapper, done, i); });
   }

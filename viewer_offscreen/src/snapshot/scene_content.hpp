@@ -32,7 +32,8 @@ struct VisibleVoxels {
   std::size_t num_occupied = 0;                            ///< Before cutting.
   SkyLight light{{}};  ///< Of all below the ceiling, walls included.
 };
-[[nodiscard]] VisibleVoxels visible_voxels(const SnapshotScene& scene, const SnapshotOptions& options);
+[[nodiscard]] VisibleVoxels visible_voxels(const SnapshotScene& scene,
+                                           const SnapshotOptions& options);
 
 /// The smallest part of a grid that holds all known cells; the grid itself when none is known.
 [[nodiscard]] OccupancyGrid known_part(const OccupancyGrid& grid);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
 #include <vector>
 

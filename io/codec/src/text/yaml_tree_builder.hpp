@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/codec/bounded_yaml.hpp"
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/mark.h>
