@@ -25,11 +25,11 @@ std::vector<std::string>& absent_libraries() {
 /// through it.
 extern "C" void* dlopen(const char* name, int flags) noexcept {
   using Open = void* (*)(const char*, int);
-  static const auto open = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "dlopen"));
+  static const auto kOpen = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "dlopen"));
   const auto& absent = absent_libraries();
   const bool is_absent =
       name != nullptr && std::find(absent.begin(), absent.end(), name) != absent.end();
-  return open(is_absent ? "/nonexistent/library" : name, flags);
+  return kOpen(is_absent ? "/nonexistent/library" : name, flags);
 }
 
 namespace hypermap {
