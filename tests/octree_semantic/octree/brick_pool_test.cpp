@@ -46,6 +46,7 @@ TEST(BrickPool, KeepsABoundedNumber) {
   BrickPool pool;
   pool.set_capacity(10);
   std::vector<BrickRef> bricks;
+  bricks.reserve(30);
   for (int i = 0; i < 30; ++i) bricks.push_back(pool.make_blank());
   bricks.clear();
   EXPECT_EQ(pool.num_idle(), 10U);
@@ -55,6 +56,7 @@ TEST(BrickPool, ServesAnyNumberOfThreads) {
   BrickPool pool;
   pool.set_capacity(1000);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&pool, t] {
       std::vector<BrickRef> mine;
