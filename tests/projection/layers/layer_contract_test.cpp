@@ -56,7 +56,7 @@ class MemoryMembers final : public LayerWriter, public LayerReader {
     return {};
   }
   template <class T>
-  Result<T> get(std::string_view suffix) const {
+  [[nodiscard]] Result<T> get(std::string_view suffix) const {
     const auto found = members.find(suffix);
     if (found == members.end()) return fail(ErrorCode::kMalformedFile, "is not there");
     return std::get<T>(found->second);
@@ -69,6 +69,7 @@ template <>
 struct Sample<OccupancyLayer> {
   static OccupancyLayer make() {
     std::vector<std::int8_t> cells;
+    cells.reserve(35);
     for (int i = 0; i < 35; ++i) cells.push_back(static_cast<std::int8_t>(i * 37 % 102 - 1));
     return OccupancyLayer(
         OccupancyGrid::create(
@@ -81,8 +82,10 @@ template <>
 struct Sample<SemanticLayer> {
   static SemanticLayer make() {
     std::vector<SemanticObject> objects;
+    objects.reserve(12);
     for (std::uint64_t i = 0; i < 12; ++i) {
-      const Eigen::Vector2d low(0.7 * static_cast<double>(i % 4), 0.9 * static_cast<double>(i / 4));
+      const std::uint64_t row = i / 4;
+      const Eigen::Vector2d low(0.7 * static_cast<double>(i % 4), 0.9 * static_cast<double>(row));
       objects.push_back({.id = 3 * i,
                          .name = i % 2 == 0 ? "chair" : "cup",
                          .parts = {rectangle(low, low + Eigen::Vector2d(1.0, 0.5))}});
@@ -153,7 +156,8 @@ TEST(LayerQueries, CellsOfAnAreaAreThoseThatItCovers) {
   const auto covered = [&](const LayerAnswer& answer) {
     const Cell cell = *cell_at(layer.grid.geometry(), answer.position);
     for (int i = 0; i < kSteps * kSteps; ++i) {
-      const Eigen::Vector2d within((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
+      const int row = i / kSteps;
+      const Eigen::Vector2d within((i % kSteps + 0.5) / kSteps, (row + 0.5) / kSteps);
       const Eigen::Vector2d cells(cell.col + within.x(), cell.row + within.y());
       if (contains(area, from_cells(layer.grid.geometry(), cells))) return true;
     }
