@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -80,12 +79,9 @@ TEST_P(Allocations, FramesOfAKnownPlaceTakeNoMemory) {
     return num_allocations() - before;
   };
   EXPECT_GT(integrate_all(), 0U);
-  for (int i = 0; i < 20; ++i) integrate_all();  // labels settle
-  // Which thread sees most changes from run to run, on a busy machine also late: several threads
-  // may need a run more.
-  std::size_t least = integrate_all();
-  for (int i = 0; i < 10 && num_threads > 1; ++i) least = std::min(least, integrate_all());
-  EXPECT_EQ(least, 0U);
+  // Labels settle, and which thread sees most changes from run to run.
+  for (int i = 0; i < 20; ++i) integrate_all();
+  EXPECT_EQ(integrate_all(), 0U);
 }
 
 }  // namespace
