@@ -60,7 +60,7 @@ Result<IntegrationReport> IntegrationWorkspace::integrate(SemanticOctree& tree,
         options,
         window_,
         by_voxel ? prepare_far(points.key_bounds(resolution_m, kEverywhereM)) : nullptr);
-    find_ends(points, ends, options.mode, report);  // where measurements end
+    find_ends(points, ends, report);  // where measurements end
     if (by_voxel) ends.cast_from_voxels(slots_.front().ends);
     if (options.mode == IntegrationMode::kProjective) {
       project(*image, ends, resolution_m, options.max_range_m);  // what they looked through
@@ -113,13 +113,9 @@ const WindowGeometry* IntegrationWorkspace::prepare_far(const KeyBox& everything
 
 void IntegrationWorkspace::find_ends(const MeasuredPoints& points,
                                      const EndPoints& ends,
-                                     IntegrationMode mode,
                                      IntegrationReport& report) {
   cell_of_measurement_.resize(points.size());
-  if (mode == IntegrationMode::kExact) {
-    // Any thread may get most of them, from frame to frame.
-    for (Slot& slot : slots_) slot.ends.ray_ends.reserve(points.size());
-  }
+  for (Slot& slot : slots_) ends.reserve(slot.ends, points);
   workers_.for_each(points.num_chunks(), [&](std::size_t slot, std::size_t chunk) {
     EndSink& sink = slots_[slot].ends;
     points.read(chunk, sink.chunk, sink.report);

@@ -45,10 +45,7 @@ class IntegrationWorkspace {
 
   void prepare(const IntegrationOptions& options);
   [[nodiscard]] const WindowGeometry* prepare_far(const KeyBox& everything);
-  void find_ends(const MeasuredPoints& points,
-                 const EndPoints& ends,
-                 IntegrationMode mode,
-                 IntegrationReport& report);
+  void find_ends(const MeasuredPoints& points, const EndPoints& ends, IntegrationReport& report);
   void cast_rays(double resolution_m, const PointF& sensor);
   void project(const DepthPoints& image,
                const EndPoints& ends,

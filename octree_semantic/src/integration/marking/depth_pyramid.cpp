@@ -27,6 +27,18 @@ std::size_t num_levels(int width, int height) {
 
 }  // namespace
 
+void DepthPyramid::Columns::fit(std::size_t width) {
+  min.resize(width);
+  max.resize(width);
+  num_measured.resize(width);
+}
+
+void DepthPyramid::Columns::start_tile_row() {
+  std::ranges::fill(min, std::numeric_limits<float>::infinity());
+  std::ranges::fill(max, 0.0F);
+  std::ranges::fill(num_measured, 0.0F);
+}
+
 void DepthPyramid::build(std::span<const float> depth_m,
                          int width_px,
                          std::span<const std::uint32_t> dropped,
@@ -40,6 +52,7 @@ void DepthPyramid::build(std::span<const float> depth_m,
   height_px_ = static_cast<int>(depth_m.size() / static_cast<std::size_t>(width_px));
   clean_.resize(depth_m.size());
   columns_.resize(workers.num_slots());
+  for (Columns& columns : columns_) columns.fit(static_cast<std::size_t>(width_px));
   const int width = (width_px_ + kTile - 1) / kTile;
   const int height = (height_px_ + kTile - 1) / kTile;
   levels_.resize(num_levels(width, height));
@@ -58,9 +71,7 @@ void DepthPyramid::build(std::span<const float> depth_m,
 
 void DepthPyramid::reduce_rows(std::span<const float> depth_m, int tile_row, Columns& columns) {
   const auto width = static_cast<std::size_t>(width_px_);
-  columns.min.assign(width, std::numeric_limits<float>::infinity());
-  columns.max.assign(width, 0.0F);
-  columns.num_measured.assign(width, 0.0F);
+  columns.start_tile_row();
   const int end_row = std::min(height_px_, (tile_row + 1) * kTile);
   for (int v = tile_row * kTile; v < end_row; ++v) {
     const std::size_t first = index(0, v, width_px_);

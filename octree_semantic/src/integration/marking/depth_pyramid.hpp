@@ -61,6 +61,10 @@ class DepthPyramid {
     std::vector<float> min;
     std::vector<float> max;
     std::vector<float> num_measured;
+
+    /// Makes room for a row. Throws std::bad_alloc.
+    void fit(std::size_t width);
+    void start_tile_row();
   };
   void reduce_rows(std::span<const float> depth_m, int tile_row, Columns& columns);
   void build_level(const Level& fine, Level& coarse) const;

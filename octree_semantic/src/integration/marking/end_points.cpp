@@ -109,6 +109,20 @@ EndPoints::EndPoints(double resolution_m,
   far_grid_.outer_max_squared = far_grid_.max_squared;
 }
 
+void EndPoints::reserve(EndSink& sink, const MeasuredPoints& points) const {
+  sink.chunk.resize(points.points_per_chunk());
+  const std::size_t padded = sink.chunk.padded_size();
+  const std::size_t num_words = padded / kernels::kBlock;
+  sink.cells.reserve(padded);
+  sink.starts.reserve(num_words);
+  sink.far_bits.reserve(num_words);
+  sink.lost_bits.reserve(num_words);
+  if (mode_ != IntegrationMode::kProjective) sink.ray_ends.reserve(points.size());
+  if (mode_ == IntegrationMode::kDiscretize) sink.far_cells.reserve(padded);
+  if (mode_ == IntegrationMode::kProjective && ends_may_leave_volume_)
+    sink.dropped.reserve(points.size());
+}
+
 void EndPoints::add(EndSink& sink, std::span<std::uint32_t> cells) const {
   const std::size_t padded = sink.chunk.padded_size();
   const std::size_t num_words = padded / kernels::kBlock;

@@ -65,6 +65,9 @@ class EndPoints {
             const WindowGeometry& window,
             const WindowGeometry* far_window);
 
+  /// Makes room in a sink for any share of these points, down to none and up to all: which thread
+  /// gets how many differs from frame to frame. Throws std::bad_alloc.
+  void reserve(EndSink& sink, const MeasuredPoints& points) const;
   /// Takes the points of the sink's chunk; writes the voxel of each (kNoCell when none) to `cells`,
   /// which has the chunk's size. Mode exact: a ray for each. Throws std::bad_alloc.
   void add(EndSink& sink, std::span<std::uint32_t> cells) const;

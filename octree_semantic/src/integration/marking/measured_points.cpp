@@ -78,6 +78,10 @@ std::size_t DepthPoints::num_chunks() const {
   return static_cast<std::size_t>(frame_->camera.height_px);
 }
 
+std::size_t DepthPoints::points_per_chunk() const {
+  return static_cast<std::size_t>(frame_->camera.width_px);
+}
+
 void DepthPoints::read(std::size_t index, PointChunk& chunk, IntegrationReport& report) const {
   const PinholeCamera& camera = frame_->camera;
   const Eigen::Matrix3d rotation = frame_->map_from_camera.isometry().linear();
@@ -115,6 +119,10 @@ CloudPoints::CloudPoints(const PointInMap& sensor, std::span<const Eigen::Vector
 
 std::size_t CloudPoints::num_chunks() const {
   return (points_in_map_.size() + kCloudChunk - 1) / kCloudChunk;
+}
+
+std::size_t CloudPoints::points_per_chunk() const {
+  return std::min(kCloudChunk, points_in_map_.size());
 }
 
 void CloudPoints::read(std::size_t index, PointChunk& chunk, IntegrationReport& report) const {

@@ -42,6 +42,8 @@ class MeasuredPoints {
 
   [[nodiscard]] virtual std::size_t size() const = 0;
   [[nodiscard]] virtual std::size_t num_chunks() const = 0;
+  /// Of the largest chunk.
+  [[nodiscard]] virtual std::size_t points_per_chunk() const = 0;
   [[nodiscard]] const PointF& sensor() const noexcept { return sensor_; }
   /// Voxels that a ray to any of the measurements may touch, within the range.
   [[nodiscard]] KeyBox key_bounds(double resolution_m, double max_range_m) const;
@@ -67,6 +69,7 @@ class DepthPoints final : public MeasuredPoints {
   [[nodiscard]] const RgbdFrame& frame() const noexcept { return *frame_; }
   [[nodiscard]] std::size_t size() const override { return frame_->depth_m.size(); }
   [[nodiscard]] std::size_t num_chunks() const override;
+  [[nodiscard]] std::size_t points_per_chunk() const override;
   void read(std::size_t index, PointChunk& chunk, IntegrationReport& report) const override;
 
  private:
@@ -80,6 +83,7 @@ class CloudPoints final : public MeasuredPoints {
   CloudPoints(const PointInMap& sensor, std::span<const Eigen::Vector3f> points_in_map);
   [[nodiscard]] std::size_t size() const override { return points_in_map_.size(); }
   [[nodiscard]] std::size_t num_chunks() const override;
+  [[nodiscard]] std::size_t points_per_chunk() const override;
   void read(std::size_t index, PointChunk& chunk, IntegrationReport& report) const override;
 
  private:
