@@ -12,19 +12,14 @@ import re
 import subprocess
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
-
-GROUPS = ("octree", "pipeline", "occlusion", "archive", "scale")
+GROUPS = ("octree", "pipeline", "cloud", "snapshot", "occlusion", "archive", "scale")
 
 
-def load(root):
+def load(folder):
     """Figures of all benchmarks by group and name (without the suffixes of Google Benchmark)."""
     figures = {}
     for group in GROUPS:
-        path = root / "build" / "bench" / f"{group}.json"
+        path = folder / f"{group}.json"
         if not path.exists():
             sys.exit(f"bench_report: {path} is missing: run scripts/bench {group}")
         rows = json.loads(path.read_text())["benchmarks"]
@@ -65,7 +60,7 @@ class Target:
         else:
             status = "**missed**"
         digits = 4 if self.must < 1 else 3
-        return f"| {self.what} | {self.value:.{digits}g}{self.unit} | {self.must:g} | {self.goal:g} | {verdict} |"
+        return f"| {self.what} | {self.value:.{digits}g}{self.unit} | {self.must:g} | {self.goal:g} | {status} |"
 
 
 def targets(figures):
@@ -102,6 +97,12 @@ def targets(figures):
                            48, 32, " B", larger=False))
     rows.append(Target("whole frame, laboratory, 10 detections, 5 cm, one thread",
                        of(frame, "frame/laboratory/5cm/threads:1", "frame_ms"), 15, 10, " ms", larger=False))
+    for resolution, voxels, objects, must in (("5cm", 10000, 100, 5), ("5cm", 1000000, 100, 5),
+                                              ("5cm", 1000000, 10000, 5), ("2cm", 10000, 100, 25),
+                                              ("2cm", 1000000, 10000, 25)):
+        name = f"publish/{resolution}/voxels:{voxels}/objects:{objects}"
+        rows.append(Target(f"publishing every frame, {resolution}, {voxels} voxels, {objects} objects",
+                           of(figures["snapshot"], name, "more_percent"), must, must, " %", larger=False))
     for size in ("100k", "1M"):
         rows.append(Target(f"occlusion rays, {size} voxels",
                            of(sight, f"occlusion_rays/{size}", "million_per_s"), 9, 12, " M/s"))
@@ -143,6 +144,24 @@ def frame_table(figures):
                   "detections": ("detections", ".1f")})
 
 
+def cloud_table(figures):
+    return table(figures["cloud"],
+                 {"CPU ms a scan": ("scan_ms", ".1f"), "points": ("points", ".0f"),
+                  "working MB": ("working_mb", ".1f"), "occupied voxels": ("occupied_voxels", ".0f"),
+                  "free voxels": ("free_voxels", ".0f"), "map MB": ("map_mb", ".1f")})
+
+
+def snapshot_tables(figures):
+    published = {n: r for n, r in figures["snapshot"].items() if n.startswith("publish/")}
+    taken = {n: r for n, r in figures["snapshot"].items() if n.startswith("snapshot/")}
+    return (table(published,
+                  {"CPU ms a frame": ("frame_ms", ".1f"), "published": ("published_ms", ".1f"),
+                   "more, %": ("more_percent", ".1f"), "voxels": ("voxels", ".0f"),
+                   "octree MB": ("alone_mb", ".1f"), "published MB": ("published_mb", ".1f")}) +
+            [""] +
+            table(taken, {"ns": ("cpu_time", ".0f")}))
+
+
 def occlusion_table(figures):
     return table(figures["occlusion"],
                  {"M answers/s": ("million_per_s", ".1f"), "times castRay": ("ratio", ".0f"),
@@ -168,7 +187,15 @@ def scale_table(figures):
     return lines
 
 
-def plot_resolution(figures, path):
+def pyplot():
+    """Matplotlib without a screen; who only wants the tables does without it."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot
+    return matplotlib.pyplot
+
+
+def plot_resolution(plt, figures, path):
     fig, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
     for mode, marker in (("projective", "o"), ("discretize", "s"), ("exact", "^")):
         sizes = (1, 2, 5, 10)
@@ -189,7 +216,7 @@ def plot_resolution(figures, path):
     fig.savefig(path, dpi=110)
 
 
-def plot_scale(figures, path):
+def plot_scale(plt, figures, path):
     fig, (cost, memory) = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for name, row in figures["scale"].items():
         label = name.split("/")[0].replace("_", " ")
@@ -208,22 +235,28 @@ def plot_scale(figures, path):
     fig.savefig(path, dpi=110)
 
 
-def main():
-    root = pathlib.Path(sys.argv[1])
-    figures = load(root)
+def filled(text, figures):
+    """The document with its tables made anew."""
     blocks = {"machine": [machine()], "targets": targets(figures), "octree": octree_tables(figures),
-              "frame": frame_table(figures), "occlusion": occlusion_table(figures),
-              "archive": archive_table(figures), "scale": scale_table(figures)}
-    document = root / "docs" / "BENCHMARKS.md"
-    text = document.read_text()
+              "frame": frame_table(figures), "cloud": cloud_table(figures), "snapshot": snapshot_tables(figures),
+              "occlusion": occlusion_table(figures), "archive": archive_table(figures), "scale": scale_table(figures)}
     for name, lines in blocks.items():
         pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)", re.S)
         if not pattern.search(text):
-            sys.exit(f"bench_report: {document} has no place for `{name}`")
+            sys.exit(f"bench_report: the document has no place for `{name}`")
         made = "\n".join(lines) + "\n"
         text = pattern.sub(lambda match: match.group(1) + made + match.group(2), text)
-    plot_resolution(figures, root / "docs" / "pictures" / "cost_by_resolution.png")
-    plot_scale(figures, root / "docs" / "pictures" / "cost_by_map_size.png")
+    return text
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    figures = load(root / "build" / "bench")
+    document = root / "docs" / "BENCHMARKS.md"
+    text = filled(document.read_text(), figures)
+    plt = pyplot()
+    plot_resolution(plt, figures, root / "docs" / "pictures" / "cost_by_resolution.png")
+    plot_scale(plt, figures, root / "docs" / "pictures" / "cost_by_map_size.png")
     document.write_text(text)
     print(f"{document} and two plots in docs/pictures are up to date")
 
