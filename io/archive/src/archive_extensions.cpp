@@ -233,40 +233,6 @@ Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
   return {};
 }
 
-Result<void> check_class(const ClassRegistry& classes, ClassId id, const std::string& where) {
-  if (classes.contains(id)) return {};
-  return fail(ErrorCode::kMalformedFile,
-              "speaks of class " + std::to_string(id.value) + ", there are " +
-                  std::to_string(classes.size()),
-              where);
-}
-
-Result<void> check_object(const ClassRegistry& classes, const Object& object) {
-  const std::string where = "object " + std::to_string(object.id.value);
-  for (const ClassLogOdds& entry : object.belief.entries())
-    HYPERMAP_TRY(check_class(classes, entry.id, where));
-  const ObservationLogState& observation_log = object.observation_log.state();
-  if (observation_log.first)
-    HYPERMAP_TRY(check_class(classes, observation_log.first->class_id, where));
-  for (const ObservationLogEntry& entry : observation_log.newest)
-    HYPERMAP_TRY(check_class(classes, entry.class_id, where));
-  for (const ObservationLogSummary& summary : observation_log.summaries)
-    HYPERMAP_TRY(check_class(classes, summary.class_id, where));
-  return {};
-}
-
-/// The largest class id that a label names, if any does.
-std::optional<ClassId> largest_class(const SemanticOctree& octree) {
-  std::optional<ClassId> largest;
-  octree.for_each_stored_leaf([&largest](const StoredLeaf& leaf) {
-    if (!leaf.label) return;
-    for (const ClassWeight& weight : leaf.label->classes)
-      if (weight.class_id != ClassWeight::kNone)
-        largest = std::max(largest.value_or(ClassId{0}), ClassId{weight.class_id});
-  });
-  return largest;
-}
-
 }  // namespace
 
 Result<std::vector<Finding>> read_extension(MapArchive& archive,
@@ -287,14 +253,6 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_provenance(written, archive));
   HYPERMAP_TRY(put_layers(written, archive));
   return written;
-}
-
-Result<void> check_classes(const MapArchive& archive) {
-  const auto largest = archive.octree ? largest_class(*archive.octree) : std::nullopt;
-  if (largest) HYPERMAP_TRY(check_class(archive.classes, *largest, "octree"));
-  for (const Object& object : archive.objects.objects())
-    HYPERMAP_TRY(check_object(archive.classes, object));
-  return {};
 }
 
 }  // namespace hypermap

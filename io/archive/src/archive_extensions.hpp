@@ -30,8 +30,4 @@ struct WrittenExtensions {
 };
 [[nodiscard]] Result<WrittenExtensions> write_extensions(const MapArchive& archive);
 
-/// That every class which octree and objects speak of is in the registry.
-/// Errors: kMalformedFile naming the part.
-[[nodiscard]] Result<void> check_classes(const MapArchive& archive);
-
 }  // namespace hypermap

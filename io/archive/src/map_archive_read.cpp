@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "archive_checks.hpp"
 #include "archive_extensions.hpp"
 #include "archive_members.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -36,6 +37,7 @@ class ArchiveReader {
     HYPERMAP_TRY(read_layers(config));
     HYPERMAP_TRY(read_extensions(config));
     HYPERMAP_TRY(check_classes(archive_));
+    if (auto finding = forget_absent_objects(archive_)) findings_.push_back(std::move(*finding));
     HYPERMAP_TRY(keep_the_rest(config));
     return Loaded<MapArchive>{.value = std::move(archive_), .findings = std::move(findings_)};
   }

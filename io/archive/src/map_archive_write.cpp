@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "archive_checks.hpp"
 #include "archive_extensions.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -100,6 +101,7 @@ Result<void> verify_file(const std::filesystem::path& path, std::string_view byt
 
 Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits& limits) try {
   HYPERMAP_TRY(check_classes(archive));
+  HYPERMAP_TRY(check_objects_of_voxels(archive));
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<OpaqueFile> files, members_of(archive));
   return zip_of(files, limits.zip);
 } catch (const std::exception&) {

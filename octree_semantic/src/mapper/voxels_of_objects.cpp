@@ -4,7 +4,6 @@
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace hypermap {
@@ -23,19 +22,14 @@ void include(Box& box, const Box& other) noexcept {
 }  // namespace
 
 void SemanticMapper::find_voxels_of_objects() {
-  std::set<ObjectId> ended;
+  octree_.forget_objects([this](ObjectId id) { return !objects_.contains(id); });
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * octree_.resolution_m());
   octree_.for_each_stored_leaf([&](const StoredLeaf& leaf) {
     if (!leaf.label || leaf.label->object == kNoObject) return;
-    if (!objects_.contains(leaf.label->object)) {
-      ended.insert(leaf.label->object);
-      return;
-    }
     const Eigen::Vector3d centre = octree_.grid().centre(leaf.key).xyz;
     Box& bounds = voxel_bounds_.try_emplace(leaf.label->object, no_voxel()).first->second;
     include(bounds, {centre - half, centre + half});
   });
-  for (const ObjectId id : ended) octree_.relabel_object(id, kNoObject);
 }
 
 void SemanticMapper::prepare_to_adopt(std::span<const PixelLabels> labels,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -144,34 +145,44 @@ void SemanticOctree::for_each_leaf_of(ObjectId id, const LeafVisitor& visit) con
   for_each_leaf_of(id, everywhere(), visit);
 }
 
+std::size_t SemanticOctree::relabel(
+    const Box& bounds_in_map, const std::function<ObjectId(const VoxelKey&, ObjectId)>& object_of) {
+  std::size_t num_changed = 0;
+  std::vector<std::pair<std::size_t, ObjectId>> changes;  // cells of a brick
+  for (const std::uint32_t shared : positions_in(*bricks_, bricks_around(bounds_in_map, grid_))) {
+    const Brick& brick = bricks_->brick(shared);
+    if (!brick.labels) continue;
+    changes.clear();
+    const BrickKey key = bricks_->key(shared);
+    brick.labels->labelled().for_each([&](std::size_t cell) {
+      const ObjectId object = brick.label(cell)->object;
+      const bool inside = bounds_in_map.contains(grid_.centre(key.voxel(cell)).xyz);
+      if (!inside || object == kNoObject) return;
+      const ObjectId changed = object_of(key.voxel(cell), object);
+      if (changed != object) changes.emplace_back(cell, changed);
+    });
+    if (changes.empty()) continue;
+    BrickTable& bricks = bricks_.writable();
+    const std::uint32_t position = bricks.prepare(key);
+    for (const auto& [cell, object] : changes) {
+      VoxelLabel& label = bricks.writable(position).labels->at(cell);
+      label.object = object;
+      if (object == kNoObject) label.object_votes = 0;
+    }
+    bricks.note_written(position, true);
+    num_changed += changes.size();
+  }
+  if (num_changed != 0) bricks_.sole().commit();
+  return num_changed;
+}
+
 std::size_t SemanticOctree::divide_object(ObjectId from,
                                           ObjectId to,
                                           const Box& bounds_in_map,
                                           const std::function<bool(const VoxelKey&)>& moves) {
-  if (from == kNoObject || from == to) return 0;
-  std::size_t num_changed = 0;
-  for (const std::uint32_t shared : positions_in(*bricks_, bricks_around(bounds_in_map, grid_))) {
-    if (!bricks_->brick(shared).labels) continue;
-    std::vector<std::size_t> cells;
-    const BrickKey key = bricks_->key(shared);
-    bricks_->brick(shared).labels->labelled().for_each([&](std::size_t cell) {
-      const bool inside = bounds_in_map.contains(grid_.centre(key.voxel(cell)).xyz);
-      if (!inside || bricks_->brick(shared).label(cell)->object != from) return;
-      if (moves(key.voxel(cell))) cells.push_back(cell);
-    });
-    if (cells.empty()) continue;
-    BrickTable& bricks = bricks_.writable();
-    const std::uint32_t position = bricks.prepare(key);
-    for (const std::size_t cell : cells) {
-      VoxelLabel& label = bricks.writable(position).labels->at(cell);
-      label.object = to;
-      if (to == kNoObject) label.object_votes = 0;
-    }
-    bricks.note_written(position, true);
-    num_changed += cells.size();
-  }
-  if (num_changed != 0) bricks_.sole().commit();
-  return num_changed;
+  return relabel(bounds_in_map, [&](const VoxelKey& key, ObjectId object) {
+    return object == from && moves(key) ? to : object;
+  });
 }
 
 std::size_t SemanticOctree::divide_object(ObjectId from,
@@ -198,6 +209,12 @@ std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to, const Box
 
 std::size_t SemanticOctree::relabel_object(ObjectId from, ObjectId to) {
   return relabel_object(from, to, everywhere());
+}
+
+std::size_t SemanticOctree::forget_objects(const std::function<bool(ObjectId)>& is_gone) {
+  return relabel(everywhere(), [&](const VoxelKey&, ObjectId object) {
+    return is_gone(object) ? kNoObject : object;
+  });
 }
 
 std::vector<Box> SemanticOctree::changed_regions(Revision since) const {

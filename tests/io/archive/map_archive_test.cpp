@@ -27,6 +27,7 @@ using test::kArchiveSource;
 using test::load_error;
 using test::member_of;
 using test::sample_archive;
+using test::sample_object;
 using test::TempDir;
 using test::zip_of;
 using testing::HasSubstr;
@@ -131,6 +132,25 @@ TEST(MapArchive, ALabelWithoutAClassIsRefusedBothWays) {
   EXPECT_THAT(load_error(changed(bytes, {{"classes.yaml", "[chair]\n"}})), HasSubstr("class"));
   archive.classes = ClassRegistry();
   EXPECT_FALSE(write_archive(archive));
+}
+
+TEST(MapArchive, VoxelsOfAnObjectThatIsNotThereAreOfNone) {
+  MapArchive other = sample_archive();
+  other.objects.add(sample_object());
+  ASSERT_TRUE(other.objects.erase(ObjectId{1}));
+  ASSERT_TRUE(other.objects.contains(ObjectId{2}));
+  EXPECT_THAT(to_string(write_archive(other).error()), HasSubstr("a voxel names object 1"));
+  other.octree->relabel_object(ObjectId{1}, kNoObject);
+  const std::string other_objects = member_of(write_archive(other).value(), "objects.jsonl");
+
+  const std::string bytes =
+      changed(write_archive(sample_archive()).value(), {{"objects.jsonl", other_objects}});
+  const auto loaded = parse_archive(bytes, kArchiveSource);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_THAT(all_findings(loaded->findings),
+              HasSubstr("72 voxels name objects that the map does not have (1 is one)"));
+  EXPECT_TRUE(loaded->value.octree == other.octree);
+  EXPECT_TRUE(write_archive(loaded->value));
 }
 
 TEST(MapArchive, WhatTheLoaderWouldRefuseTheSaverRefuses) {

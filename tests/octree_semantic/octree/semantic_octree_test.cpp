@@ -205,6 +205,16 @@ TEST(SemanticOctree, ErasedObjectsLeaveValidLabelsBehind) {
   }
 }
 
+TEST(SemanticOctree, ObjectsAreForgottenInOnePass) {
+  SemanticOctree one_by_one = SemanticOctree::from_leaves({}, random_leaves(2000)).value();
+  SemanticOctree at_once = one_by_one;
+  const std::size_t num_voxels = one_by_one.relabel_object(ObjectId{1}, kNoObject) +
+                                 one_by_one.relabel_object(ObjectId{2}, kNoObject);
+  EXPECT_GT(num_voxels, 0U);
+  EXPECT_EQ(at_once.forget_objects([](ObjectId id) { return id.value <= 2; }), num_voxels);
+  EXPECT_TRUE(at_once == one_by_one);
+}
+
 TEST(SemanticOctree, RelabellingStaysWithinItsBox) {
   SemanticOctree tree = empty_tree(0.1);
   const StoredLeaf near{.key = {32768, 32768, 32768}, .log_odds = 500, .label = label_of(1, 4)};

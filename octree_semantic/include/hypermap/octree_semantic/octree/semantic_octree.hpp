@@ -137,6 +137,9 @@ class SemanticOctree {
   /// many. Give the object's box, grown by a voxel.
   std::size_t relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map);
   std::size_t relabel_object(ObjectId from, ObjectId to);
+  /// Voxels of all objects for which `is_gone` says so become voxels of none. Returns how many.
+  /// Cost: one pass, whatever the number of objects.
+  std::size_t forget_objects(const std::function<bool(ObjectId)>& is_gone);
   /// Divides the voxels of object `from` between it and `to`: those within the box for which
   /// `moves` says so become voxels of `to`, with their votes. Returns how many.
   std::size_t divide_object(ObjectId from,
@@ -168,6 +171,10 @@ class SemanticOctree {
   friend struct BrickAccess;
   SemanticOctree(const OctreeOptions& options, const SensorModel& model);
   [[nodiscard]] LeafSample sample(const VoxelKey& key, const Brick& brick, std::size_t cell) const;
+  /// Labelled voxels within the box become voxels of what `object_of` says of them. Returns how
+  /// many changed.
+  std::size_t relabel(const Box& bounds_in_map,
+                      const std::function<ObjectId(const VoxelKey&, ObjectId)>& object_of);
 
   OctreeOptions options_;
   VoxelGrid grid_;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "archive_checks.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+Result<void> check_class(const ClassRegistry& classes, ClassId id, const std::string& where) {
+  if (classes.contains(id)) return {};
+  return fail(ErrorCode::kMalformedFile,
+              "speaks of class " + std::to_string(id.value) + ", there are " +
+                  std::to_string(classes.size()),
+              where);
+}
+
+Result<void> check_object(const ClassRegistry& classes, const Object& object) {
+  const std::string where = "object " + std::to_string(object.id.value);
+  for (const ClassLogOdds& entry : object.belief.entries())
+    HYPERMAP_TRY(check_class(classes, entry.id, where));
+  const ObservationLogState& observation_log = object.observation_log.state();
+  if (observation_log.first)
+    HYPERMAP_TRY(check_class(classes, observation_log.first->class_id, where));
+  for (const ObservationLogEntry& entry : observation_log.newest)
+    HYPERMAP_TRY(check_class(classes, entry.class_id, where));
+  for (const ObservationLogSummary& summary : observation_log.summaries)
+    HYPERMAP_TRY(check_class(classes, summary.class_id, where));
+  return {};
+}
+
+/// The largest class id that a label names, if any does.
+std::optional<ClassId> largest_class(const SemanticOctree& octree) {
+  std::optional<ClassId> largest;
+  octree.for_each_stored_leaf([&largest](const StoredLeaf& leaf) {
+    if (!leaf.label) return;
+    for (const ClassWeight& weight : leaf.label->classes)
+      if (weight.class_id != ClassWeight::kNone)
+        largest = std::max(largest.value_or(ClassId{0}), ClassId{weight.class_id});
+  });
+  return largest;
+}
+
+/// Some object that a voxel names and the map does not have.
+std::optional<ObjectId> absent_object(const MapArchive& archive) {
+  std::optional<ObjectId> absent;
+  if (!archive.octree) return absent;
+  archive.octree->for_each_stored_leaf([&](const StoredLeaf& leaf) {
+    if (absent || !leaf.label || leaf.label->object == kNoObject) return;
+    if (!archive.objects.contains(leaf.label->object)) absent = leaf.label->object;
+  });
+  return absent;
+}
+
+}  // namespace
+
+Result<void> check_classes(const MapArchive& archive) {
+  const auto largest = archive.octree ? largest_class(*archive.octree) : std::nullopt;
+  if (largest) HYPERMAP_TRY(check_class(archive.classes, *largest, "octree"));
+  for (const Object& object : archive.objects.objects())
+    HYPERMAP_TRY(check_object(archive.classes, object));
+  return {};
+}
+
+Result<void> check_objects_of_voxels(const MapArchive& archive) {
+  const auto absent = absent_object(archive);
+  if (!absent) return {};
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "a voxel names object " + std::to_string(absent->value) + ", which the map does not have",
+      "octree");
+}
+
+std::optional<Finding> forget_absent_objects(MapArchive& archive) {
+  const auto absent = absent_object(archive);
+  if (!absent) return std::nullopt;
+  const std::size_t num_voxels =
+      archive.octree->forget_objects([&](ObjectId id) { return !archive.objects.contains(id); });
+  return Finding{.error = {.code = ErrorCode::kMalformedFile,
+                           .what = std::to_string(num_voxels) +
+                                   " voxels name objects that the map does not have (" +
+                                   std::to_string(absent->value) +
+                                   " is one); they are voxels of none now",
+                           .field = "octree"}};
+}
+
+}  // namespace hypermap
