@@ -41,6 +41,8 @@ class Words(Case):
                                 ([*layer, "--at", "1,1", "--string", "Free"], "--at goes alone"),
                                 ([*layer, "--int", "0", "--string", "Free"], "exclude each other"),
                                 ([*layer, "--at", "1,1", "--nearest", "chair"], "--nearest asks the objects"),
+                                (["query", self.archive, "--nearest", "chair", "--at", "1,1", "--string", "table"],
+                                 "--string goes without"),
                                 (["tune", "--input", self.dataset, "--frame", "-1"], "-1"),
                                 (["simulate", "--output", self.folder / "x", "--seed", "-1"], "-1")):
             with self.subTest(arguments[3:]):

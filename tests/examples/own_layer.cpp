@@ -136,7 +136,7 @@ Result<void> ask(const MapArchive& map) {
 /// An image where there is EGL; else it says so.
 Result<void> draw(const Layer& layer, const char* file) {
   std::printf("%zu primitives\n", layer.content->draw().size());
-  const auto image = render_snapshot(with_layer({.title = "heat"}, layer), {.view = TopView{}});
+  const auto image = render_snapshot(with_layer({.title = "heat"}, layer, {}), {.view = TopView{}});
   if (!image) {
     std::printf("no image: %s\n", to_string(image.error()).c_str());
     return {};

@@ -58,7 +58,7 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
   QueryRequest request;
   MapQuery& query = request.query;
   query.layer = arguments.layer.value_or(std::string(kObjectsLayer));
-  query.text = arguments.text;
+  query.text = arguments.nearest ? arguments.nearest : arguments.text;
   query.value = arguments.value;
   HYPERMAP_ASSIGN_OR_RETURN(query.at, point_of(arguments));
   HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
@@ -69,8 +69,8 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
 
 Result<MapAnswers> run_query(const MapArchive& archive, const QueryRequest& request) {
   if (!request.arguments.nearest) return query_map(archive, request.query);
-  auto answers = query_nearest(archive, *request.arguments.nearest, *request.query.at);
-  if (!answers) answers.error().field = "--nearest";
+  auto answers = query_nearest(archive, request.query);
+  if (!answers && answers.error().field.empty()) answers.error().field = "--nearest";
   return answers;
 }
 
@@ -126,6 +126,7 @@ void print_table(const MapAnswers& answers) {
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
+    if (arguments.text) return "--nearest names the class: --string goes without it";
     if (arguments.layer && *arguments.layer != kObjectsLayer) {
       return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
     }

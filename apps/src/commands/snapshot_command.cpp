@@ -14,6 +14,8 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -42,15 +44,21 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
   return options;
 }
 
-Result<void> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
+/// Writes the image; gives what of the map it leaves out.
+Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
+                                     const SnapshotOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
   const MapArchive& archive = loaded.value;
-  SnapshotScene scene = map_scene(
-      archive.hypermap, archive.classes, confirmed_objects_of(archive), shown_leaves(archive));
+  SnapshotScene scene = map_scene(archive.hypermap,
+                                  archive.classes,
+                                  confirmed_objects_of(archive),
+                                  shown_leaves(archive),
+                                  shown_frame_id(archive));
   scene.title = arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
   HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image, render_snapshot(scene, options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(image));
-  return write_file_atomically(arguments.output, bytes);
+  HYPERMAP_TRY(write_file_atomically(arguments.output, bytes));
+  return scene.left_out;
 }
 
 }  // namespace
@@ -78,7 +86,10 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       const auto done = run(*arguments, options);
       if (!done) return report(done.error());
       std::printf("%s\n", arguments->output.c_str());
-      return ExitCode::kDone;
+      for (const std::string& layer : *done) {
+        std::fprintf(stderr, "warning: not drawn: %s\n", layer.c_str());
+      }
+      return done->empty() ? ExitCode::kDone : ExitCode::kFindings;
     };
   });
 }

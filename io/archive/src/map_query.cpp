@@ -4,7 +4,10 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -16,23 +19,6 @@ MapAnswer answer_of(const LayerAnswer& found) {
           .position = {found.position, found.z_m},
           .confidence = found.confidence,
           .size_m = found.size_m};
-}
-
-MapAnswer answer_of(const Object& object, const ClassRegistry& classes) {
-  const Eigen::Vector3d& centre = object.centroid_in_map;
-  const auto best = best_class(object);
-  return {.id = object.id.value,
-          .name = best ? classes.name(best->id) : "unknown",
-          .value = object.id.value,
-          .position = {centre.head<2>(), centre.z()},
-          .confidence = object_confidence(object).value(),
-          .size_m = object.box.extent()};
-}
-
-std::vector<ObjectId> shown_ids(const MapArchive& archive) {
-  std::vector<ObjectId> ids;
-  for (const Object* object : confirmed_objects_of(archive)) ids.push_back(object->id);
-  return ids;
 }
 
 /// What a flat layer can be asked. Errors: kInvalidArgument.
@@ -53,6 +39,24 @@ Result<void> check_flat(const MapQuery& query) {
   return {};
 }
 
+std::vector<ObjectId> ids_of(const MapAnswers& answers) {
+  std::vector<ObjectId> ids;
+  ids.reserve(answers.found.size());
+  for (const MapAnswer& one : answers.found) {
+    ids.push_back(ObjectId{static_cast<std::uint32_t>(one.id)});
+  }
+  return ids;
+}
+
+/// What no object fulfils, for people.
+std::string conditions_of(const MapQuery& query) {
+  std::string text;
+  if (query.text) text += " of class '" + printable(*query.text) + "'";
+  if (query.value) text += " with id " + std::to_string(*query.value);
+  if (query.area) text += " in the area";
+  return text;
+}
+
 }  // namespace
 
 Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
@@ -70,16 +74,22 @@ Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
   return answers;
 }
 
-Result<MapAnswers> query_nearest(const MapArchive& archive,
-                                 std::string_view class_name,
-                                 const PlanPoint& point) {
-  const ObjectQuery query{.class_name = std::string(class_name), .among = shown_ids(archive)};
-  const auto nearest = nearest_object(archive.objects, archive.classes, query, point);
-  if (!nearest) {
-    return fail(ErrorCode::kNotFound, "no object of class '" + std::string(class_name) + "'");
-  }
-  return MapAnswers{.frame_id = "map",
-                    .found = {answer_of(archive.objects.at(*nearest), archive.classes)}};
+Result<MapAnswers> query_nearest(const MapArchive& archive, const MapQuery& query) {
+  if (!query.at) return fail(ErrorCode::kInvalidArgument, "is needed", "at");
+  MapQuery conditions = query;
+  conditions.layer = kObjectsLayer;
+  conditions.at.reset();
+  HYPERMAP_ASSIGN_OR_RETURN(MapAnswers answers, query_map(archive, conditions));
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, conditions.layer));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const Eigen::Isometry2d layer_from_query,
+      archive.hypermap.frames().to_from(layer.info.frame_id, answers.frame_id));
+  const PlanPoint point{.xy = layer_from_query * query.at->xy, .z = query.at->z};
+  const auto nearest =
+      nearest_object(archive.objects, archive.classes, {.among = ids_of(answers)}, point);
+  if (!nearest) return fail(ErrorCode::kNotFound, "no object" + conditions_of(query));
+  std::erase_if(answers.found, [&](const MapAnswer& one) { return one.id != nearest->value; });
+  return answers;
 }
 
 }  // namespace hypermap

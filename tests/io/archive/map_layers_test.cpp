@@ -95,6 +95,17 @@ TEST(ShownLeaves, AreThoseOfTheOctreeElseOfAnotherProgramsElseNone) {
   EXPECT_EQ(num_chairs, 2U);
 }
 
+TEST(ShownFrame, IsThatOfWhatIsSolidElseOfTheFirstLayer) {
+  MapArchive archive;
+  EXPECT_EQ(shown_frame_id(archive), "map");
+  ASSERT_TRUE(archive.hypermap.add_layer({{.name = "grid", .frame_id = "lab"}, OccupancyLayer()}));
+  EXPECT_EQ(shown_frame_id(archive), "lab");
+  archive.octomaps.emplace_back().entry.frame_id = "odom";
+  EXPECT_EQ(shown_frame_id(archive), "odom");
+  archive.octree = SemanticOctree::create({}).value();
+  EXPECT_EQ(shown_frame_id(archive), "map");
+}
+
 TEST(LayerOptions, RefuseABandThatIsNone) {
   EXPECT_TRUE(validate(LayerOptions{}));
   EXPECT_FALSE(validate(LayerOptions{.min_height_m = 1.0, .max_height_m = 1.0}));

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace hypermap {
 namespace {
@@ -116,8 +117,39 @@ TEST(MapQuery, ALayerRefusesWhatItCannotCombine) {
 
 TEST(MapQuery, TheNearestIsOneThatTheMapShows) {
   const MapArchive archive = archive_with_sofas();
-  EXPECT_THAT(query_nearest(archive, "sofa", {{0, 0}}).value().found, ids_are({2}));
-  EXPECT_EQ(query_nearest(archive, "zebra", {{0, 0}}).error().code, ErrorCode::kNotFound);
+  const PlanPoint origin;
+  EXPECT_THAT(query_nearest(archive, {.text = "sofa", .at = origin}).value().found, ids_are({2}));
+  const auto none = query_nearest(archive, {.text = "zebra", .value = 7, .at = origin});
+  EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(none.error().what, "no object of class 'zebra' with id 7");
+  EXPECT_EQ(query_nearest(archive, {.text = "sofa"}).error().field, "at");
+}
+
+TEST(MapQuery, TheNearestFulfilsAllOtherConditions) {
+  // Objects 2 and 3 are shown, at x = 2.5 and 4.5.
+  const MapArchive archive = archive_with_sofas();
+  const PlanPoint origin;
+  const Polygon right = make_polygon({{4, -1}, {9, -1}, {9, 2}, {4, 2}}).value();
+  EXPECT_THAT(query_nearest(archive, {.at = origin}).value().found, ids_are({2}));
+  EXPECT_THAT(query_nearest(archive, {.at = origin, .area = right}).value().found, ids_are({3}));
+  EXPECT_THAT(query_nearest(archive, {.value = 3, .at = origin}).value().found, ids_are({3}));
+  EXPECT_FALSE(query_nearest(archive, {.text = "sofa", .at = origin, .area = right}));
+}
+
+TEST(MapQuery, TheNearestIsMeasuredInTheFrameAskedFor) {
+  MapArchive archive = archive_with_sofas();
+  // The door's x axis is the map's -x axis: (0, 0) there is (7, 0.5) here.
+  ASSERT_TRUE(archive.hypermap.frames().add({.frame_id = "map",
+                                             .child_frame_id = "door",
+                                             .x_m = 7.0,
+                                             .y_m = 0.5,
+                                             .yaw_rad = std::numbers::pi}));
+  const MapQuery query{.at = PlanPoint{}, .frame_id = "door"};
+  const auto answers = query_nearest(archive, query).value();
+  EXPECT_EQ(answers.frame_id, "door");
+  ASSERT_THAT(answers.found, ids_are({3}));
+  EXPECT_NEAR(answers.found[0].position.xy.x(), 2.5, 1e-12);
+  EXPECT_FALSE(query_nearest(archive, {.at = PlanPoint{}, .frame_id = "moon"}));
 }
 
 }  // namespace

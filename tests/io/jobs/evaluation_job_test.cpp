@@ -26,9 +26,12 @@ SemanticLayer chairs_at(const std::vector<double>& places) {
 
 class EvaluationJobTest : public testing::Test {
  protected:
-  [[nodiscard]] std::filesystem::path saved(const std::string& name, LayerContent content) const {
+  [[nodiscard]] std::filesystem::path saved(const std::string& name,
+                                            LayerContent content,
+                                            const std::string& frame_id = "map") const {
     MapArchive archive;
-    EXPECT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, std::move(content)}));
+    EXPECT_TRUE(archive.hypermap.add_layer(
+        {{.name = "semantic", .frame_id = frame_id}, std::move(content)}));
     EXPECT_TRUE(save_archive(archive, dir / name));
     return dir / name;
   }
@@ -58,6 +61,20 @@ TEST_F(EvaluationJobTest, AClassThatNeitherHasIsNotFound) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(refused.error().field, "classes");
+}
+
+TEST_F(EvaluationJobTest, ALayerOfAnotherFrameThanTheTruthIsRefused) {
+  const auto truth = saved("truth.hmap", chairs_at({0}));
+  const auto moved = saved("moved.hmap", chairs_at({0}), "lab");
+  for (const EvaluationJob& job : {EvaluationJob{.map = moved, .truth = truth},
+                                   EvaluationJob{.map = truth, .truth = truth, .against = moved}}) {
+    const auto refused = run_evaluation(job);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kUnsupported);
+    EXPECT_EQ(refused.error().file, moved.string());
+    EXPECT_EQ(refused.error().what, "is in frame lab, must be in that of the truth: map");
+  }
+  EXPECT_TRUE(run_evaluation({.map = moved, .truth = moved}));
 }
 
 TEST_F(EvaluationJobTest, ALayerMustBeThereAndHaveShapes) {

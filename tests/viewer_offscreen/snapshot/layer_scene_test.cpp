@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,7 +50,7 @@ DrawnCells two_cells() {
 }
 
 TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
-  SnapshotScene scene;
+  SnapshotScene scene{.frame_id = "lab"};
   const ClassId chair = scene.classes.add("chair").value();
   scene = with_layer(std::move(scene),
                      sketch({square(0),
@@ -58,7 +60,8 @@ TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
                              DrawnLine{.points = {{0, 0}, {1, 1}}, .color = kRed},
                              DrawnText{.position = {1, 1}, .text = "here", .color = kRed},
                              DrawnBox{.box = {}, .class_name = "chair"},
-                             DrawnVoxels{[](const LeafVisitor&) {}}}));
+                             DrawnVoxels{[](const LeafVisitor&) {}}}),
+                     {});
   EXPECT_EQ(scene.frame_id, "lab");
   EXPECT_EQ(scene.semantic.size(), 2U);
   EXPECT_TRUE(scene.occupancy);
@@ -72,17 +75,62 @@ TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
 }
 
 TEST(LayerScene, AreasOfOneLayerAreShownAndOverlaysOfAll) {
-  const SnapshotScene first = with_layer({}, sketch({square(0), two_cells()}));
-  const SnapshotScene both = with_layer(first, sketch({square(2), square(4), two_cells()}));
+  const SnapshotScene first = with_layer({.frame_id = "lab"}, sketch({square(0), two_cells()}), {});
+  const SnapshotScene both = with_layer(first, sketch({square(2), square(4), two_cells()}), {});
   EXPECT_EQ(both.semantic, first.semantic);
   EXPECT_EQ(both.overlay.cells.size(), 2U);
+}
+
+TEST(LayerScene, EachPrimitiveIsBroughtIntoTheScenesFrame) {
+  // x of the laboratory is y of the map, its origin at (10, 20): (1, 0) there is (10, 21) here.
+  FrameTree frames;
+  ASSERT_TRUE(frames.add({.frame_id = "map",
+                          .child_frame_id = "lab",
+                          .x_m = 10.0,
+                          .y_m = 20.0,
+                          .yaw_rad = std::numbers::pi / 2}));
+  const LeafSource one = [](const LeafVisitor& visit) {
+    visit(LeafSample{.centre_in_map = {1, 0, 3}, .edge_m = 0.1});
+  };
+  const OccupancyGrid grid =
+      OccupancyGrid::create({.resolution_m = 1.0, .origin = {1, 0}, .cols = 2, .rows = 1}).value();
+  const SnapshotScene scene =
+      with_layer({},
+                 sketch({square(1),
+                         DrawnOccupancy{grid},
+                         two_cells(),
+                         DrawnLine{.points = {{1, 0}}, .color = kRed},
+                         DrawnText{.position = {1, 0}, .text = "here", .color = kRed},
+                         DrawnBox{.box = {{1, 0, 0}, {3, 1, 1}}, .class_name = "chair"},
+                         DrawnVoxels{one}}),
+                 frames);
+  EXPECT_TRUE(scene.left_out.empty());
+  const Eigen::Vector2d here(10, 21);
+  EXPECT_TRUE(scene.semantic.at(0).parts.at(0).outer.at(0).isApprox(here));
+  EXPECT_TRUE(scene.occupancy->geometry().origin.isApprox(here));
+  EXPECT_NEAR(scene.occupancy->geometry().yaw_rad, std::numbers::pi / 2, 1e-12);
+  EXPECT_TRUE(scene.overlay.cells.at(0).geometry.origin.isApprox(Eigen::Vector2d(10, 20)));
+  EXPECT_TRUE(scene.overlay.lines.at(0).points.at(0).isApprox(here));
+  EXPECT_TRUE(scene.overlay.texts.at(0).position.isApprox(here));
+  EXPECT_TRUE(scene.objects.at(0).box.min_in_map.isApprox(Eigen::Vector3d(9, 21, 0)));
+  EXPECT_TRUE(scene.objects.at(0).box.max_in_map.isApprox(Eigen::Vector3d(10, 23, 1)));
+  scene.leaves([](const LeafSample& leaf) {
+    EXPECT_TRUE(leaf.centre_in_map.isApprox(Eigen::Vector3d(10, 21, 3)));
+  });
+}
+
+TEST(LayerScene, ALayerOfAFrameThatNothingConnectsIsLeftOut) {
+  const SnapshotScene scene = with_layer({}, sketch({square(0), two_cells()}), {});
+  EXPECT_TRUE(scene.semantic.empty());
+  EXPECT_TRUE(scene.overlay.empty());
+  EXPECT_EQ(scene.left_out, std::vector<std::string>{"layer sketch: nothing connects lab and map"});
 }
 
 TEST(LayerScene, CellsHaveTheirColorsFromAbove) {
   if (const auto context = EglContext::create(); !context)
     GTEST_SKIP() << to_string(context.error());
   const auto image =
-      render_snapshot(with_layer({}, sketch({two_cells()})),
+      render_snapshot(with_layer({.frame_id = "lab"}, sketch({two_cells()}), {}),
                       {.view = TopView{}, .width_px = 200, .height_px = 100, .annotations = false});
   ASSERT_TRUE(image) << to_string(image.error());
   const auto is_near = [](Rgb8 a, Rgb8 b) {

@@ -39,9 +39,19 @@ TEST(MapScene, TheFirstLayerOfEachKindIsDrawn) {
   EXPECT_EQ(scene.semantic.front().name, "sink");
   ASSERT_TRUE(scene.occupancy);
   EXPECT_EQ(scene.occupancy->geometry().cols, 2);
-  EXPECT_EQ(scene.frame_id, "lab");
+  EXPECT_EQ(scene.frame_id, "map");
+  EXPECT_EQ(scene.left_out.size(), 1U) << "nothing connects lab and map";
   EXPECT_TRUE(scene.objects.empty());
   EXPECT_FALSE(scene.leaves);
+}
+
+TEST(MapScene, LayersAreShownInTheFrameThatIsGiven) {
+  Hypermap hypermap;
+  ASSERT_TRUE(hypermap.add_layer({{.name = "grid", .frame_id = "lab"}, grid_of(3)}));
+  const SnapshotScene scene = map_scene(hypermap, {}, {}, {}, "lab");
+  EXPECT_EQ(scene.frame_id, "lab");
+  EXPECT_TRUE(scene.occupancy);
+  EXPECT_TRUE(scene.left_out.empty());
 }
 
 TEST(MapScene, ObjectsBearTheNameOfTheirBestClass) {

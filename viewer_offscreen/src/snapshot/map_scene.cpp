@@ -19,9 +19,13 @@ SnapshotObject drawn(const Object& object, const ClassRegistry& classes) {
 SnapshotScene map_scene(const Hypermap& hypermap,
                         const ClassRegistry& classes,
                         std::span<const Object* const> objects,
-                        LeafSource leaves) {
-  SnapshotScene scene{.leaves = std::move(leaves), .classes = classes};
-  for (const Layer& layer : hypermap.layers()) scene = with_layer(std::move(scene), layer);
+                        LeafSource leaves,
+                        std::string frame_id) {
+  SnapshotScene scene{
+      .frame_id = std::move(frame_id), .leaves = std::move(leaves), .classes = classes};
+  for (const Layer& layer : hypermap.layers()) {
+    scene = with_layer(std::move(scene), layer, hypermap.frames());
+  }
   for (const Object* object : objects) scene.objects.push_back(drawn(*object, classes));
   return scene;
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_layers.hpp"
 
+#include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/projection/grids/class_grids.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
 #include "hypermap/projection/layers/object_footprints.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,6 +92,14 @@ LeafSource shown_leaves(const MapArchive& archive) {
     return confirmed_leaves(archive, confirmed);
   }
   return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
+}
+
+std::string shown_frame_id(const MapArchive& archive) {
+  const std::vector<Layer> layers = archive_layers(archive);
+  const auto solid = std::find_if(
+      layers.begin(), layers.end(), [](const Layer& layer) { return !layer.content->is_flat(); });
+  if (solid != layers.end()) return solid->info.frame_id;
+  return layers.empty() ? LayerInfo{}.frame_id : layers.front().info.frame_id;
 }
 
 Result<void> derive_layers(MapArchive& archive,

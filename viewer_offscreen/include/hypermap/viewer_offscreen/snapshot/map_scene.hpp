@@ -16,11 +16,13 @@ namespace hypermap {
 /// What the hypermap's layers draw (`with_layer`), the voxels, and each of `objects` with its box
 /// and the name of its best class; every part may be empty. The title is left empty.
 ///
-/// Boundary: the scene's frame is that of the last layer, whatever its kind.
+/// `frame_id` is the frame of voxels and objects, which becomes that of the scene.
+/// Boundary: a layer of a frame that nothing connects with it is among `left_out`.
 /// Requires: what `leaves` looks at outlives the scene. Cost: a copy of grid, shapes and classes.
 [[nodiscard]] SnapshotScene map_scene(const Hypermap& hypermap,
                                       const ClassRegistry& classes,
                                       std::span<const Object* const> objects,
-                                      LeafSource leaves);
+                                      LeafSource leaves,
+                                      std::string frame_id = "map");
 
 }  // namespace hypermap

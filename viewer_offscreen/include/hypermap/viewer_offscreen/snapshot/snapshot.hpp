@@ -38,7 +38,8 @@ struct SnapshotOverlay {
   [[nodiscard]] bool empty() const { return cells.empty() && lines.empty() && texts.empty(); }
 };
 
-/// What there is to show. Frame: Map; the 2D layers lie in its plane. Every part may be absent.
+/// What there is to show. Frame: `frame_id`; the 2D layers lie in its plane. Every part may be
+/// absent.
 ///
 /// Requires: what `leaves` looks at outlives the scene.
 struct SnapshotScene {
@@ -51,6 +52,7 @@ struct SnapshotScene {
   SnapshotOverlay overlay = {};
   std::vector<Eigen::Vector3d> trajectory_in_map = {};
   ClassRegistry classes = {};
+  std::vector<std::string> left_out = {};  ///< What could not be brought into the frame, and why.
 };
 
 /// Draws the scene. The same scene and options give the same image on one machine and driver.

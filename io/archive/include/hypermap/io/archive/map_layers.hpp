@@ -10,6 +10,7 @@
 #include "hypermap/projection/grids/layer_options.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace hypermap {
@@ -32,6 +33,8 @@ namespace hypermap {
 /// `confirmed_objects_of`, else those of the first octree of another program, as they are; none
 /// when there is neither. Requires: the archive outlives the result and is not changed.
 [[nodiscard]] LeafSource shown_leaves(const MapArchive& archive);
+/// The frame of those voxels and of the objects; of a map that has neither that of its first layer.
+[[nodiscard]] std::string shown_frame_id(const MapArchive& archive);
 
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
 /// octree and from the objects that `objects` confirms; other layers stay as they are.

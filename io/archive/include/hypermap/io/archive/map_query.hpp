@@ -58,10 +58,10 @@ struct MapAnswers {
 /// text and value together.
 [[nodiscard]] Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query);
 
-/// Of the objects of a class that the map shows the one nearest to `point` (`nearest_object`).
-/// Errors: kNotFound when there is none.
-[[nodiscard]] Result<MapAnswers> query_nearest(const MapArchive& archive,
-                                               std::string_view class_name,
-                                               const PlanPoint& point);
+/// Of the objects that fulfil all conditions but `at` the one whose centroid is nearest to that
+/// point (`nearest_object`). The layer is that of the objects, whatever `query.layer` says.
+/// Errors: those of query_map; kInvalidArgument naming `at` when it is absent; kNotFound when
+/// there is no such object.
+[[nodiscard]] Result<MapAnswers> query_nearest(const MapArchive& archive, const MapQuery& query);
 
 }  // namespace hypermap

@@ -28,7 +28,7 @@ struct EvaluationOutcome {
 
 /// Errors: those of load_archive and validate(EvaluationOptions); kNotFound when an archive lacks
 /// the layer, or when neither the map nor the truth has an object of a class asked for;
-/// kUnsupported when the layer is no semantic one.
+/// kUnsupported when the layer is no semantic one, or in another frame than that of the truth.
 [[nodiscard]] Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job);
 
 }  // namespace hypermap
