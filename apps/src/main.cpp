@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "interruption.hpp"
 #include "version.hpp"
 
@@ -12,6 +13,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -25,12 +27,31 @@ ExitCode flushed(ExitCode code) {
 
 constexpr int kUsageStatus = static_cast<int>(ExitCode::kUsage);
 
-/// The words of the command line that nobody knows, as they were written.
+/// What may be said in the first place of a command line: commands, then the options of the one
+/// that was chosen.
+std::vector<std::string> known_words(const CLI::App& program) {
+  std::vector<std::string> words;
+  const auto chosen = program.get_subcommands();
+  if (chosen.empty()) {
+    for (const CLI::App* command : program.get_subcommands({}))
+      words.push_back(command->get_name());
+  }
+  for (const CLI::App* app : {&program, chosen.empty() ? &program : chosen.front()}) {
+    for (const CLI::Option* option : app->get_options())
+      words.push_back("--" + option->get_single_name());
+  }
+  return words;
+}
+
+/// The words of the command line that nobody knows, as they were written, and what the first may
+/// have been meant to be.
 std::string unknown_words(const CLI::App& program) {
+  const std::vector<std::string> unknown = program.remaining(true);
   std::string text;
-  for (const std::string& word : program.remaining(true))
-    text += (text.empty() ? "" : " ") + printable(word);
-  return text;
+  for (const std::string& word : unknown) text += (text.empty() ? "" : " ") + printable(word);
+  if (unknown.empty()) return text;
+  const std::string first = unknown.front().substr(0, unknown.front().find('='));
+  return text + did_you_mean(first, known_words(program));
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {

@@ -149,6 +149,42 @@ class Pipeline(unittest.TestCase):
         column = json.loads(run(*layer, "--at", f"{x},{y}").stdout)["results"]
         self.assertIn(chairs[0]["id"], [hit["id"] for hit in column])
 
+    def found(self, *arguments):
+        result = run("query", self.archive, *arguments, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return len(json.loads(result.stdout)["results"]), result.stderr
+
+    def test_a_class_is_found_in_every_spelling_in_every_layer(self):
+        for layer in ("objects", "semantic", "octree"):
+            with self.subTest(layer):
+                expected, _ = self.found("--layer", layer, "--string", "chair")
+                self.assertGreater(expected, 0)
+                self.assertEqual(self.found("--layer", layer, "--string", "Chair"), (expected, ""))
+        self.assertEqual(self.found("--layer", "occupancy", "--string", "free")[0],
+                         self.found("--layer", "occupancy", "--string", "Free")[0])
+
+    def test_a_misspelt_class_is_told_with_the_nearest(self):
+        for layer in ("objects", "semantic", "octree"):
+            count, said = self.found("--layer", layer, "--string", "chiar")
+            self.assertEqual(count, 0)
+            self.assertIn('no class of this map is called "chiar", did you mean "chair"?', said)
+        self.assertNotIn("did you mean", self.found("--layer", "objects", "--string", "unicorn")[1])
+        mapped = run("map", "--input", self.dataset, "--output", self.folder / "b.hmap", "--transient", "chiar,cup")
+        self.assertEqual(mapped.returncode, 1)
+        self.assertIn('transient_classes: no class of the input is called "chiar", did you mean "chair"?', mapped.stderr)
+        self.assertNotIn("cup", mapped.stderr)
+        for form, name in (("geojson", "a.local.geojson"), ("ply", "a.ply"), ("class-grids", "grids")):
+            exported = run("export", self.archive, "--format", form, "--output", self.folder / name, "--class", "chiar")
+            self.assertEqual(exported.returncode, 2)
+            self.assertIn('did you mean "chair"?', exported.stderr)
+        layer = run("query", self.archive, "--layer", "smantic", "--int", "1")
+        self.assertIn('did you mean "semantic"?', layer.stderr)
+
+    def test_an_export_of_nothing_says_so(self):
+        grids = run("export", self.archive, "--format", "class-grids", "--output", self.folder / "g", "--class", "zebra")
+        self.assertEqual(grids.returncode, 1)
+        self.assertIn("nothing", grids.stderr)
+
     def test_an_unknown_layer_is_told_with_those_that_exist(self):
         result = run("query", self.archive, "--layer", "smells", "--at", "0,0")
         self.assertEqual(result.returncode, 2)

@@ -54,7 +54,11 @@ class Words(Case):
         result = run("map", "--input", self.dataset, "--outptu", self.folder / "x")
         self.assertEqual(result.returncode, 4)
         self.assertIn(f"unknown: --outptu {self.folder / 'x'}", result.stderr)
-        self.assertIn("unknown: mpa --input lab", run("mpa", "--input", "lab").stderr)
+        self.assertIn('did you mean "--output"?', result.stderr)
+        misspelt = run("mpa", "--input", "lab").stderr
+        self.assertIn("unknown: mpa --input lab", misspelt)
+        self.assertIn('did you mean "map"?', misspelt)
+        self.assertNotIn("did you mean", run("cook", "--dinner").stderr)
         self.assertIn("--output is required", run("map", "--input", self.dataset).stderr)
 
     def test_a_file_of_another_kind_is_named_as_what_it_is(self):

@@ -64,7 +64,9 @@ void add_export_command(CLI::App& program, Action& action) {
       const auto written = run(*arguments);
       if (!written) return report(written.error());
       for (const auto& path : *written) std::printf("%s\n", path.c_str());
-      return ExitCode::kDone;
+      if (!written->empty()) return ExitCode::kDone;
+      std::fprintf(stderr, "export: the map has nothing of that: no file was written\n");
+      return ExitCode::kFindings;
     };
   });
 }

@@ -126,8 +126,11 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
-  command.add_option(
-      "--transient", arguments.transient, "transient class: updates neither objects nor voxels");
+  command
+      .add_option("--transient",
+                  arguments.transient,
+                  "transient classes, separated by commas: they update neither objects nor voxels")
+      ->delimiter(',');
   auto* append =
       command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   command

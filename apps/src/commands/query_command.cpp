@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 #include "number_lists.hpp"
@@ -146,6 +147,15 @@ ExitCode report_refusal(const Error& error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
+/// Nothing was found: the name may be misspelt.
+void print_hint(const MapArchive& archive, const std::string& text) {
+  if (archive.classes.find(text)) return;
+  std::fprintf(stderr,
+               "query: no class of this map is called \"%s\"%s\n",
+               printable(text).c_str(),
+               did_you_mean(text, archive.classes.names()).c_str());
+}
+
 ExitCode run(const QueryRequest& request) {
   const auto loaded = load_archive(request.arguments.file);
   if (!loaded) return report(loaded.error());
@@ -156,6 +166,7 @@ ExitCode run(const QueryRequest& request) {
   } else {
     print_table(*answers);
   }
+  if (answers->found.empty() && request.query.text) print_hint(loaded->value, *request.query.text);
   return ExitCode::kDone;
 }
 

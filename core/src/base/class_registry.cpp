@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/class_registry.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
 #include <algorithm>
@@ -24,10 +25,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kVocNameO
 
 bool is_separator(char c) {
   return c == ' ' || c == '-' || c == '_';
-}
-
-char lower_ascii(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 Result<void> check_name(std::string_view name) {
@@ -56,6 +53,10 @@ std::string canonical_class_name(std::string_view name) {
   return alias == kVocNameOf.end() ? out : std::string(alias->second);
 }
 
+bool is_spelling_of(std::string_view a, std::string_view b) {
+  return a == b || canonical_class_name(a) == canonical_class_name(b);
+}
+
 Result<ClassRegistry> ClassRegistry::from_names(std::span<const std::string> names) {
   ClassRegistry registry;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -82,7 +83,7 @@ Result<std::vector<ClassId>> ClassRegistry::find_all(std::span<const std::string
     if (!id) {
       return fail(ErrorCode::kNotFound,
                   "no class is called \"" + printable(name) + "\"; " + std::to_string(size()) +
-                      " are known");
+                      " are known" + did_you_mean(name, names_));
     }
     ids.push_back(*id);
   }

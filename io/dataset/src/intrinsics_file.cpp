@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/intrinsics_file.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
@@ -61,10 +62,8 @@ std::vector<Finding> unknown_keys(const JsonNode& root, std::span<const std::str
   for (std::size_t i = 0; i < root.size(); ++i) {
     const JsonNode member = root.at(i);
     if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
-    const auto nearest = nearest_name(member.key(), known);
-    const std::string hint = nearest ? ", did you mean \"" + std::string(*nearest) + "\"?" : "";
-    findings.push_back(
-        intrinsics_warning(member.error(ErrorCode::kMalformedFile, "unknown key" + hint).value()));
+    const std::string what = "unknown key" + did_you_mean(member.key(), known);
+    findings.push_back(intrinsics_warning(member.error(ErrorCode::kMalformedFile, what).value()));
   }
   return findings;
 }

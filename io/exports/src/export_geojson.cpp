@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -42,11 +47,24 @@ Json feature_json(const SemanticObject& object) {
 }
 
 bool is_wanted(const SemanticObject& object, const std::vector<std::string>& classes) {
-  if (classes.empty()) return true;
+  return classes.empty() || std::any_of(classes.begin(), classes.end(), [&](const auto& name) {
+           return is_spelling_of(object.name, name);
+         });
+}
+
+/// Every class asked for is one of the map or the name of a shape.
+Result<void> check_classes(const MapArchive& archive,
+                           const SemanticLayer& layer,
+                           const std::vector<std::string>& classes) {
   for (const std::string& name : classes) {
-    if (canonical_class_name(name) == canonical_class_name(object.name)) return true;
+    if (archive.classes.find(name) || !layer.of_class(name).empty()) continue;
+    std::vector<std::string> known(archive.classes.names().begin(), archive.classes.names().end());
+    for (const SemanticObject& object : layer.objects()) known.push_back(object.name);
+    return fail(ErrorCode::kNotFound,
+                "'" + printable(name) + "' is no class of this map" + did_you_mean(name, known),
+                "--class");
   }
-  return false;
+  return {};
 }
 
 }  // namespace
@@ -59,8 +77,10 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
                 "--output");
   }
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
+  const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
+  HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
   Json features = Json::array();
-  for (const SemanticObject& object : layer->content.as<SemanticLayer>()->objects()) {
+  for (const SemanticObject& object : semantic.objects()) {
     if (is_wanted(object, request.classes)) features.push_back(feature_json(object));
   }
   const Json document{{"type", "FeatureCollection"},

@@ -2,6 +2,7 @@
 #include "hypermap/io/exports/map_export.hpp"
 
 #include "export_parts.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 
 #include <array>
 #include <utility>
@@ -43,10 +44,10 @@ Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archiv
   for (const std::string& name : request.classes) {
     const auto id = archive.classes.find(name);
     if (!id) {
-      return fail(
-          ErrorCode::kNotFound,
-          "'" + name + "' is no class of this map, which knows " + joined(archive.classes.names()),
-          "--class");
+      return fail(ErrorCode::kNotFound,
+                  "'" + name + "' is no class of this map, which knows " +
+                      joined(archive.classes.names()) + did_you_mean(name, archive.classes.names()),
+                  "--class");
     }
     ids.insert(*id);
   }

@@ -2,6 +2,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 
 #include "frame_stream.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
@@ -11,7 +12,11 @@
 
 #include <sys/resource.h>
 
+#include <iterator>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -31,6 +36,25 @@ struct Run {
   std::optional<SemanticMapper> mapper;
   InputFingerprint fingerprint;
 };
+
+/// Names of no class that the input speaks of: they may be misspelt.
+std::vector<Finding> unknown_names(std::span<const std::string> names,
+                                   const char* option,
+                                   const ClassRegistry& classes) {
+  std::vector<Finding> findings;
+  for (const std::string& name : names) {
+    if (classes.find(name)) continue;
+    findings.push_back({.error = {.code = ErrorCode::kNotFound,
+                                  .what = "no class of the input is called \"" + printable(name) +
+                                          "\"" + did_you_mean(name, classes.names()),
+                                  .field = option}});
+  }
+  return findings;
+}
+
+void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
 
 /// Classes that the options name are known even when no detection is ever of them.
 Result<void> add_named_classes(const SemanticMapperOptions& options, ClassRegistry& classes) {
@@ -104,6 +128,10 @@ Result<Run> open(const MappingJob& job, MappingReport& report) {
   HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align_to_gravity(*run.dataset, job.up_axis));
   run.dataset->set_map_from_input(up.map_from_input);
   report.up = up.explanation;
+  append(report.findings,
+         unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
+  append(report.findings,
+         unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
   run.mapper.emplace(std::move(mapper));
   return run;

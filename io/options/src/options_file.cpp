@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/options/options_file.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "option_yaml.hpp"
@@ -46,9 +47,7 @@ std::string unknown_text(const BoundOptions& options, const std::string& name) {
       names.push_back(full.substr(0, dot));
     }
   }
-  const auto nearest = nearest_name(name, names);
-  const std::string hint = nearest ? ", did you mean \"" + std::string(*nearest) + "\"?" : "";
-  return "unknown option \"" + printable(name) + "\"" + hint;
+  return "unknown option \"" + printable(name) + "\"" + did_you_mean(name, names);
 }
 
 Result<void> apply(const BoundOptions& options, const YamlNode& node, const std::string& prefix) {

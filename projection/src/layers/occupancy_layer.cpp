@@ -20,7 +20,7 @@ LayerAnswer answer_of(const OccupancyGrid& grid, Cell cell) {
 
 bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {
   return (!query.value || *query.value == occupancy) &&
-         (!query.text || *query.text == occupancy_string(occupancy));
+         (!query.text || is_spelling_of(occupancy_string(occupancy), *query.text));
 }
 
 /// Cells where the query looks, in row-major order.

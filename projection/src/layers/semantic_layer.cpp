@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
 #include <boost/geometry.hpp>
@@ -110,7 +111,7 @@ Rect bounds_of(const SemanticObject& object) {
 struct SemanticLayer::Impl {
   std::vector<SemanticObject> objects;  // ascending ids
   RTree tree;
-  std::map<std::string, std::set<std::uint64_t>, std::less<>> ids_of_name;
+  std::map<std::string, std::set<std::uint64_t>, std::less<>> ids_of_name;  // by canonical name
 
   auto place(std::uint64_t id) {
     return std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
@@ -157,7 +158,7 @@ Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects)
   std::vector<REntry> entries;
   for (const SemanticObject& object : objects) {
     entries.push_back(entry_of(object));
-    layer.impl_->ids_of_name[object.name].insert(object.id);
+    layer.impl_->ids_of_name[canonical_class_name(object.name)].insert(object.id);
   }
   layer.impl_->tree = RTree(entries.begin(), entries.end());
   layer.impl_->objects = std::move(objects);
@@ -172,7 +173,7 @@ Result<void> SemanticLayer::add(SemanticObject object) {
         ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
   }
   impl_->tree.insert(entry_of(object));
-  impl_->ids_of_name[object.name].insert(object.id);
+  impl_->ids_of_name[canonical_class_name(object.name)].insert(object.id);
   impl_->objects.insert(impl_->place(object.id), std::move(object));
   return {};
 }
@@ -190,7 +191,7 @@ bool SemanticLayer::erase(std::uint64_t id) {
   const SemanticObject* object = find(id);
   if (object == nullptr) return false;
   impl_->tree.remove(entry_of(*object));
-  const auto named = impl_->ids_of_name.find(object->name);
+  const auto named = impl_->ids_of_name.find(canonical_class_name(object->name));
   named->second.erase(id);
   if (named->second.empty()) impl_->ids_of_name.erase(named);
   impl_->objects.erase(impl_->place(id));
@@ -221,7 +222,13 @@ std::vector<std::uint64_t> SemanticLayer::in(const Polygon& area) const {
 }
 
 std::vector<std::uint64_t> SemanticLayer::named(std::string_view name) const {
-  const auto found = impl_->ids_of_name.find(name);
+  std::vector<std::uint64_t> ids = of_class(name);
+  std::erase_if(ids, [&](std::uint64_t id) { return find(id)->name != name; });
+  return ids;
+}
+
+std::vector<std::uint64_t> SemanticLayer::of_class(std::string_view name) const {
+  const auto found = impl_->ids_of_name.find(canonical_class_name(name));
   if (found == impl_->ids_of_name.end()) return {};
   return {found->second.begin(), found->second.end()};
 }

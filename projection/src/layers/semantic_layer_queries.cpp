@@ -39,7 +39,7 @@ ObjectIds ids_of_value(const SemanticLayer& layer, std::int64_t value) {
 
 ObjectIds ids_of(const SemanticLayer& layer, const LayerQuery& query) {
   std::vector<ObjectIds> conditions;
-  if (query.text) conditions.push_back(layer.named(*query.text));
+  if (query.text) conditions.push_back(layer.of_class(*query.text));
   if (query.value) conditions.push_back(ids_of_value(layer, *query.value));
   if (query.at) conditions.push_back(layer.at(query.at->xy));
   if (query.area) conditions.push_back(layer.in(*query.area));

@@ -245,7 +245,7 @@ TEST(BoundedYaml, UnknownKeysAreFoundAndTheNearestNameIsGiven) {
   const auto findings = document.root().unknown_keys(kKnown);
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
-  EXPECT_THAT(findings[0].error.what, HasSubstr("did you mean resolution?"));
+  EXPECT_THAT(findings[0].error.what, HasSubstr("did you mean \"resolution\"?"));
   EXPECT_EQ(findings[1].error.what, "unknown key, kept");
 }
 

@@ -33,6 +33,7 @@ TEST(SemanticLayer, ObjectsAreFoundByPlaceAndName) {
   EXPECT_THAT(layer->at({std::nan(""), 3}), IsEmpty());
   EXPECT_THAT(layer->named("cup"), ElementsAre(4, 9));
   EXPECT_THAT(layer->named("Cup"), IsEmpty());
+  EXPECT_THAT(layer->of_class("Cup"), ElementsAre(4, 9));
   EXPECT_THAT(layer->in(square_around(1.2, 1.2, 4)), ElementsAre(2, 9));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/archive_layers.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/class_grid_layer.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/objects_layer.hpp"
@@ -76,11 +77,16 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   if (found != layers.end()) return std::move(*found);
   if (name == kObjectsLayer) return objects_layer(archive);
   std::string known;
-  for (const Layer& layer : layers) known += (known.empty() ? "" : ", ") + layer.info.name;
-  return fail(
-      ErrorCode::kNotFound,
-      "no layer is named " + printable(name) + "; there are: " + (known.empty() ? "none" : known),
-      "layer");
+  std::vector<std::string> names;
+  names.reserve(layers.size());
+  for (const Layer& layer : layers) {
+    known += (known.empty() ? "" : ", ") + layer.info.name;
+    names.push_back(layer.info.name);
+  }
+  return fail(ErrorCode::kNotFound,
+              "no layer is named " + printable(name) + did_you_mean(name, names) +
+                  " (there are: " + (known.empty() ? "none" : known) + ")",
+              "layer");
 }
 
 }  // namespace hypermap

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/utf8.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 
@@ -7,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace hypermap {
 namespace {
@@ -57,20 +57,6 @@ std::optional<std::int64_t> parse_int(std::string_view text) {
   const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_all = end.ec == std::errc() && end.ptr == text.data() + text.size();
   return is_all ? std::optional<std::int64_t>(number) : std::nullopt;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -179,28 +165,11 @@ std::vector<Finding> YamlNode::unknown_keys(std::span<const std::string_view> kn
   std::vector<Finding> findings;
   for (const auto& [key, value] : value_->entries) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const auto near = nearest_name(key, known);
     Error error = YamlNode(value, path_.empty() ? key : path_ + "." + key, *source_)
-                      .error("unknown key, kept" +
-                             (near ? "; did you mean " + std::string(*near) + "?" : ""));
+                      .error("unknown key, kept" + did_you_mean(key, known));
     findings.push_back({Severity::kWarning, std::move(error)});
   }
   return findings;
-}
-
-std::optional<std::string_view> nearest_name(std::string_view name,
-                                             std::span<const std::string_view> known) {
-  constexpr std::size_t kLongestName = 64;  // longer ones are no typing errors
-  if (name.size() > kLongestName) return std::nullopt;
-  std::optional<std::string_view> nearest;
-  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
-  for (const std::string_view candidate : known) {
-    const std::size_t distance = edit_distance(name, candidate);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = candidate;
-  }
-  return nearest;
 }
 
 }  // namespace hypermap

@@ -62,5 +62,7 @@ class ClassRegistry {
 /// "sofa", "potted plant" -> "pottedplant", "motorcycle" -> "motorbike", "airplane" ->
 /// "aeroplane").
 [[nodiscard]] std::string canonical_class_name(std::string_view name);
+/// Whether both are spellings of one class, or of one word.
+[[nodiscard]] bool is_spelling_of(std::string_view a, std::string_view b);
 
 }  // namespace hypermap

@@ -20,4 +20,9 @@ namespace hypermap {
 /// Writes one character. Requires: `code` is a scalar value (below 0x110000, no surrogate).
 void append_utf8(std::string& text, std::uint32_t code);
 
+/// The small letter of a capital of ASCII; any other byte as it is, whatever the locale.
+[[nodiscard]] constexpr char lower_ascii(char c) noexcept {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 }  // namespace hypermap

@@ -48,8 +48,8 @@ struct SemanticObject {
 /// A set of objects with an R-tree over their bounds. A value: copying copies the objects and the
 /// tree. Frame: that of the hypermap layer that holds it.
 ///
-/// As a layer: its string is the object's name, its integer the object's id, its position the
-/// centroid.
+/// As a layer: its string is the object's name, asked for in any spelling of it, its integer the
+/// object's id, its position the centroid.
 class SemanticLayer final : public MapLayer {
  public:
   static constexpr std::size_t kMaxObjects = 1'000'000;
@@ -87,6 +87,8 @@ class SemanticLayer final : public MapLayer {
   [[nodiscard]] std::vector<std::uint64_t> in(const Polygon& area) const;
   /// Ids, ascending, of the objects of that very name.
   [[nodiscard]] std::vector<std::uint64_t> named(std::string_view name) const;
+  /// Ids, ascending, of the objects whose name is a spelling of that one (`is_spelling_of`).
+  [[nodiscard]] std::vector<std::uint64_t> of_class(std::string_view name) const;
 
   [[nodiscard]] std::string_view class_name() const override { return kSemanticLayerClass; }
   [[nodiscard]] LayerStatistics statistics() const override;

@@ -118,8 +118,4 @@ enum class YamlStyle {
 /// `text` as it stands in YAML: bare where that is safe, else in double quotes with escapes.
 [[nodiscard]] std::string yaml_scalar(std::string_view text);
 
-/// The name of `known` that is nearest to `name` by edit distance; none when all are far.
-[[nodiscard]] std::optional<std::string_view> nearest_name(std::string_view name,
-                                                           std::span<const std::string_view> known);
-
 }  // namespace hypermap

@@ -56,7 +56,7 @@ struct MappingSeconds {
 struct MappingReport {
   std::size_t num_frames = 0;     ///< In the map.
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
-  std::vector<Finding> findings;  ///< Repairs and unknown keys while opening the dataset.
+  std::vector<Finding> findings;  ///< Repairs, unknown keys and class names of the opening.
   std::size_t num_detections = 0;
   std::size_t num_segments = 0;
   std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
