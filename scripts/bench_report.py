@@ -65,7 +65,7 @@ class Target:
 
 def targets(figures):
     octree, frame = figures["octree"], figures["pipeline"]
-    sight, archive = figures["occlusion"], figures["archive"]
+    occlusion, archive = figures["occlusion"], figures["archive"]
 
     def of(rows, name, counter):
         return rows[name][counter] if name in rows else None
@@ -105,9 +105,9 @@ def targets(figures):
                            of(figures["snapshot"], name, "more_percent"), must, must, " %", larger=False))
     for size in ("100k", "1M"):
         rows.append(Target(f"occlusion rays, {size} voxels",
-                           of(sight, f"occlusion_rays/{size}", "million_per_s"), 9, 12, " M/s"))
+                           of(occlusion, f"occlusion_rays/{size}", "million_per_s"), 9, 12, " M/s"))
     rows.append(Target("scene of 1M voxels built",
-                       of(sight, "occlusion_rays/1M", "build_ms"), 10, 10, " ms", larger=False))
+                       of(occlusion, "occlusion_rays/1M", "build_ms"), 10, 10, " ms", larger=False))
     rows.append(Target("archive over `.ot`, laboratory 5 cm",
                        of(archive, "archive/laboratory/5cm", "archive_over_ot"), 1, 1, larger=False))
     lab = archive["archive/laboratory/5cm"]

@@ -102,7 +102,7 @@ struct OnnxDetector::Impl {
   std::vector<ClassId> classes;
   std::filesystem::path model;
 
-  /// Rows of the network for a image. Errors: kMalformedFile.
+  /// Rows of the network for an image. Errors: kMalformedFile.
   Result<cv::Mat> run(const cv::Mat& input) {
     try {
       net.setInput(input);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long because: one frame's working memory, grown and checked step by step, shares its scratch
-// arrays.
 #include "integration_workspace.hpp"
 
 #include "frame_checks.hpp"

@@ -6,8 +6,8 @@
 /// keep one copy for all.
 ///
 /// All sets give the same bits: each operation is rounded by itself (no fused ones), divisions and
-/// roots are those of IEEE 754. `tests/octree_semantic/kernels_test.cpp` compares them; rays have
-/// `ray_kernels_test.cpp` beside it.
+/// roots are those of IEEE 754. `kernels_test.cpp`, `cell_kernels_test.cpp` and
+/// `ray_kernels_test.cpp` compare them.
 #pragma once
 
 #include <cstddef>

@@ -25,6 +25,7 @@ constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
 /// and to say that nothing was found is better than to put the object in the wrong place.
 constexpr double kFlatShare = 0.6;
+
 PixelRect united(const PixelRect& a, const PixelRect& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

@@ -44,7 +44,7 @@ bool holds(const LeafSample& leaf, const PlanPoint& point) {
          (!point.z || is_same_step(*point.z, centre.z(), leaf.edge_m));
 }
 
-/// Which leaves share area with a polygon; each column is judged once.
+/// Which leaves share area with a polygon; each column is tested once.
 class AreaTest {
  public:
   explicit AreaTest(const Polygon& area) : area_(area), bounds_(bounds(area)) {}

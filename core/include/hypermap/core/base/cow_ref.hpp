@@ -58,6 +58,7 @@ class CowRef {
   /// Whether both own one value.
   [[nodiscard]] bool shares(const CowRef& other) const noexcept { return value_ == other.value_; }
   /// Whether nobody else owns the value. Acquire: who gave it up last has finished reading it.
+  /// Requires, here and below: not null.
   [[nodiscard]] bool is_sole() const noexcept {
     return value_->owners.num_.load(std::memory_order_acquire) == 1;
   }

@@ -36,7 +36,7 @@ struct VisibilityResult {
   friend bool operator==(const VisibilityResult&, const VisibilityResult&) = default;
 };
 
-/// How it is evaluated what a frame shows of the known objects.
+/// How the visibility of the known objects in a frame is evaluated.
 enum class VisibilityPolicy {
   kRays,    ///< Rays to the object's points; given by the 3D map. Ours.
   kHull,    ///< Inside the hull of all that the frame shows, from above. [hypermap] 3.4.5

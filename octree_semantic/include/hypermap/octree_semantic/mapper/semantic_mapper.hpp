@@ -128,8 +128,8 @@ class SemanticMapper {
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
   /// Puts one scan into the map: whole, or on an error not at all. Instances meet the objects as
-  /// detections do; points of a class alone label voxels. Nothing is asked about objects that the
-  /// scan does not show: `judged` is false.
+  /// detections do; points of a class alone label voxels. Visibility is not evaluated: what a scan
+  /// does not show is no missed detection.
   ///
   /// Errors: those of validate(cloud) and FrameIntegrator::integrate_far_cloud.
   [[nodiscard]] Result<FrameReport> integrate_cloud(const LabelledCloud& cloud);

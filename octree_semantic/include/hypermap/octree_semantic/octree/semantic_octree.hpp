@@ -134,7 +134,8 @@ class SemanticOctree {
   /// sensor model or the label breaks its rules; kOutOfMemory.
   [[nodiscard]] Result<void> set_leaf(const StoredLeaf& leaf);
   /// Voxels of object `from` within the box become voxels of `to` (kNoObject: of none). Returns how
-  /// many. Give the object's box, grown by a voxel.
+  /// many. Give the object's box, grown by a voxel. Throws std::bad_alloc, here and below; voxels
+  /// that have changed by then stay so, and another call goes on with the others.
   std::size_t relabel_object(ObjectId from, ObjectId to, const Box& bounds_in_map);
   std::size_t relabel_object(ObjectId from, ObjectId to);
   /// Voxels of all objects for which `is_gone` says so become voxels of none. Returns how many.

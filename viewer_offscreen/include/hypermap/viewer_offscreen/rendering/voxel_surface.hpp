@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What can be seen of a set of voxels: the occupied ones, their bare faces, and how open each
+/// What can be seen of a set of voxels: the occupied ones, their exposed faces, and how open each
 /// corner of a face is to light.
 #pragma once
 
@@ -57,7 +57,7 @@ struct VoxelFace {
   std::array<std::uint8_t, 4> openness{};
 };
 
-/// The bare faces that look towards one of `directions`, in the order of the voxels.
+/// The exposed faces that look towards one of `directions`, in the order of the voxels.
 ///
 /// Voxels larger than the finest edge keep all their faces and are seen as open (they are few: our
 /// own maps have none). Errors: kLimit for more than 2^25 faces; kOutOfMemory.

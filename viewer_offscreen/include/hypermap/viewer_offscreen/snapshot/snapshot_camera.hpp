@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where a point of the map falls in a image.
+/// Where a point of the map falls in an image.
 #pragma once
 
 #include "hypermap/core/geometry/camera.hpp"
@@ -14,7 +14,7 @@
 
 namespace hypermap {
 
-/// The eye of a image. A value.
+/// The eye of an image. A value.
 ///
 /// Pixels: as in PinholeCamera the centre of the upper left pixel is (0, 0).
 class SnapshotCamera {

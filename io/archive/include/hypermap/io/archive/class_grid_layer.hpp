@@ -8,11 +8,12 @@
 #include "hypermap/projection/layers/occupancy_layer.hpp"
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
 
-/// It answers as an occupancy layer: Occupied, 100, is where things of the class are; Free, 0,
+/// It answers as an occupancy layer: Occupied, 100, is where objects of the class are; Free, 0,
 /// where the space is free or holds other objects.
 class ClassGridLayer final : public MapLayer {
  public:

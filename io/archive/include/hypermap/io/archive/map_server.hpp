@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Occupancy grids as others keep them: a YAML file and a image.
+/// Occupancy grids as others keep them: a YAML file and an image.
 ///
 /// Source: [hypermap] 3.3.5 (occupancy files); ROS wiki, map_server.
 /// Row 0 of the image is the top, row 0 of a grid the bottom. With c the grey value, p = (255 -

@@ -16,8 +16,7 @@ namespace hypermap {
 /// class grids (by origin and yaw), and `map_from_input` of the provenance, so that frames of the
 /// same input still fit. For the rest:
 /// - the octree is resampled as `transformed(SemanticOctree)` says;
-/// - a box becomes the axis-aligned box around the moved one: the same size for whole quarter
-/// turns,
+/// - a box becomes the axis-aligned box around the moved one: of the same size for quarter turns,
 ///   else larger, and larger again each time;
 /// - voted cells go to the cells where their centres then lie, one to one for shifts by whole cells
 ///   and quarter turns about their corners; of cells that meet, the most votes count;

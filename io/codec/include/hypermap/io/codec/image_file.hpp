@@ -3,8 +3,8 @@
 /// Image files from untrusted sources: PNG, PGM, JPEG and BMP, validated before memory is
 /// allocated.
 ///
-/// Scope: PNG of every colour type, depth and interlacing (io/png_image.hpp); PGM P2 and P5 of up
-/// to 16 bit with comments (io/pgm_image.hpp); JPEG and BMP of 8 bit. Found by content, not by the
+/// Scope: PNG of every colour type, depth and interlacing (png_image.hpp); PGM P2 and P5 of up
+/// to 16 bit with comments (pgm_image.hpp); JPEG and BMP of 8 bit. Found by content, not by the
 /// name: a file named .png must hold a PNG when its name says so (see read_image_file).
 #pragma once
 

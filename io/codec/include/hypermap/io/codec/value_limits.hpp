@@ -5,7 +5,7 @@
 
 namespace hypermap {
 
-/// Width or height of a image.
+/// Width or height of an image.
 inline constexpr int kMaxImageSidePx = 65'535;
 /// Magnitude of a coordinate, in metres or pixels.
 inline constexpr double kMaxCoordinate = 1e6;

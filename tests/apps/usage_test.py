@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Help, version and wrong command lines. Usage: usage_test.py PROGRAM [unittest args]"""
+
+import unittest
+
+from program import run
+
+COMMANDS = "simulate detect map info config query export snapshot eval tune check".split()
+
+
+class Usage(unittest.TestCase):
+    def test_help_is_on_stdout_and_ends_with_0(self):
+        for arguments in [["--help"], *[[command, "--help"] for command in COMMANDS]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("Usage", result.stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^hypermap \d+\.\d+\.\d+\n$")
+
+    def test_wrong_command_lines_end_with_4(self):
+        for arguments in [[], ["nonsense"], ["map"], ["map", "--input"], ["map", "--no-such-option"],
+                          ["map", "--input", "x", "--output", "y", "--resolution", "nan"],
+                          ["map", "--input", "x", "--output", "y", "--resolution", "-1"],
+                          ["map", "--input", "x", "--output", "y", "--mode", "fast"],
+                          ["simulate", "--output", "x", "--frames", "0"],
+                          ["snapshot", "x", "--output", "y", "--size", "0x7"],
+                          ["query", "x", "--at", "1,2"]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertNotEqual(result.stderr.strip(), "")
+
+    def test_a_full_device_is_no_success(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            self.assertEqual(run("config", stdout=full).returncode, 3)
+
+    def test_a_missing_input_is_named(self):
+        for arguments in [["info", "/nonexistent/a.hmap"], ["check", "/nonexistent/a.hmap"],
+                          ["eval", "--map", "/nonexistent/a.hmap", "--truth", "/nonexistent/b.hmap"]]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertIn(result.returncode, (2, 3))
+                self.assertIn("/nonexistent/", result.stderr + result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
