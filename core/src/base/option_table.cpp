@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace hypermap {
@@ -26,9 +27,26 @@ Unexpected refused(const std::string& rule, const std::string& value) {
   return fail(ErrorCode::kInvalidArgument, rule + ", is " + value);
 }
 
+bool is_plain_interval(const OptionRange& range) {
+  return !range.excludes_min && !range.excludes_max && std::isfinite(range.min) &&
+         std::isfinite(range.max);
+}
+
 std::string interval_rule(const OptionRange& range) {
-  const bool is_closed = !range.excludes_min && !range.excludes_max;
-  return (is_closed && !range.includes_zero ? "must be in " : "must be ") + to_string(range);
+  const bool is_within = is_plain_interval(range) && !range.includes_zero;
+  return (is_within ? "must be in " : "must be ") + to_string(range);
+}
+
+/// "above 0", "at least 0"; empty where there is no lower end.
+std::string lower_end(const OptionRange& range) {
+  if (range.min == -kUnbounded) return "";
+  return (range.excludes_min ? "above " : "at least ") + plain_text(range.min);
+}
+
+/// "below 1", "at most 1"; "finite" where only infinity lies beyond.
+std::string upper_end(const OptionRange& range) {
+  if (range.max == kUnbounded) return range.excludes_max ? "finite" : "";
+  return (range.excludes_max ? "below " : "at most ") + plain_text(range.max);
 }
 
 Result<void> check_choice(const OptionRow& row, double position) {
@@ -45,6 +63,11 @@ Result<void> check_row(const OptionRow& row, const void* options) {
   Error error = std::move(checked).error();
   error.field = is_section ? within(row.name, error.field) : std::string(row.name);
   return Unexpected(std::move(error));
+}
+
+Result<void> check_rows(const OptionTable& table, const void* options) {
+  for (const OptionRow& row : table.rows) HYPERMAP_TRY(check_row(row, options));
+  return table.rule == nullptr ? Result<void>{} : table.rule(options);
 }
 
 void append(const OptionTable& table,
@@ -65,14 +88,13 @@ void append(const OptionTable& table,
 }  // namespace
 
 std::string to_string(const OptionRange& range) {
-  const std::string min = plain_text(range.min);
-  const std::string max = plain_text(range.max);
-  std::string text = min + " .. " + max;
-  if (range.excludes_min || range.excludes_max) {
-    text = (range.excludes_min ? "above " : "at least ") + min + " and " +
-           (range.excludes_max ? "below " : "at most ") + max;
-  }
-  return (range.includes_zero ? "0 or " : "") + text;
+  const std::string zero = range.includes_zero ? "0 or " : "";
+  if (is_plain_interval(range))
+    return zero + plain_text(range.min) + " .. " + plain_text(range.max);
+  const std::string lower = lower_end(range);
+  const std::string upper = upper_end(range);
+  if (lower.empty() && upper.empty()) return "a number";
+  return zero + lower + (lower.empty() || upper.empty() ? "" : " and ") + upper;
 }
 
 std::string range_text(const OptionRow& row) {
@@ -118,9 +140,23 @@ Result<void> check_value(const OptionRow& row, const OptionValue& value) {
   }
 }
 
-Result<void> check_table(const OptionTable& table, const void* options) {
-  for (const OptionRow& row : table.rows) HYPERMAP_TRY(check_row(row, options));
-  return table.rule == nullptr ? Result<void>{} : table.rule(options);
+Result<void> check_table(const OptionTable& table, const void* options, std::string_view section) {
+  Result<void> checked = check_rows(table, options);
+  if (checked) return checked;
+  Error error = std::move(checked).error();
+  error.field = within(section, error.field);
+  return Unexpected(std::move(error));
+}
+
+Result<void> check_above(std::string_view lower_name,
+                         double lower,
+                         std::string_view upper_name,
+                         double upper) {
+  if (upper > lower) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be above " + std::string(lower_name) + " (" + number_text(lower) + "), is " +
+                  number_text(upper),
+              std::string(upper_name));
 }
 
 void set_preset(const OptionTable& table, PresetName preset, void* options) {

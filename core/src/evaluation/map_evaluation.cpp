@@ -2,11 +2,9 @@
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 
 #include "hypermap/core/base/class_registry.hpp"
-#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/objects/assignment.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -254,22 +252,6 @@ class Evaluation {
 };
 
 }  // namespace
-
-Result<void> validate(const EvaluationOptions& options) {
-  for (const auto& [field, value] : {std::pair{"gate_m", options.gate_m},
-                                     std::pair{"small_gate_m", options.small_gate_m},
-                                     std::pair{"small_size_m", options.small_size_m}}) {
-    if (std::isfinite(value) && value > 0.0) continue;
-    return fail(
-        ErrorCode::kInvalidArgument, "must be finite and > 0, is " + number_text(value), field);
-  }
-  if (!(std::isfinite(options.min_judged_area_m2) && options.min_judged_area_m2 >= 0.0)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be finite and >= 0, is " + number_text(options.min_judged_area_m2),
-                "min_judged_area_m2");
-  }
-  return {};
-}
 
 EvaluationReport evaluate(std::span<const EvaluatedObject> map,
                           std::span<const EvaluatedObject> truth,

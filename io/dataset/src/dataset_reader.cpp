@@ -130,17 +130,6 @@ Result<Loaded<DatasetDescription>> describe(const fs::path& folder, const Datase
   return find_layout(folder);
 }
 
-Result<void> validate_options(const DatasetOptions& options) {
-  if (options.stride < 1) {
-    return fail(ErrorCode::kInvalidArgument, "must be >= 1, is 0", "stride");
-  }
-  const double tolerance_s = options.stamp_tolerance_s.value_or(0.0);
-  if (!(tolerance_s >= 0.0 && tolerance_s <= 3600.0)) {
-    return fail(ErrorCode::kInvalidArgument, "must be in 0 .. 3600 s", "stamp_tolerance_s");
-  }
-  return {};
-}
-
 /// How many frames remain after first, stride and max_frames.
 std::size_t num_chosen(std::size_t num_entries, const DatasetOptions& options) {
   if (options.first >= num_entries) return 0;
@@ -153,7 +142,7 @@ std::size_t num_chosen(std::size_t num_entries, const DatasetOptions& options) {
 Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path& path,
                                                     const DatasetOptions& options,
                                                     ClassRegistry& registry) {
-  HYPERMAP_TRY(validate_options(options));
+  HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(auto described, describe(path, options));
   Sequence sequence;
   sequence.folder = path;

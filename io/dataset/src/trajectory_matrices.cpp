@@ -93,6 +93,7 @@ Result<LogRecord> parse_log_record(const std::vector<TextLine>& lines,
 
 Result<Loaded<NumberedTrajectory>> read_log_trajectory(const std::filesystem::path& path,
                                                        const TrajectoryOptions& options) {
+  HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, options.max_file_bytes));
   const std::vector<TextLine> lines = content_lines(text);
   Loaded<NumberedTrajectory> loaded;
@@ -128,6 +129,7 @@ Result<Loaded<NumberedTrajectory>> read_log_trajectory(const std::filesystem::pa
 
 Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
                                          const TrajectoryOptions& options) {
+  HYPERMAP_TRY(validate(options));
   constexpr std::size_t kMaxPoseBytes = 65536;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxPoseBytes));
   const std::vector<TextLine> lines = content_lines(text);

@@ -134,6 +134,7 @@ class TumBuilder {
 
 Result<Loaded<StampedTrajectory>> read_tum_trajectory(const std::filesystem::path& path,
                                                       const TrajectoryOptions& options) {
+  HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, options.max_file_bytes));
   TumBuilder builder(path, options);
   for (const TextLine& line : split_lines(text)) {

@@ -228,6 +228,7 @@ std::string to_string(const FloorEstimate& estimate) {
 Result<FloorEstimate> find_floor(std::span<const SurfacePoint> points,
                                  const Eigen::Vector3d& camera_up_in_input,
                                  const FloorOptions& options) {
+  HYPERMAP_TRY(validate(options));
   const auto start = common_normal(points, camera_up_in_input, options);
   if (!start) {
     return fail(ErrorCode::kNotFound,
@@ -262,6 +263,7 @@ Result<FloorEstimate> find_floor(std::span<const SurfacePoint> points,
 }
 
 Result<FloorEstimate> estimate_floor(const DatasetReader& reader, const FloorOptions& options) {
+  HYPERMAP_TRY(validate(options));
   std::vector<SurfacePoint> points;
   Eigen::Vector3d camera_up = Eigen::Vector3d::Zero();
   const std::size_t wanted = std::min(options.num_frames, reader.size());

@@ -21,14 +21,6 @@ namespace {
 constexpr std::size_t kMaxModelBytes = std::size_t{1} << 30U;
 constexpr double kPaddingGrey = 114.0;  // what the network was trained with
 
-Result<void> in_range(double value, double low, double high, const char* field) {
-  if (value >= low && value <= high) return {};
-  return fail(
-      ErrorCode::kInvalidArgument,
-      "must be in " + json_number(low) + " .. " + json_number(high) + ", is " + json_number(value),
-      field);
-}
-
 /// Protobuf's variable-length integer; false when it is cut.
 bool take_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value) {
   value = 0;
@@ -150,18 +142,6 @@ struct OnnxDetector::Impl {
     return out;
   }
 };
-
-Result<void> validate(const OnnxDetectorOptions& options) {
-  HYPERMAP_TRY(in_range(options.min_score, 0.0, 1.0, "min_score"));
-  HYPERMAP_TRY(in_range(options.nms_overlap, 0.0, 1.0, "nms_overlap"));
-  HYPERMAP_TRY(in_range(options.input_side_px, 32, 2048, "input_side_px"));
-  if (options.input_side_px % 32 != 0) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be a multiple of 32, is " + std::to_string(options.input_side_px),
-                "input_side_px");
-  }
-  return in_range(static_cast<double>(options.max_detections), 1, 1000, "max_detections");
-}
 
 OnnxDetector::OnnxDetector(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 OnnxDetector::OnnxDetector(OnnxDetector&&) noexcept = default;

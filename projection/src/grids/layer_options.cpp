@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/grids/layer_options.hpp"
 
-#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_rows.hpp"
 
 namespace hypermap {
@@ -23,11 +22,7 @@ constexpr OptionRow kLayerRows[] = {
 };
 
 Result<void> check_band(const LayerOptions& options) {
-  if (options.max_height_m > options.min_height_m) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be above min_height_m (" + number_text(options.min_height_m) + "), is " +
-                  number_text(options.max_height_m),
-              "max_height_m");
+  return check_above("min_height_m", options.min_height_m, "max_height_m", options.max_height_m);
 }
 
 }  // namespace

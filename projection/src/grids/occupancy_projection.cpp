@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/grids/occupancy_projection.hpp"
 
+#include "hypermap/core/base/option_rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -11,6 +13,21 @@ namespace {
 
 /// A leaf's edge on a cell's edge up to rounding does not reach into the next cell.
 constexpr double kSlackCells = 1e-6;
+
+constexpr OptionRow kProjectionRows[] = {
+    option::number<&OccupancyProjectionOptions::resolution_m>(
+        "resolution_m",
+        option::at_least(0),
+        {.unit = "m", .effect = "Edge of a cell; 0: that of the smallest leaf in the band."}),
+    option::number<&OccupancyProjectionOptions::min_free_share>(
+        "min_free_share",
+        option::above(0, 1),
+        {.effect = "A cell is free when so much of its height was seen free."}),
+};
+
+Result<void> check_geometry(const OccupancyProjectionOptions& options) {
+  return options.geometry ? validate(*options.geometry) : Result<void>{};
+}
 
 double height_within(const HeightBand& band, const LeafSample& leaf) {
   const double low = std::max(leaf.centre_in_map.z() - leaf.edge_m / 2, band.min_m);
@@ -99,18 +116,16 @@ Result<GridGeometry> around(const Extent& extent, double resolution_m) {
 
 }  // namespace
 
+const OptionTable& option_table(const OccupancyProjectionOptions&) {
+  static constexpr OptionTable kTable{kProjectionRows, kRule<check_geometry>};
+  return kTable;
+}
+
 Result<void> validate(const HeightBand& band, const OccupancyProjectionOptions& options) {
   if (!(band.min_m < band.max_m) || !std::isfinite(band.max_m - band.min_m)) {
     return fail(ErrorCode::kInvalidArgument, "min must be below max, both finite", "height_band");
   }
-  if (!(options.resolution_m >= 0.0)) {
-    return fail(ErrorCode::kInvalidArgument, "must be >= 0", "resolution_m");
-  }
-  if (!(options.min_free_share > 0.0 && options.min_free_share <= 1.0)) {
-    return fail(ErrorCode::kInvalidArgument, "must be in (0, 1]", "min_free_share");
-  }
-  if (options.geometry) return validate(*options.geometry);
-  return {};
+  return check_options(options);
 }
 
 void for_each_column(const GridGeometry& geometry,

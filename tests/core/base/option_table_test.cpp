@@ -35,6 +35,7 @@ struct OuterOptions {
   std::optional<double> range_m = std::nullopt;
   std::vector<std::string> classes = {};
   int threads = 1;
+  std::optional<std::size_t> most = std::nullopt;
 };
 
 constexpr std::string_view kFlavours[] = {"sweet", "sour"};
@@ -58,6 +59,7 @@ constexpr OptionRow kOuterRows[] = {
     option::number<&OuterOptions::range_m>("range_m", {1, 8}, {.smap = 1.5, .hypermap = kNoValue}),
     option::names<&OuterOptions::classes>("classes", {}),
     option::count<&OuterOptions::threads>("threads", {1, 4}, {.is_listed = false}),
+    option::count<&OuterOptions::most>("most", option::at_least(1), {.is_listed = false}),
 };
 
 Result<void> check_outer(const OuterOptions& options) {
@@ -102,7 +104,24 @@ TEST(OptionTable, ARefusalNamesFieldRuleAndValue) {
             "flavour: must be one of sweet, sour, is no. 2");
   EXPECT_EQ(refusal({.range_m = 0.5}), "range_m: must be in 1 .. 8, is 0.5");
   EXPECT_EQ(refusal({.threads = 5}), "threads: must be in 1 .. 4, is 5");
+  EXPECT_EQ(refusal({.most = 0}), "most: must be at least 1, is 0");
+  EXPECT_EQ(refusal({.most = 1}), "none");
   EXPECT_EQ(refusal({.number = 7}), "number: must not be 7");
+}
+
+TEST(OptionTable, FieldsAreNamedWithinTheSectionOfTheirStruct) {
+  const OuterOptions wrong{.inner = {.share = 1.5}};
+  EXPECT_EQ(check_options(wrong, "outer").error().field, "outer.inner.share");
+  EXPECT_EQ(check_options(wrong).error().field, "inner.share");
+  EXPECT_EQ(check_options(OuterOptions{.number = 7}, "outer").error().field, "outer.number");
+}
+
+TEST(OptionTable, OneFieldMayHaveToLieAboveAnother) {
+  EXPECT_TRUE(check_above("min", 1.0, "max", 1.5));
+  EXPECT_EQ(to_string(check_above("min", 1.0, "max", 1.0).error()),
+            "max: must be above min (1), is 1");
+  EXPECT_FALSE(check_above("min", 1.0, "max", kNan));
+  EXPECT_FALSE(check_above("min", kNan, "max", 1.0));
 }
 
 TEST(OptionTable, WhatIsNoNumberIsInNoRange) {
@@ -126,19 +145,40 @@ TEST(OptionTable, EndsOfAnIntervalBelongToItAsItSays) {
   EXPECT_FALSE(option::zero_or(2, 9).contains(1.0));
 }
 
+TEST(OptionTable, InfinityLiesInAnUnboundedRangeUnlessExcluded) {
+  EXPECT_TRUE(option::at_least(1).contains(kInfinity));
+  EXPECT_TRUE(option::above(0, kUnbounded).contains(kInfinity));
+  EXPECT_FALSE(option::inside(0, kUnbounded).contains(kInfinity));
+  EXPECT_TRUE(option::inside(0, kUnbounded).contains(std::numeric_limits<double>::max()));
+  const OptionRange any{-kUnbounded, kUnbounded};
+  EXPECT_TRUE(any.contains(kInfinity) && any.contains(-kInfinity));
+  EXPECT_FALSE(any.contains(kNan) || option::at_least(1).contains(kNan));
+}
+
 TEST(OptionTable, RangesReadAsSentences) {
   EXPECT_EQ(to_string(OptionRange{0.000001, 100000}), "0.000001 .. 100000");
   EXPECT_EQ(to_string(option::above(0, 1)), "above 0 and at most 1");
   EXPECT_EQ(to_string(option::below(0, 0.5)), "at least 0 and below 0.5");
   EXPECT_EQ(to_string(option::inside(0.5, 1)), "above 0.5 and below 1");
   EXPECT_EQ(to_string(option::zero_or(2, 9)), "0 or 2 .. 9");
+  EXPECT_EQ(to_string(option::at_least(1)), "at least 1");
+  EXPECT_EQ(to_string(option::above(0, kUnbounded)), "above 0");
+  EXPECT_EQ(to_string(option::inside(0, kUnbounded)), "above 0 and finite");
+  EXPECT_EQ(to_string(option::below(0, kUnbounded)), "at least 0 and finite");
+  EXPECT_EQ(to_string(OptionRange{-kUnbounded, 5}), "at most 5");
+  EXPECT_EQ(to_string(OptionRange{-kUnbounded, kUnbounded}), "a number");
   std::vector<std::string> texts;
   for (const OptionRow& row : kOuterRows) {
     if (row.kind != OptionKind::kSection) texts.push_back(range_text(row));
   }
   EXPECT_EQ(texts,
-            (std::vector<std::string>{
-                "0 or 2 .. 9", "true, false", "sweet, sour", "none or 1 .. 8", "names", "1 .. 4"}));
+            (std::vector<std::string>{"0 or 2 .. 9",
+                                      "true, false",
+                                      "sweet, sour",
+                                      "none or 1 .. 8",
+                                      "names",
+                                      "1 .. 4",
+                                      "none or at least 1"}));
 }
 
 TEST(OptionTable, APresetGivesItsValuesAndLeavesTheOthers) {

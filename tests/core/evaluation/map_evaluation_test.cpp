@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace hypermap {
 namespace {
 
@@ -124,6 +126,22 @@ TEST(Evaluation, NothingAgainstNothingIsNothing) {
   EXPECT_FALSE(report.all.one_to_one.f1.has_value());
   EXPECT_FALSE(report.all.nearest.distance_m.has_value());
   EXPECT_EQ(validate(EvaluationOptions{.gate_m = 0.0}).error().field, "gate_m");
+}
+
+TEST(Evaluation, OptionsOutOfTheirRangeAreNamed) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto refusal = [](const EvaluationOptions& options) {
+    const auto checked = validate(options);
+    return checked ? "none" : to_string(checked.error());
+  };
+  EXPECT_EQ(refusal({}), "none");
+  EXPECT_EQ(refusal({.gate_m = 0.0}), "gate_m: must be above 0 and finite, is 0");
+  EXPECT_EQ(refusal({.small_gate_m = kInfinity}),
+            "small_gate_m: must be above 0 and finite, is inf");
+  EXPECT_EQ(refusal({.small_size_m = -0.5}), "small_size_m: must be above 0 and finite, is -0.5");
+  EXPECT_EQ(refusal({.min_judged_area_m2 = 0.0}), "none");
+  EXPECT_EQ(refusal({.min_judged_area_m2 = -1.0}),
+            "min_judged_area_m2: must be at least 0 and finite, is -1");
 }
 
 }  // namespace

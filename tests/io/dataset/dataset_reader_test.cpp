@@ -166,6 +166,17 @@ TEST(DatasetReader, StampsPairWithinTheToleranceOnly) {
   EXPECT_THAT(read_error(*narrower, 1), HasSubstr("no pose within 0.001 s of 101.0"));
 }
 
+TEST(DatasetReader, OptionsOutOfTheirRangeAreNamed) {
+  const auto field = [](const DatasetOptions& options) {
+    ClassRegistry registry;
+    return open_dataset("absent", options, registry).error().field;
+  };
+  EXPECT_EQ(field({.stamp_tolerance_s = -0.1}), "stamp_tolerance_s");
+  EXPECT_EQ(field({.stamp_tolerance_s = 3601.0}), "stamp_tolerance_s");
+  EXPECT_EQ(field({.stride = 0}), "stride");
+  EXPECT_EQ(field({.max_frames = 0}), "max_frames");
+}
+
 TEST(DatasetReader, ABadTrajectoryLineCostsItsFrameAndIsAFinding) {
   const TempDir dir;
   const SyntheticDataset tum = test::write_tum(dir / "t");

@@ -7,11 +7,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace hypermap {
 namespace {
 
 using test::TempDir;
 using test::write_text;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
@@ -169,6 +173,17 @@ TEST(TrajectoryFile, APoseMatrixMustBeARigidMotion) {
   EXPECT_THAT(refused("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 2\n"), HasSubstr("last row"));
   EXPECT_THAT(refused("-inf 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"), HasSubstr("p.txt:1"));
   EXPECT_THAT(refused("1 0 0 0\n0 1 0 0\n"), HasSubstr("after 2 rows"));
+}
+
+TEST(TrajectoryFile, OptionsOutOfTheirRangeAreNamedBeforeAnyFileIsRead) {
+  const auto fields = [](const TrajectoryOptions& options) {
+    return std::vector{read_tum_trajectory("absent", options).error().field,
+                       read_log_trajectory("absent", options).error().field,
+                       read_pose_matrix("absent", options).error().field};
+  };
+  EXPECT_THAT(fields({.max_speed_m_per_s = -1.0}), Each("max_speed_m_per_s"));
+  EXPECT_THAT(fields({.max_rotation_error = std::nan("")}), Each("max_rotation_error"));
+  EXPECT_THAT(fields({.max_rotation_error = 1.5}), Each("max_rotation_error"));
 }
 
 }  // namespace

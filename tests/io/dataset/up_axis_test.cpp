@@ -141,5 +141,19 @@ TEST(UpAxis, TheLivingRoomsFloorIsLevel) {
   EXPECT_GT(floor.inlier_share, 0.1);
 }
 
+TEST(UpAxis, OptionsOutOfTheirRangeAreNamed) {
+  const auto field = [](const FloorOptions& options) {
+    const auto floor = find_floor({}, Eigen::Vector3d::UnitZ(), options);
+    return floor.error().field;
+  };
+  EXPECT_EQ(field({.num_frames = 0}), "num_frames");
+  EXPECT_EQ(field({.pixel_step = 0}), "pixel_step");
+  EXPECT_EQ(field({.min_range_m = 0.0}), "min_range_m");
+  EXPECT_EQ(field({.min_range_m = 4.5}), "max_range_m");
+  EXPECT_EQ(field({.max_tilt_rad = 2.0}), "max_tilt_rad");
+  EXPECT_EQ(field({.thickness_m = 0.0}), "thickness_m");
+  EXPECT_EQ(field({.min_level_share = std::nan("")}), "min_level_share");
+}
+
 }  // namespace
 }  // namespace hypermap

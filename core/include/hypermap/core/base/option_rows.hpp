@@ -38,6 +38,10 @@ struct OptionNotes {
 
 namespace option {
 
+/// min <= value; for whole numbers, and where infinity has a meaning.
+[[nodiscard]] constexpr OptionRange at_least(double min) {
+  return {.min = min, .max = kUnbounded};
+}
 /// min < value <= max.
 [[nodiscard]] constexpr OptionRange above(double min, double max) {
   return {.min = min, .max = max, .excludes_min = true};
@@ -58,9 +62,13 @@ namespace option {
 namespace detail {
 
 template <class Field>
-struct IsOptional : std::false_type {};
+struct IsOptional : std::false_type {
+  using Held = Field;
+};
 template <class Value>
-struct IsOptional<std::optional<Value>> : std::true_type {};
+struct IsOptional<std::optional<Value>> : std::true_type {
+  using Held = Value;
+};
 
 template <class Field>
 OptionValue value_of(const Field& field) {
@@ -158,10 +166,11 @@ constexpr OptionRow number(std::string_view name, OptionRange range, const Optio
   return row;
 }
 
-/// A whole number.
+/// A whole number, perhaps none.
 template <auto Member>
 constexpr OptionRow count(std::string_view name, OptionRange range, const OptionNotes& notes) {
-  static_assert(std::is_integral_v<typename detail::Access<Member>::Field>);
+  using Field = typename detail::Access<Member>::Field;
+  static_assert(std::is_integral_v<typename detail::IsOptional<Field>::Held>);
   OptionRow row = detail::row<Member>(name, OptionKind::kCount, notes);
   row.range = range;
   return row;
@@ -207,10 +216,10 @@ constexpr OptionRow section(std::string_view name) {
 template <auto Rule>
 inline constexpr auto kRule = &option::detail::RuleAccess<decltype(Rule)>::template check<Rule>;
 
-/// What `validate(options)` says.
+/// What `validate(options)` says. Fields are named within `section`.
 template <class Options>
-[[nodiscard]] Result<void> check_options(const Options& options) {
-  return check_table(option_table(options), &options);
+[[nodiscard]] Result<void> check_options(const Options& options, std::string_view section = {}) {
+  return check_table(option_table(options), &options, section);
 }
 
 /// The defaults, and what `preset` names instead.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What there is to know of each field of an options struct, said once: name, range, unit, source,
-/// effect, and its value in the presets. Validation, presets, options files and `hypermap config`
-/// follow from it.
+/// effect, and its value in the presets. Validation, presets, options files, `hypermap config` and
+/// flags of the command line follow from it.
 ///
 /// The owner of a struct defines `const OptionTable& option_table(const XOptions&)` beside it, with
 /// the functions of `option_rows.hpp`. The default is the field's own, in the struct.
@@ -12,6 +12,7 @@
 #include "hypermap/core/base/result.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,9 @@ class OptionValue {
 /// Of a field that may be empty: it is.
 inline constexpr OptionValue kNoValue{};
 
+/// The end of a range that has none on that side. Infinity itself lies in it unless excluded.
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
 /// An interval, and 0 beside it where 0 switches something off. NaN is in none.
 struct OptionRange {
   double min = 0.0;
@@ -70,7 +74,8 @@ struct OptionRange {
   }
 };
 
-/// "0 .. 1", "above 0 and at most 1", "0 or 0.0001 .. 10".
+/// "0 .. 1", "above 0 and at most 1", "0 or 0.0001 .. 10"; of an end that is unbounded: "at least
+/// 1", "above 0 and finite" where infinity is excluded. "a number" when both ends are.
 [[nodiscard]] std::string to_string(const OptionRange& range);
 
 enum class OptionKind : std::uint8_t {
@@ -87,10 +92,10 @@ struct OptionTable;
 
 /// One option, or a section of them. All text is static.
 struct OptionRow {
-  std::string_view name;  ///< In files; a section without a name adds no level to them.
+  std::string_view name;  ///< In errors and files; a section without one adds no level to them.
   OptionKind kind = OptionKind::kNumber;
   bool may_be_none = false;
-  bool is_listed = true;  ///< In files and in `config`; else it is no matter of the result.
+  bool is_listed = true;  ///< By bind_options, for files and flags; else no matter of the result.
   OptionRange range = {};
   std::span<const std::string_view> choices = {};
   std::string_view unit = {};  ///< "m", "px", "log-odds" ...; empty for counts, shares, choices.
@@ -122,9 +127,17 @@ struct OptionTable {
 [[nodiscard]] Result<void> check_value(const OptionRow& row, const OptionValue& value);
 
 /// Errors: kInvalidArgument naming the first field out of its range, or the one that the rule of a
-/// table names. Requires: `options` is of the type that the table is for.
-/// Cost: no allocation unless something is wrong.
-[[nodiscard]] Result<void> check_table(const OptionTable& table, const void* options);
+/// table names, as a field of `section` where that has a name. Requires: `options` is of the type
+/// that the table is for. Cost: no allocation unless something is wrong.
+[[nodiscard]] Result<void> check_table(const OptionTable& table,
+                                       const void* options,
+                                       std::string_view section = {});
+
+/// The rule that one field lies above another. Errors: kInvalidArgument naming the upper one.
+[[nodiscard]] Result<void> check_above(std::string_view lower_name,
+                                       double lower,
+                                       std::string_view upper_name,
+                                       double upper);
 
 /// Gives the fields that `preset` names its values; others stay. Requires: as check_table.
 void set_preset(const OptionTable& table, PresetName preset, void* options);

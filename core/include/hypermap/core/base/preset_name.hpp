@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace hypermap {
@@ -15,7 +16,10 @@ enum class PresetName : std::uint8_t {
   kHypermap,  ///< The configuration of [hypermap], best shape and overlap.
 };
 
-/// "default", "smap", "hypermap". None for other names.
+/// "default", "smap", "hypermap": in the order of the enumerators.
+[[nodiscard]] std::span<const std::string_view> preset_names();
+
+/// One of preset_names(). None for other names.
 [[nodiscard]] std::optional<PresetName> preset_of(std::string_view name);
 [[nodiscard]] std::string_view to_string(PresetName name);
 

@@ -19,6 +19,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// An object as evaluation sees it, of whatever kind of archive.
 struct EvaluatedObject {
   std::string class_name;
@@ -40,6 +42,7 @@ struct EvaluationOptions {
 
 /// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0.
 [[nodiscard]] Result<void> validate(const EvaluationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const EvaluationOptions& options);
 
 /// The thesis metric: nearest map object of the same class for each truth, which may serve several.
 /// Source: [hypermap] 5.2.1. Means are none when `n` is 0.

@@ -18,6 +18,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// From above `min_m` to below `max_m`. Frame: Map. A leaf that only touches it from outside is not
 /// in it.
 struct HeightBand {
@@ -38,6 +40,7 @@ struct OccupancyProjectionOptions {
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const HeightBand& band,
                                     const OccupancyProjectionOptions& options);
+[[nodiscard]] const OptionTable& option_table(const OccupancyProjectionOptions& options);
 
 /// Boundary: a map without leaves in the band gives a grid without cells (or all of
 /// `options.geometry` unknown). Errors: kInvalidArgument; kLimit when the grid would be too large.

@@ -22,6 +22,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct DatasetOptions {
   /// A description from outside, its paths relative to the folder; none: look in the folder.
   std::optional<std::filesystem::path> description = std::nullopt;
@@ -33,11 +35,15 @@ struct DatasetOptions {
   DetectionReadOptions detection_reading = {};
   /// Partners may be this far apart; none: the description's, else 0.02 s. Range: 0 .. 3600
   std::optional<double> stamp_tolerance_s = std::nullopt;
-  std::size_t first = 0;                                 ///< Frames before it are left out.
-  std::size_t stride = 1;                                ///< Every n-th frame. Range: >= 1
-  std::optional<std::size_t> max_frames = std::nullopt;  ///< None: all. Range: >= 1
+  std::size_t first = 0;   ///< Frames before it are left out.
+  std::size_t stride = 1;  ///< Every n-th frame. Range: 1 .. 1,000,000
+  std::optional<std::size_t> max_frames = std::nullopt;  ///< None: all. Range: 1 .. 1,000,000,000
   bool read_color = true;                                ///< False: frames have no colour image.
 };
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const DatasetOptions& options);
+[[nodiscard]] const OptionTable& option_table(const DatasetOptions& options);
 
 /// What a folder holds, for messages and `info`.
 struct DatasetSummary {
@@ -91,8 +97,9 @@ class DatasetReader {
 /// Opens the folder `path`. Images are read later, one by one; lists, poses and detections now.
 /// Classes of the detections are added to `registry`.
 ///
-/// Errors: kNotFound when it is no known layout, with what was looked for; kIo; whatever the
-/// trajectory, intrinsics, detections and description files give; kNotFound when there is no frame.
+/// Errors: those of validate(options); kNotFound when it is no known layout, with what was looked
+/// for; kIo; whatever the trajectory, intrinsics, detections and description files give; kNotFound
+/// when there is no frame.
 [[nodiscard]] Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path& path,
                                                                   const DatasetOptions& options,
                                                                   ClassRegistry& registry);

@@ -16,6 +16,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct TrajectoryOptions {
   /// False: one bad line refuses the file. True: it is skipped, and a finding names it.
   bool skip_bad_lines = false;
@@ -27,6 +29,10 @@ struct TrajectoryOptions {
   std::size_t max_file_bytes = std::size_t{256} << 20U;  ///< A larger file is refused.
   std::size_t max_line_bytes = 4096;                     ///< A longer line is refused.
 };
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const TrajectoryOptions& options);
+[[nodiscard]] const OptionTable& option_table(const TrajectoryOptions& options);
 
 struct StampedPose {
   Stamp stamp;
@@ -44,10 +50,10 @@ struct StampedTrajectory {
 /// Reads lines `t tx ty tz qx qy qz qw`, `#` begins a comment, blanks are free.
 ///
 /// Stamps are seconds or nanoseconds (1e17 and more), exact to the nanosecond; one file has one
-/// unit. Errors: kIo; kLimit; kMalformedFile naming line and field: not eight numbers, a number
-/// that is not finite, a quaternion whose norm is off, time that runs back, a stamp twice with two
-/// poses, no pose at all. Findings: skipped lines, jumps, stamps that lost digits, normalised
-/// rotations.
+/// unit. Errors: those of validate(options); kIo; kLimit; kMalformedFile naming line and field: not
+/// eight numbers, a number that is not finite, a quaternion whose norm is off, time that runs back,
+/// a stamp twice with two poses, no pose at all. Findings: skipped lines, jumps, stamps that lost
+/// digits, normalised rotations.
 [[nodiscard]] Result<Loaded<StampedTrajectory>> read_tum_trajectory(
     const std::filesystem::path& path, const TrajectoryOptions& options = {});
 
@@ -71,7 +77,8 @@ struct NumberedTrajectory {
     const std::filesystem::path& path, const TrajectoryOptions& options = {});
 
 /// Reads one 4x4 matrix, camera to world, as 7-Scenes and ScanNet keep one beside each image.
-/// Errors: kIo; kMalformedFile naming line and rule (ScanNet marks lost tracking by infinities).
+/// Errors: those of validate(options); kIo; kMalformedFile naming line and rule (ScanNet marks lost
+/// tracking by infinities).
 [[nodiscard]] Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
                                                        const TrajectoryOptions& options = {});
 

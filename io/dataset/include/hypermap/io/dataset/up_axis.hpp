@@ -14,6 +14,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// The smallest turn that brings `axis` of the input ("x", "-x", "y", "-y", "z", "-z") to +z of the
 /// map; nothing is moved. Boundary: "-z" turns about x.
 /// Errors: kInvalidArgument for another name.
@@ -24,11 +26,16 @@ struct FloorOptions {
   int pixel_step = 6;           ///< Every n-th pixel each way. Range: 1 .. 64
   double min_range_m = 0.4;     ///< Nearer depth is not used. Range: > 0
   double max_range_m = 4.5;     ///< Farther depth is too noisy. Range: > min_range_m
-  double max_tilt_rad = 0.96;   ///< Of the floor's normal from the cameras' mean up (55 degrees).
-  double thickness_m = 0.04;    ///< Points this near to a plane lie on it. Range: 0.005 .. 0.5
+  /// Of the floor's normal from the cameras' mean up (55 degrees). Range: 0 .. pi/2
+  double max_tilt_rad = 0.96;
+  double thickness_m = 0.04;  ///< Points this near to a plane lie on it. Range: 0.005 .. 0.5
   /// The floor is the lowest plane with this share of the level points. Range: 0 .. 1
   double min_level_share = 0.04;
 };
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const FloorOptions& options);
+[[nodiscard]] const OptionTable& option_table(const FloorOptions& options);
 
 /// One point of a surface. Frame: Input.
 struct SurfacePoint {
@@ -53,7 +60,8 @@ struct FloorEstimate {
 /// share, then the lowest plane across it that holds enough points. The same points give the same
 /// answer, whatever happens elsewhere.
 ///
-/// Errors: kNotFound when fewer than 200 points are level, or no plane holds enough of them.
+/// Errors: those of validate(options); kNotFound when fewer than 200 points are level, or no plane
+/// holds enough of them.
 /// Cost: O(points * 512).
 [[nodiscard]] Result<FloorEstimate> find_floor(std::span<const SurfacePoint> points,
                                                const Eigen::Vector3d& camera_up_in_input,

@@ -20,11 +20,13 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct OnnxDetectorOptions {
   double min_score = 0.25;    ///< Objectness times class probability must exceed it. Range: 0 .. 1
   double nms_overlap = 0.45;  ///< Of two boxes of a class with more IoU the better stays. 0 .. 1
   int input_side_px = 416;    ///< The image is fitted into this square. A multiple of 32, 32..2048
-  std::size_t max_detections = 1000;  ///< The best of an image are kept.
+  std::size_t max_detections = 1000;  ///< The best of an image are kept. Range: 1 .. 1000
   DetectorId detector{0};             ///< Written into the detections.
   /// What the network's class outputs mean, in order. Empty: `coco_class_names()`.
   std::vector<std::string> class_names = {};
@@ -32,6 +34,7 @@ struct OnnxDetectorOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const OnnxDetectorOptions& options);
+[[nodiscard]] const OptionTable& option_table(const OnnxDetectorOptions& options);
 
 /// A network that is loaded and ready. Movable, not copyable.
 class OnnxDetector {
