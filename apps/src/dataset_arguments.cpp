@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dataset_arguments.hpp"
 
-#include "number_lists.hpp"
-
-#include <CLI/Validators.hpp>
+#include "option_flags.hpp"
 
 namespace hypermap::app {
 namespace {
@@ -16,6 +14,7 @@ Result<std::vector<std::string>> class_names(const std::optional<std::string>& p
 }  // namespace
 
 void DatasetArguments::add_to(CLI::App& command) {
+  const OptionTable& table = option_table(DatasetOptions{});
   command
       .add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
       ->required();
@@ -23,12 +22,12 @@ void DatasetArguments::add_to(CLI::App& command) {
   command.add_option(
       "--classes", classes, "names of a model's outputs, one a line (default: COCO)");
   command.add_option("--stride", stride, "use every N-th frame")
-      ->check(CLI::Range(1, 1000000))
+      ->check(value_of_field(table, "stride"))
       ->capture_default_str();
   command.add_option("--max-frames", max_frames, "stop after so many frames")
-      ->check(CLI::Range(1, 1000000000));
+      ->check(value_of_field(table, "max_frames"));
   command.add_option("--stamp-tolerance", stamp_tolerance_s, "seconds that partners may be apart")
-      ->check(number_in(0.0, 3600.0));
+      ->check(value_of_field(table, "stamp_tolerance_s"));
 }
 
 Result<DatasetOptions> DatasetArguments::options() const {

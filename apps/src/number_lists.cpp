@@ -34,9 +34,14 @@ Result<double> parse_number(std::string_view text, const std::string& field) {
 
 }  // namespace
 
+std::optional<double> finite_number(const std::string& text) {
+  const auto number = parse_number(text, "");
+  return number ? std::optional(*number) : std::nullopt;
+}
+
 CLI::Validator number_in(double min, double max) {
   const auto check = [min, max](const std::string& text) -> std::string {
-    const auto number = parse_number(text, "");
+    const auto number = finite_number(text);
     if (number && *number >= min && *number <= max) return {};
     return "must be a number in " + fixed(min, 3) + " .. " + fixed(max, 0) + ", is '" +
            printable(text) + "'";

@@ -9,10 +9,15 @@
 #include <CLI/App.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hypermap::app {
+
+/// The number that `text` is, with a point whatever the language; none for all else, infinity and
+/// NaN included.
+[[nodiscard]] std::optional<double> finite_number(const std::string& text);
 
 /// For an option with one number in [min, max]. NaN lies in no range; the decimal point is a point
 /// whatever the language.

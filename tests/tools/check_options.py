@@ -3,9 +3,9 @@
 """Every number of an options struct has a default and a comment, and every real number its unit in
 the name or in the comment. Fields of a type of ours are explained by that type.
 
-Each field of the options of a map (MapOptions and all that it holds) stands in the option table of
-its struct, with an effect, and with the unit that its name or type says. Structs that MapOptions
-does not hold are arguments of single calls: `config` and options files do not know them."""
+Each options struct has an option table, and its `validate` asks that one; WITHOUT_TABLE says which
+have none and why. Each field that a row can hold stands there, with an effect, and with the unit
+that its name or type says; of the options of a map (MapOptions and all that it holds) each field."""
 
 import re
 import sys
@@ -31,9 +31,28 @@ NO_OPTION_OF_A_FILE = {
     "StackingOptions.weights": "detectors by number have no meaning elsewhere",
     "AssociationOptions.transient_classes": "classes by number have no meaning elsewhere",
 }
+WITHOUT_TABLE = {
+    "CloudObservationOptions": "the mapper fills it from options that have one",
+    "CutawayOptions": "a snapshot fills it; leaving out voxels cannot fail",
+    "DetectionReadOptions": "names and limits of a reader, of any size",
+    "FileCheckOptions": "a kind, a size and a flag, each of any value",
+    "FootprintOptions": "fields of ConfirmationOptions, whose table has them",
+    "LabelLayoutOptions": "placing labels cannot fail",
+    "OctreeConversionOptions": "limits of a reader, of any size",
+    "RayCastOptions": "casting a ray cannot fail",
+    "SaveOptions": "a flag and limits of any size",
+    "SemanticReadOptions": "a flag and limits of any size",
+}
+TABLE = re.compile(r"\boption_table\(const (\w+)&")
+VALIDATE = re.compile(r"^Result<void> validate\(const (\w*Options)& \w+\) \{\n(.*?)^\}",
+                      re.MULTILINE | re.DOTALL)
+HELD_BY_A_ROW = re.compile(r"^(std::optional<)?(double|float|bool|int|unsigned|std::u?int\d+_t|"
+                           r"std::size_t|Probability|LogOdds|\w+Options)>?$|"
+                           r"^std::vector<std::string>$")
 ALIAS = re.compile(r"^using (\w+) = (\w+Options);", re.MULTILINE)
 ROW = re.compile(r"option::(\w+)<&(\w+)::(\w+)>\(")
-UNIT_OF_NAME = {"_m": "m", "_px": "px", "_s": "s", "_deg": "degrees", "_per_m": "m/m", "_per_m2": "1/m"}
+UNIT_OF_NAME = {"_m": "m", "_px": "px", "_s": "s", "_deg": "degrees", "_rad": "rad", "_m2": "m2",
+                "_per_m": "m/m", "_per_m2": "1/m", "_m_per_s": "m/s", "_bytes": "bytes"}
 UNIT_OF_TYPE = {"LogOdds": "log-odds", "Probability": "probability"}
 SAYS_NO_UNIT = ("flag", "choice", "names", "section")
 
@@ -137,37 +156,81 @@ def row_problem(kind, name, row):
     return f'has not the unit "{unit}" in its table'
 
 
-def check_tables(root):
-    structs = {struct.group(1): (path, text, struct) for path, text, struct in structs_of(root)}
-    rows = rows_of(root)
-    problems, seen, waiting = [], set(), [MAP_OPTIONS]
+def held_by_map_options(structs):
+    """Names of the structs that MapOptions holds, itself included."""
+    held, waiting = set(), [MAP_OPTIONS]
     while waiting:
         name = waiting.pop()
-        if name in seen or name not in structs:
+        if name in held or name not in structs:
             continue
-        seen.add(name)
-        path, text, struct = structs[name]
+        held.add(name)
+        fields = FIELD.finditer(structs[name][2].group(2))
+        waiting += [field.group(1).strip() for field in fields]
+    return held
+
+
+def needs_row(kind, is_in_map_options):
+    return is_in_map_options or (kind not in WITHOUT_TABLE and HELD_BY_A_ROW.match(kind))
+
+
+def table_problem(name, tables):
+    if (name in tables) != (name in WITHOUT_TABLE):
+        return None
+    return "stands in WITHOUT_TABLE and has a table" if name in tables else "has no option table"
+
+
+def check_tables(root):
+    structs = {struct.group(1): (path, text, struct) for path, text, struct in structs_of(root)}
+    in_map_options = held_by_map_options(structs)
+    rows = rows_of(root)
+    problems = []
+    for name, (path, text, struct) in structs.items():
+        place = path.relative_to(root).as_posix()
+        problem = table_problem(name, TABLE.findall(text))
+        if problem is not None:
+            line = source_tree.line_of(text, struct.start())
+            problems.append(f"{place}:{line}: {name} {problem}")
+        if problem is not None or name in WITHOUT_TABLE:
+            continue
         for field in FIELD.finditer(struct.group(2)):
-            kind, member = field.group(1), field.group(2)
-            waiting.append(kind.strip())
+            kind, member = field.group(1).strip(), field.group(2)
             key = f"{name}.{member}"
+            if key in NO_OPTION_OF_A_FILE or not needs_row(kind, name in in_map_options):
+                continue
             problem = row_problem(kind, member, rows.get(key))
-            if problem is None or key in NO_OPTION_OF_A_FILE:
+            if problem is None:
                 continue
             line = source_tree.line_of(text, struct.start(2) + field.start())
-            problems.append(f"{path.relative_to(root).as_posix()}:{line}: {key} {problem}")
+            problems.append(f"{place}:{line}: {key} {problem}")
+    return problems
+
+
+def check_validation(root):
+    problems = []
+    for path in source_tree.files(root, source_tree.LIBRARIES, [".cpp"]):
+        text = source_tree.read(path)
+        for function in VALIDATE.finditer(text):
+            if "check_options(" in function.group(2):
+                continue
+            line = source_tree.line_of(text, function.start())
+            problems.append(f"{path.relative_to(root).as_posix()}:{line}: "
+                            f"validate({function.group(1)}) does not ask the option table")
     return problems
 
 
 def check(root):
-    return check_comments(root) + check_tables(root)
+    return check_comments(root) + check_tables(root) + check_validation(root)
 
 
 HEADER = "core/include/hypermap/core/a.hpp"
 
 
+def declared(name):
+    return f"const OptionTable& option_table(const {name}& options);\n"
+
+
 def header(fields):
-    return "struct AOptions {\n" + fields + "};\n"
+    return "struct AOptions {\n" + fields + "};\n" + declared("AOptions")
 
 
 GOOD = {HEADER: header("  double range_m = 1.0;  ///< Farther is dropped.\n"
@@ -175,10 +238,17 @@ GOOD = {HEADER: header("  double range_m = 1.0;  ///< Farther is dropped.\n"
                        "  /// Larger keeps more. Unit: standard deviation.\n  double spread = 0.3;\n"
                        "  friend bool operator==(const AOptions&, const AOptions&) = default;\n")}
 MAP_HEADER = "io/options/include/hypermap/io/b.hpp"
-TABLE = "core/src/a.cpp"
-GOOD[MAP_HEADER] = "struct MapOptions {\n  CoreOptions core;\n};\n"
-GOOD["core/include/hypermap/core/c.hpp"] = (
-    "struct CoreOptions {\n  double range_m = 1.0;  ///< Farther is dropped.\n};\n")
+TABLE_FILE = "core/src/a.cpp"
+CORE_HEADER = "core/include/hypermap/core/c.hpp"
+GOOD[MAP_HEADER] = "struct MapOptions {\n  CoreOptions core;\n};\n" + declared("MapOptions")
+GOOD[CORE_HEADER] = ("struct CoreOptions {\n  double range_m = 1.0;  ///< Farther is dropped.\n};\n"
+                     + declared("CoreOptions"))
+GOOD["core/src/d.cpp"] = "".join(
+    f'auto {name} = option::number<&AOptions::{name}>("{name}", {{0, 1}}, {{.unit = "m", .effect = "x"}});\n'
+    for name in ("range_m", "names", "spread", "a", "b"))
+VALIDATION = "core/src/e.cpp"
+GOOD[VALIDATION] = ("Result<void> validate(const AOptions& options) {\n"
+                    "  return check_options(options);\n}\n")
 GOOD["io/options/src/b.cpp"] = 'auto a = option::section<&MapOptions::core>("core");\n'
 
 
@@ -187,21 +257,23 @@ def table(notes):
             f'auto a = option::number<&Core::range_m>("range_m", {{0, 1}}, {{{notes}}});\n')
 
 
-GOOD[TABLE] = table('.unit = "m", .effect = "Farther (than this) is dropped."')
+GOOD[TABLE_FILE] = table('.unit = "m", .effect = "Farther (than this) is dropped."')
 BAD = [
     ("no comment", {HEADER: header("  double range_m = 1.0;\n")}),
     ("no default", {HEADER: header("  double range_m;  ///< Farther is dropped.\n")}),
     ("no unit", {HEADER: header("  double spread = 0.3;  ///< Larger keeps more.\n")}),
     ("second field", {HEADER: header("  int a = 1;  ///< Many.\n  int b = 1;\n")}),
-    ("not in a table", {"core/include/hypermap/core/c.hpp":
-                        "struct CoreOptions {\n  double range_m = 1.0;  ///< Farther is dropped.\n"
-                        "  int more = 1;  ///< Many.\n};\n"}),
-    ("no unit in the table", {"core/include/hypermap/core/c.hpp":
-                              GOOD["core/include/hypermap/core/c.hpp"],
-                              TABLE: table('.effect = "Farther is dropped."')}),
-    ("no effect in the table", {"core/include/hypermap/core/c.hpp":
-                                GOOD["core/include/hypermap/core/c.hpp"],
-                                TABLE: table('.unit = "m"')}),
+    ("no table", {HEADER: GOOD[HEADER].replace(declared("AOptions"), "")}),
+    ("a table in vain", {HEADER: GOOD[HEADER].replace("AOptions", "SaveOptions")}),
+    ("no row", {HEADER: header("  bool is_wide = true;  ///< Wider.\n")}),
+    ("validated by hand", {VALIDATION: GOOD[VALIDATION].replace("check_options(options)", "{}")}),
+    ("not in a table", {CORE_HEADER: "struct CoreOptions {\n"
+                                     "  double range_m = 1.0;  ///< Farther is dropped.\n"
+                                     "  Frame more = {};  ///< Many.\n};\n"
+                                     + declared("CoreOptions")}),
+    ("no unit in the table", {CORE_HEADER: GOOD[CORE_HEADER],
+                              TABLE_FILE: table('.effect = "Farther is dropped."')}),
+    ("no effect in the table", {CORE_HEADER: GOOD[CORE_HEADER], TABLE_FILE: table('.unit = "m"')}),
     ("no section", {MAP_HEADER: GOOD[MAP_HEADER], "io/options/src/b.cpp": ""}),
 ]
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/options/options_file.hpp"
+#include "option_flags.hpp"
 
-#include <CLI/Validators.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -55,7 +55,7 @@ void add_config_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand(
       "config", "Every option as a file for --config: value, unit, range, source, effect");
   command.add_option("--preset", arguments->preset, "whose values")
-      ->check(CLI::IsMember({"default", "smap", "hypermap"}))
+      ->check(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments->file, "an options file to complete");
   command.add_flag("--json", arguments->json, "one JSON document");

@@ -107,9 +107,10 @@ void print_table(const EvaluationOutcome& outcome) {
   std::printf("%s", table.text().c_str());
   const OneToOneMetric& one = outcome.report.all.one_to_one;
   std::printf(
-      "%zu true objects excluded; Jaccard in place over %zu footprints of 0.04 m2 and more\n",
+      "%zu true objects excluded; Jaccard in place over %zu footprints of %.2f m2 and more\n",
       one.excluded,
-      one.num_judged);
+      one.num_judged,
+      EvaluationOptions{}.min_judged_area_m2);
   if (!outcome.against) return;
   std::printf(
       "against the other map (Wilcoxon, one-sided): p = %s that this map's Jaccard is greater "

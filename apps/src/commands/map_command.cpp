@@ -108,7 +108,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
   command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
   command.add_option("--preset", arguments.preset, "where options start from")
-      ->check(CLI::IsMember({"default", "smap", "hypermap"}))
+      ->check(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
   command
@@ -116,12 +116,16 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.mode,
                   "what frees space: every ray, one per voxel, or projection (default)")
       ->check(value_of_option("integration.mode"));
-  command.add_option("--resolution", arguments.resolution_m, "edge of a voxel (default 0.05)")
+  command
+      .add_option("--resolution",
+                  arguments.resolution_m,
+                  "edge of a voxel (default " + default_of_option("octree.resolution_m") + ")")
       ->check(value_of_option("octree.resolution_m"));
   command
       .add_option("--max-range",
                   arguments.max_range_m,
-                  "farther depth only frees, and shows no object (default 5)")
+                  "farther depth only frees, and shows no object (default " +
+                      default_of_option("integration.max_range_m") + ")")
       ->check(value_of_option("integration.max_range_m"));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")

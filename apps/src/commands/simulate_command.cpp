@@ -3,7 +3,7 @@
 #include "data_dir.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
-#include "number_lists.hpp"
+#include "option_flags.hpp"
 #include "progress.hpp"
 
 #include <CLI/Validators.hpp>
@@ -51,6 +51,7 @@ void print(const SimulationReport& report, const std::string& output) {
 
 void add_simulate_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<SimulateArguments>();
+  const OptionTable& table = option_table(arguments->simulation);
   CLI::App& command = *program.add_subcommand(
       "simulate", "Render a posed RGB-D sequence of a furnished scene, with detections and truth");
   command.add_option("--scene", arguments->scene, "laboratory, floor, or a scene file")
@@ -58,7 +59,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
   command.add_option("--output", arguments->output, "folder to make: a TUM RGB-D dataset")
       ->required();
   command.add_option("--frames", arguments->simulation.num_frames, "frames along the camera's way")
-      ->check(CLI::Range(1, 100000))
+      ->check(value_of_field(table, "num_frames"))
       ->capture_default_str();
   command.add_option("--seed", arguments->simulation.seed, "of arrangement, noise and detector")
       ->check(CLI::NonNegativeNumber)
@@ -68,10 +69,10 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->capture_default_str();
   command
       .add_option("--pose-noise", arguments->simulation.pose_noise, "drift of the recorded poses")
-      ->check(number_in(0.0, 100.0))
+      ->check(value_of_field(table, "pose_noise"))
       ->capture_default_str();
   command.add_option("--threads", arguments->simulation.num_threads, "0: one for each core")
-      ->check(CLI::Range(0, 256))
+      ->check(value_of_field(table, "num_threads"))
       ->capture_default_str();
   command.callback([arguments, &common, &action] {
     action = [arguments, &common] {

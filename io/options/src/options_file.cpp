@@ -82,7 +82,11 @@ Result<void> set_option(MapOptions& options, std::string_view name, std::string_
 Result<ObjectPipelineOptions> preset_from(const YamlNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
   if (const auto name = preset_of(text)) return preset(*name);
-  return Unexpected(node.error("must be one of default, smap, hypermap, is " + printable(text)));
+  std::string names;
+  for (const std::string_view name : preset_names()) {
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return Unexpected(node.error("must be one of " + names + ", is " + printable(text)));
 }
 
 std::string comment_of(const OptionRow& row) {

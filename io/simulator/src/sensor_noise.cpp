@@ -6,19 +6,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <string>
 
 namespace hypermap {
 namespace {
 
 constexpr std::uint64_t kNoiseStream = 0x6465707468;  // which numbers: "depth"
-
-Result<void> require(bool rule, const char* what, double value, const char* field) {
-  if (rule) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              std::string(what) + ", is " + std::to_string(value),
-              std::string("sensor.") + field);
-}
 
 /// True when depth jumps between the pixel and one of its four neighbours.
 bool is_at_edge(const DepthImage& depth_m, int u, int v, double ratio) {
@@ -37,24 +29,6 @@ bool in_range(double depth_m, const SensorNoiseOptions& options) {
 }
 
 }  // namespace
-
-Result<void> validate(const SensorNoiseOptions& o) {
-  constexpr double kHalfPi = 1.5707963267948966;
-  HYPERMAP_TRY(require(o.min_range_m >= 0.0, "must be >= 0", o.min_range_m, "min_range_m"));
-  HYPERMAP_TRY(require(o.max_range_m > o.min_range_m && o.max_range_m <= 1000.0,
-                       "must be > min_range_m and <= 1000",
-                       o.max_range_m,
-                       "max_range_m"));
-  HYPERMAP_TRY(require(o.noise_base_m >= 0.0, "must be >= 0", o.noise_base_m, "noise_base_m"));
-  HYPERMAP_TRY(require(o.noise_per_m2 >= 0.0, "must be >= 0", o.noise_per_m2, "noise_per_m2"));
-  HYPERMAP_TRY(require(o.step_m > 0.0, "must be > 0", o.step_m, "step_m"));
-  HYPERMAP_TRY(require(o.edge_ratio > 0.0, "must be > 0", o.edge_ratio, "edge_ratio"));
-  HYPERMAP_TRY(require(o.max_incidence_rad >= 0.0 && o.max_incidence_rad <= kHalfPi,
-                       "must be in 0 .. pi/2",
-                       o.max_incidence_rad,
-                       "max_incidence_rad"));
-  return require(o.dropout >= 0.0 && o.dropout <= 1.0, "must be in 0 .. 1", o.dropout, "dropout");
-}
 
 double axial_noise_m(double depth_m, const SensorNoiseOptions& options) {
   const double beyond = depth_m - 0.4;

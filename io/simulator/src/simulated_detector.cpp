@@ -25,13 +25,6 @@ constexpr std::array<std::array<std::string_view, 2>, 5> kSimilar{{{"chair", "so
                                                                    {"diningtable", "desk"},
                                                                    {"table", "desk"}}};
 
-Result<void> require_share(double value, const char* field) {
-  if (value >= 0.0 && value <= 1.0) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be in 0 .. 1, is " + std::to_string(value),
-              std::string("detector.") + field);
-}
-
 /// A number of events with the given mean: Poisson, by inversion of its distribution.
 int poisson(double mean, CounterRng& random) {
   const double u = random.uniform();
@@ -93,28 +86,6 @@ MaskImage mask_of(const Image<ObjectId>& instances, ObjectId id) {
 }
 
 }  // namespace
-
-Result<void> validate(const SimulatedDetectorOptions& o) {
-  if (o.min_visible_px < 1)
-    return fail(ErrorCode::kInvalidArgument,
-                "must be >= 1, is " + std::to_string(o.min_visible_px),
-                "detector.min_visible_px");
-  if (!(o.false_alarms_per_frame >= 0.0 && o.false_alarms_per_frame <= 20.0))
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0 .. 20, is " + std::to_string(o.false_alarms_per_frame),
-                "detector.false_alarms_per_frame");
-  HYPERMAP_TRY(require_share(o.min_unhidden_share, "min_unhidden_share"));
-  HYPERMAP_TRY(require_share(o.miss_rate, "miss_rate"));
-  HYPERMAP_TRY(require_share(o.box_jitter, "box_jitter"));
-  HYPERMAP_TRY(require_share(o.similar_weight, "similar_weight"));
-  HYPERMAP_TRY(require_share(o.wrong_class_rate, "wrong_class_rate"));
-  HYPERMAP_TRY(require_share(o.min_score, "min_score"));
-  HYPERMAP_TRY(require_share(o.max_score, "max_score"));
-  HYPERMAP_TRY(require_share(o.perfect_probability, "perfect_probability"));
-  if (o.min_score > o.max_score)
-    return fail(ErrorCode::kInvalidArgument, "must be <= max_score", "detector.min_score");
-  return {};
-}
 
 std::vector<VisibleObject> visible_objects(const Image<ObjectId>& instances,
                                            std::span<const std::string_view> class_names) {

@@ -12,8 +12,6 @@
 namespace hypermap {
 namespace {
 
-constexpr int kMaxFrames = 100'000;
-
 /// Moments that divide the camera's way evenly, the first and last included.
 std::vector<double> moments(const CameraPath& path, int num_frames) {
   std::vector<double> times;
@@ -40,22 +38,6 @@ std::vector<int> count_depth_pixels(const DepthImage& depth_m,
 }
 
 }  // namespace
-
-Result<void> validate(const SimulationOptions& options) {
-  if (options.num_frames < 1 || options.num_frames > kMaxFrames)
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 1 .. 100000, is " + std::to_string(options.num_frames),
-                "num_frames");
-  if (!(options.pose_noise >= 0.0 && options.pose_noise <= 100.0))
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0 .. 100, is " + std::to_string(options.pose_noise),
-                "pose_noise");
-  if (options.num_threads < 0)
-    return fail(ErrorCode::kInvalidArgument, "must be >= 0", "num_threads");
-  HYPERMAP_TRY(validate(options.camera));
-  HYPERMAP_TRY(validate(options.sensor));
-  return validate(options.detector);
-}
 
 struct Simulator::Impl {
   SimulationOptions options;

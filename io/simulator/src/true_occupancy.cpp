@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -140,14 +139,7 @@ GridGeometry geometry_around(const Box& box, double resolution_m) {
 Result<OccupancyGrid> true_occupancy(const FurnishedScene& scene,
                                      std::span<const CameraWaypoint> way,
                                      const TrueOccupancyOptions& options) {
-  if (!(options.min_height_m < options.max_height_m))
-    return fail(ErrorCode::kInvalidArgument,
-                "must be greater than min_height_m, is " + std::to_string(options.max_height_m),
-                "max_height_m");
-  if (!(options.resolution_m >= 1e-3 && options.resolution_m <= 10.0))
-    return fail(ErrorCode::kInvalidArgument,
-                "must be in 0.001 .. 10, is " + std::to_string(options.resolution_m),
-                "resolution_m");
+  HYPERMAP_TRY(validate(options));
   HYPERMAP_ASSIGN_OR_RETURN(
       OccupancyGrid grid,
       OccupancyGrid::create(geometry_around(bounds(scene.room), options.resolution_m)));

@@ -112,7 +112,10 @@ TEST(CameraPath, BadWaypointsAndSpeedsAreRefused) {
   EXPECT_FALSE(CameraPath::create({good}, {}));
   EXPECT_FALSE(CameraPath::create({good, {{1, 0, 1}, {1, 0, 0}}}, {}));  // straight down
   EXPECT_FALSE(CameraPath::create({good, {{1, 0, std::nan("")}, {9, 0, 1}}}, {}));
-  EXPECT_FALSE(CameraPath::create({good, good}, {.speed_m_per_s = 0.0}));
+  EXPECT_EQ(CameraPath::create({good, good}, {.speed_m_per_s = 0.0}).error().field,
+            "path.speed_m_per_s");
+  EXPECT_EQ(CameraPath::create({good, good}, {.turn_rate_rad_per_s = std::nan("")}).error().field,
+            "path.turn_rate_rad_per_s");
   EXPECT_FALSE(CameraPath::create({good, good}, {.turn_rate_rad_per_s = -1.0}));
 }
 

@@ -63,8 +63,10 @@ TEST(SimulationTruth, SurfacesAreCutAtTheBand) {
 }
 
 TEST(SimulationTruth, BadBandsAreRefused) {
-  EXPECT_FALSE(true_occupancy(pillar_room(), kWay, {.min_height_m = 2.0}));
-  EXPECT_FALSE(true_occupancy(pillar_room(), kWay, {.resolution_m = 0.0}));
+  EXPECT_EQ(true_occupancy(pillar_room(), kWay, {.min_height_m = 2.0}).error().field,
+            "max_height_m");
+  EXPECT_EQ(true_occupancy(pillar_room(), kWay, {.resolution_m = 0.0}).error().field,
+            "resolution_m");
 }
 
 Scene small_room() {

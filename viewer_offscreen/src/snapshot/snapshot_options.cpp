@@ -2,6 +2,7 @@
 #include "hypermap/viewer_offscreen/snapshot/snapshot_options.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
 
 #include <Eigen/Geometry>
 
@@ -14,10 +15,43 @@
 namespace hypermap {
 namespace {
 
-constexpr int kMinSidePx = 64;
-constexpr int kMaxSidePx = 8192;
-constexpr int kMaxSupersampling = 4;
 constexpr std::int64_t kMaxDrawnPixels = std::int64_t{1} << 25U;
+
+constexpr OptionRange kSidePx{64, 8192};
+
+constexpr OptionRow kSnapshotRows[] = {
+    option::count<&SnapshotOptions::width_px>(
+        "width_px", kSidePx, {.unit = "px", .effect = "Of the image."}),
+    option::count<&SnapshotOptions::height_px>(
+        "height_px", kSidePx, {.unit = "px", .effect = "Of the image."}),
+    option::count<&SnapshotOptions::supersampling>(
+        "supersampling", {1, 4}, {.effect = "Drawn so many times larger, then averaged."}),
+    option::number<&SnapshotOptions::cut_above_m>(
+        "cut_above_m",
+        {-kUnbounded, kUnbounded},
+        {.unit = "m",
+         .effect = "What lies higher over the floor is left out; none: below the ceiling."}),
+    option::flag<&SnapshotOptions::cut_near_walls>(
+        "cut_near_walls", {.effect = "Iso view: walls between the eye and the room are cut low."}),
+    option::flag<&SnapshotOptions::annotations>(
+        "annotations", {.effect = "Title, legend, scale bar, axes, labels."}),
+};
+
+constexpr OptionRow kIsoRows[] = {
+    option::number<&IsoView::azimuth_deg>(
+        "azimuth_deg",
+        {-360, 360},
+        {.unit = "degrees", .effect = "Where the eye stands; 0 is +x, 90 is +y."}),
+    option::number<&IsoView::elevation_deg>(
+        "elevation_deg", {5, 85}, {.unit = "degrees", .effect = "Of the eye over the horizon."}),
+};
+
+constexpr OptionRow kPoseRows[] = {
+    option::number<&PoseView::horizontal_fov_deg>(
+        "horizontal_fov_deg",
+        {10, 150},
+        {.unit = "degrees", .effect = "Without a camera to imitate."}),
+};
 
 constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 6> kLayerNames{{
     {"voxels", &SnapshotLayers::voxels},
@@ -28,17 +62,8 @@ constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 6> kLa
     {"overlay", &SnapshotLayers::overlay},
 }};
 
-Result<void> check_range(double value, double low, double high, const char* field) {
-  if (value >= low && value <= high) return {};  // NaN fails
-  return fail(
-      ErrorCode::kInvalidArgument,
-      "must be in " + number_text(low) + ".." + number_text(high) + ", is " + number_text(value),
-      field);
-}
-
 Result<void> check_view(const IsoView& view) {
-  HYPERMAP_TRY(check_range(view.azimuth_deg, -360.0, 360.0, "azimuth_deg"));
-  return check_range(view.elevation_deg, 5.0, 85.0, "elevation_deg");
+  return check_options(view);
 }
 
 Result<void> check_view(const TopView& /*view*/) {
@@ -50,7 +75,19 @@ Result<void> check_view(const PoseView& view) {
     return fail(ErrorCode::kInvalidArgument, "must be finite", "map_from_camera");
   }
   if (view.camera) return validate(*view.camera);
-  return check_range(view.horizontal_fov_deg, 10.0, 150.0, "horizontal_fov_deg");
+  return check_options(view);
+}
+
+Result<void> check_drawn(const SnapshotOptions& options) {
+  const std::int64_t drawn = std::int64_t{options.width_px} * options.height_px *
+                             options.supersampling * options.supersampling;
+  if (drawn > kMaxDrawnPixels) {
+    return fail(ErrorCode::kInvalidArgument,
+                "width x height x supersampling^2 must be at most " +
+                    std::to_string(kMaxDrawnPixels) + ", is " + std::to_string(drawn),
+                "supersampling");
+  }
+  return std::visit([](const auto& view) { return check_view(view); }, options.view);
 }
 
 template <class Number>
@@ -98,22 +135,23 @@ Result<SnapshotView> parse_pose(std::string_view text) {
 
 }  // namespace
 
+const OptionTable& option_table(const SnapshotOptions&) {
+  static constexpr OptionTable kTable{kSnapshotRows, kRule<check_drawn>};
+  return kTable;
+}
+
+const OptionTable& option_table(const IsoView&) {
+  static constexpr OptionTable kTable{kIsoRows};
+  return kTable;
+}
+
+const OptionTable& option_table(const PoseView&) {
+  static constexpr OptionTable kTable{kPoseRows};
+  return kTable;
+}
+
 Result<void> validate(const SnapshotOptions& options) {
-  HYPERMAP_TRY(check_range(options.width_px, kMinSidePx, kMaxSidePx, "width_px"));
-  HYPERMAP_TRY(check_range(options.height_px, kMinSidePx, kMaxSidePx, "height_px"));
-  HYPERMAP_TRY(check_range(options.supersampling, 1, kMaxSupersampling, "supersampling"));
-  const std::int64_t drawn = std::int64_t{options.width_px} * options.height_px *
-                             options.supersampling * options.supersampling;
-  if (drawn > kMaxDrawnPixels) {
-    return fail(ErrorCode::kInvalidArgument,
-                "width x height x supersampling^2 must be at most " +
-                    std::to_string(kMaxDrawnPixels) + ", is " + std::to_string(drawn),
-                "supersampling");
-  }
-  if (options.cut_above_m && std::isnan(*options.cut_above_m)) {
-    return fail(ErrorCode::kInvalidArgument, "must not be NaN", "cut_above_m");
-  }
-  return std::visit([](const auto& view) { return check_view(view); }, options.view);
+  return check_options(options);
 }
 
 Result<SnapshotView> parse_snapshot_view(std::string_view text) {
@@ -153,8 +191,13 @@ Result<SnapshotSize> parse_image_size(std::string_view text) {
                 "must be WIDTHxHEIGHT, is \"" + printable(text, 80) + "\"",
                 "size");
   }
-  HYPERMAP_TRY(check_range(size.width_px, kMinSidePx, kMaxSidePx, "size"));
-  HYPERMAP_TRY(check_range(size.height_px, kMinSidePx, kMaxSidePx, "size"));
+  for (const int side_px : {size.width_px, size.height_px}) {
+    if (kSidePx.contains(side_px)) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "must be in " + number_text(kSidePx.min) + ".." + number_text(kSidePx.max) +
+                    ", is " + number_text(side_px),
+                "size");
+  }
   return size;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/camera_path.hpp"
 
+#include "hypermap/core/base/option_rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +16,15 @@ namespace {
 using State = Eigen::Matrix<double, 5, 1>;  // x, y, z, heading, pitch
 
 constexpr double kShortestLegS = 0.2;
+
+constexpr OptionRow kPathRows[] = {
+    option::number<&CameraPath::Options::speed_m_per_s>(
+        "speed_m_per_s", option::above(0, kUnbounded), {.unit = "m/s", .effect = "Of driving."}),
+    option::number<&CameraPath::Options::turn_rate_rad_per_s>(
+        "turn_rate_rad_per_s",
+        option::above(0, kUnbounded),
+        {.unit = "rad/s", .effect = "Of turning the gaze."}),
+};
 
 /// `angle` plus the number of full turns that brings it nearest to `reference`.
 double unwrapped(double angle, double reference) {
@@ -66,10 +77,14 @@ MapFromCamera camera_pose(const State& state) {
 
 }  // namespace
 
+const OptionTable& option_table(const CameraPath::Options&) {
+  static constexpr OptionTable kTable{kPathRows};
+  return kTable;
+}
+
 Result<CameraPath> CameraPath::create(const std::vector<CameraWaypoint>& waypoints,
                                       const Options& options) {
-  if (!(options.speed_m_per_s > 0.0) || !(options.turn_rate_rad_per_s > 0.0))
-    return fail(ErrorCode::kInvalidArgument, "speed and turn rate must be > 0", "path");
+  HYPERMAP_TRY(check_options(options, "path"));
   if (waypoints.size() < 2)
     return fail(ErrorCode::kInvalidArgument,
                 "must have 2 stops or more, has " + std::to_string(waypoints.size()),

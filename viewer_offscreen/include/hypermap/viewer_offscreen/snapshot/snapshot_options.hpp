@@ -14,12 +14,15 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// From straight above, north (+y of the map) up, to scale.
 struct TopView {};
 
 /// From above at an angle, parallel lines stay parallel, so that the scale bar holds everywhere.
 struct IsoView {
-  double azimuth_deg = -120.0;  ///< Where the eye stands as seen from the scene; 0 is +x, 90 is +y.
+  /// Where the eye stands as seen from the scene; 0 is +x, 90 is +y. -360 .. 360.
+  double azimuth_deg = -120.0;
   double elevation_deg = 42.0;  ///< Of the eye over the horizon, 5 .. 85.
 };
 
@@ -62,6 +65,9 @@ struct SnapshotOptions {
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SnapshotOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SnapshotOptions& options);
+[[nodiscard]] const OptionTable& option_table(const IsoView& view);
+[[nodiscard]] const OptionTable& option_table(const PoseView& view);
 
 /// "top", "iso", or a pose of the camera in the map as trajectory files write it: x y z qx qy qz
 /// qw, separated by commas or blanks. Errors: kInvalidArgument.

@@ -12,6 +12,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// One stop of the camera.
 struct CameraWaypoint {
   Eigen::Vector3d position_in_map = Eigen::Vector3d::Zero();
@@ -34,7 +36,8 @@ class CameraPath {
   };
 
   /// Errors: kInvalidArgument: fewer than two waypoints, a coordinate that is not finite, a gaze
-  /// target within 1 cm of its camera or straight above or below it, a speed that is not positive.
+  /// target within 1 cm of its camera or straight above or below it, options out of their range,
+  /// named as fields of `path`.
   [[nodiscard]] static Result<CameraPath> create(const std::vector<CameraWaypoint>& waypoints,
                                                  const Options& options);
 
@@ -54,6 +57,8 @@ class CameraPath {
 
   std::vector<Knot> knots_;
 };
+
+[[nodiscard]] const OptionTable& option_table(const CameraPath::Options& options);
 
 /// A camera at `position` that looks at `target`, its x axis level. Frame: optical (+z forward, +y
 /// down). Requires: the target is not straight above or below.

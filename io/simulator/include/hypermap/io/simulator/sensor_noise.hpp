@@ -10,6 +10,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Source: docs/EVALUATION.md, "Noise". The axial noise is the model of C. Nguyen, S. Izadi, D.
 /// Lovell, "Modeling Kinect sensor noise for improved 3D reconstruction and tracking", 2012.
 struct SensorNoiseOptions {
@@ -24,8 +26,9 @@ struct SensorNoiseOptions {
   double dropout = 0.01;                  ///< Share of pixels lost at random.       Range: 0 .. 1
 };
 
-/// Errors: kInvalidArgument naming the field.
+/// Errors: kInvalidArgument naming the field as one of SimulationOptions: "sensor.step_m".
 [[nodiscard]] Result<void> validate(const SensorNoiseOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SensorNoiseOptions& options);
 
 /// sigma(z) = noise_base_m + noise_per_m2 (z - 0.4 m)^2.
 [[nodiscard]] double axial_noise_m(double depth_m, const SensorNoiseOptions& options);

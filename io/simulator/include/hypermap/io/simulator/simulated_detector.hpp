@@ -19,6 +19,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// Source: docs/EVALUATION.md, "Noise".
 struct SimulatedDetectorOptions {
   bool noisy = true;                    ///< False: exact boxes, no misses, no false alarms.
@@ -38,8 +40,9 @@ struct SimulatedDetectorOptions {
   std::vector<std::string> class_names = {};
 };
 
-/// Errors: kInvalidArgument naming the field.
+/// Errors: kInvalidArgument naming the field as one of SimulationOptions: "detector.miss_rate".
 [[nodiscard]] Result<void> validate(const SimulatedDetectorOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SimulatedDetectorOptions& options);
 
 /// An object as it appears in one image.
 struct VisibleObject {

@@ -22,17 +22,23 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// A band of heights, in which geometry counts as an obstacle for a robot.
 struct TrueOccupancyOptions {
   double min_height_m = 0.1;   ///< Lower surfaces (the floor) are no obstacle.
   double max_height_m = 1.8;   ///< Higher surfaces are none either. Range: > min_height_m
-  double resolution_m = 0.05;  ///< Edge of a cell.
+  double resolution_m = 0.05;  ///< Edge of a cell. Range: 0.001 .. 10
 };
+
+/// Errors: kInvalidArgument naming the field.
+[[nodiscard]] Result<void> validate(const TrueOccupancyOptions& options);
+[[nodiscard]] const OptionTable& option_table(const TrueOccupancyOptions& options);
 
 /// Which cells the true surfaces meet. Cells that the camera's way cannot reach over free cells are
 /// unknown: the inside of objects, what lies behind walls.
 ///
-/// Errors: kInvalidArgument for the band; those of `OccupancyGrid::create`.
+/// Errors: those of `validate` and of `OccupancyGrid::create`.
 /// Boundary: a point on the edge between two cells belongs as `cell_at` says, so that a wall on an
 /// edge occupies one row of cells.
 [[nodiscard]] Result<OccupancyGrid> true_occupancy(const FurnishedScene& scene,

@@ -24,6 +24,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 struct SimulationOptions {
   int num_frames = 200;    ///< Spread evenly over the scene's camera path. Range: 1 .. 100,000
   std::uint64_t seed = 1;  ///< Of noise, detector and arrangement.
@@ -33,11 +35,13 @@ struct SimulationOptions {
   PinholeCamera camera{640, 480, 525.0, 525.0, 319.5, 239.5};
   SensorNoiseOptions sensor = {};
   SimulatedDetectorOptions detector = {};
-  int num_threads = 0;  ///< 0: as many as there are cores. The result does not depend on it.
+  /// 0: as many as there are cores. The result does not depend on it. Range: 0 .. 256
+  int num_threads = 0;
 };
 
 /// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const SimulationOptions& options);
+[[nodiscard]] const OptionTable& option_table(const SimulationOptions& options);
 
 /// One moment of the simulation.
 struct SimulatedFrame {
