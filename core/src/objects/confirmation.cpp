@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/confirmation.hpp"
 
-#include "overlap.hpp"
+#include "objects/association/overlap.hpp"
 
 #include <algorithm>
 #include <tuple>

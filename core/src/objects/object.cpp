@@ -7,10 +7,6 @@
 namespace hypermap {
 namespace {
 
-Box united(const Box& a, const Box& b) {
-  return {a.min_in_map.cwiseMin(b.min_in_map), a.max_in_map.cwiseMax(b.max_in_map)};
-}
-
 /// A belief saturates after few observations, so that without weights two of them would say as much
 /// as sixty. The one with fewer observations counts in proportion.
 ClassBelief merged_belief(const Object& a, const Object& b) {
@@ -61,7 +57,7 @@ Object merged(const Object& a, const Object& b, LogOdds max_existence) {
   out.shapes.merge(younger.shapes);
   out.points.merge(younger.points);
   out.observation_log.merge(younger.observation_log);
-  out.box = out.points.agreed_box().value_or(united(a.box, b.box));
+  out.box = out.points.agreed_box().value_or(bounding_box(a.box, b.box));
   out.centroid_in_map = out.box.centre();
   out.first_seen = std::min(a.first_seen, b.first_seen);
   out.last_seen = std::max(a.last_seen, b.last_seen);

@@ -33,8 +33,7 @@ Result<void> check_pose(const MapFromCamera& map_from_camera) {
     return fail(ErrorCode::kInvalidArgument, "must be finite", "map_from_camera");
   }
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  const double error =
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double error = rotation_error(rotation);
   if (error > kMaxRotationError) {
     return fail(ErrorCode::kInvalidArgument,
                 "must be a rotation within 0.001, is off by " + number_text(error),

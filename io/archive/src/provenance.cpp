@@ -4,7 +4,6 @@
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 
-#include <Eigen/LU>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -24,10 +23,7 @@ constexpr double kRigidTolerance = 1e-6;
 
 /// A rotation and a finite translation. Errors: kInvalidArgument.
 Result<void> check_rigid(const Eigen::Matrix4d& matrix) {
-  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  const Eigen::Matrix3d should_be_identity = rotation * rotation.transpose();
-  const bool rigid = matrix.allFinite() && should_be_identity.isIdentity(kRigidTolerance) &&
-                     rotation.determinant() > 0.0 &&
+  const bool rigid = is_rigid(Eigen::Isometry3d(matrix), kRigidTolerance) &&
                      matrix.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
   if (rigid) return {};
   return fail(ErrorCode::kInvalidArgument,

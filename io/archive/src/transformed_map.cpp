@@ -21,12 +21,8 @@ Result<UprightMotion> upright(const Eigen::Isometry3d& transform) {
   const auto refuse = [](const std::string& what) {
     return fail(ErrorCode::kInvalidArgument, what, "map_from_old");
   };
+  if (!is_rigid(transform, kMaxRotationError)) return refuse("must be a finite rigid motion");
   const Eigen::Matrix3d rotation = transform.linear();
-  const Eigen::Matrix3d error = rotation.transpose() * rotation - Eigen::Matrix3d::Identity();
-  if (!transform.matrix().allFinite() || !(error.cwiseAbs().maxCoeff() <= kMaxRotationError) ||
-      rotation.determinant() <= 0.0) {
-    return refuse("must be a finite rigid motion");
-  }
   const double tilt_rad = std::atan2(std::hypot(rotation(0, 2), rotation(1, 2)), rotation(2, 2));
   if (tilt_rad > kMaxTiltRad) {
     return refuse("must leave +z up, tilts it by " + std::to_string(tilt_rad) + " rad");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/dataset_description.hpp"
-#include "image_list.hpp"
+#include "images/image_list.hpp"
 
 #include <algorithm>
 #include <array>

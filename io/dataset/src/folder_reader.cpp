@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "folder_reader.hpp"
 
-#include "depth_registration.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
+#include "images/depth_registration.hpp"
 
 #include <iterator>
 

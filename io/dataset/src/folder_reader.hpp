@@ -3,10 +3,10 @@
 /// A sequence that lies in a folder, read frame by frame.
 #pragma once
 
-#include "detection_pairing.hpp"
+#include "detections/detection_pairing.hpp"
 #include "hypermap/io/dataset/dataset_description.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
-#include "label_images.hpp"
+#include "images/label_images.hpp"
 #include "sequence_index.hpp"
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
-#include "image_list.hpp"
+#include "images/image_list.hpp"
 
 #include <algorithm>
 #include <cmath>

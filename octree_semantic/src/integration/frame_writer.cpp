@@ -33,12 +33,7 @@ Box box_of_brick(const VoxelKey& corner, const VoxelGrid& grid) {
 }
 
 void include(std::optional<Box>& box, const Box& other) {
-  if (!box) {
-    box = other;
-    return;
-  }
-  box->min_in_map = box->min_in_map.cwiseMin(other.min_in_map);
-  box->max_in_map = box->max_in_map.cwiseMax(other.max_in_map);
+  box = box ? bounding_box(*box, other) : other;
 }
 
 }  // namespace

@@ -14,11 +14,6 @@ Box no_voxel() {
   return {Eigen::Vector3d::Constant(infinity), Eigen::Vector3d::Constant(-infinity)};
 }
 
-void include(Box& box, const Box& other) noexcept {
-  box.min_in_map = box.min_in_map.cwiseMin(other.min_in_map);
-  box.max_in_map = box.max_in_map.cwiseMax(other.max_in_map);
-}
-
 }  // namespace
 
 void SemanticMapper::find_voxels_of_objects() {
@@ -28,7 +23,7 @@ void SemanticMapper::find_voxels_of_objects() {
     if (!leaf.label || leaf.label->object == kNoObject) return;
     const Eigen::Vector3d centre = octree_.grid().centre(leaf.key).xyz;
     Box& bounds = voxel_bounds_.try_emplace(leaf.label->object, no_voxel()).first->second;
-    include(bounds, {centre - half, centre + half});
+    bounds = bounding_box(bounds, {centre - half, centre + half});
   });
 }
 
@@ -58,7 +53,7 @@ void SemanticMapper::adopt(ObjectMap objects,
 
 void SemanticMapper::grow_voxel_bounds(ObjectId id, const Box& by) noexcept {
   const auto found = voxel_bounds_.find(id);
-  if (found != voxel_bounds_.end()) include(found->second, by);
+  if (found != voxel_bounds_.end()) found->second = bounding_box(found->second, by);
 }
 
 Box SemanticMapper::take_voxel_bounds(ObjectId id) noexcept {

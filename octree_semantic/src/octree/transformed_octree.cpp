@@ -15,13 +15,6 @@ constexpr double kMaxRotationError = 1e-6;
 /// Of a voxel: what rounding may move a centre, or a corner of a brick.
 constexpr double kRounding = 1e-6;
 
-bool is_rigid(const Eigen::Isometry3d& transform) {
-  const Eigen::Matrix3d rotation = transform.linear();
-  const Eigen::Matrix3d error = rotation.transpose() * rotation - Eigen::Matrix3d::Identity();
-  return transform.matrix().allFinite() && error.cwiseAbs().maxCoeff() <= kMaxRotationError &&
-         rotation.determinant() > 0.0;
-}
-
 /// Bricks that a brick of the old map reaches into, from `min` to `max` per axis, in bricks.
 struct ReachedBricks {
   Eigen::Vector3i min;
@@ -117,7 +110,7 @@ Result<SemanticOctree> resampled(const SemanticOctree& octree,
 
 Result<SemanticOctree> transformed(const SemanticOctree& octree,
                                    const MapFromOldMap& map_from_old) {
-  if (!is_rigid(map_from_old.isometry())) {
+  if (!is_rigid(map_from_old.isometry(), kMaxRotationError)) {
     return fail(ErrorCode::kInvalidArgument, "must be a finite rigid motion", "map_from_old");
   }
   try {

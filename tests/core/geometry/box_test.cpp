@@ -42,6 +42,13 @@ TEST(Box, HasEightDifferentCornersOnItself) {
   EXPECT_EQ(seen.size(), 8U);
 }
 
+TEST(BoundingBox, OfTwoBoxesReachesAsFarAsEither) {
+  const Box a{{0, 1, 2}, {3, 5, 9}};
+  const Box b{{1, -1, 2}, {4, 2, 3}};
+  EXPECT_EQ(bounding_box(a, b), (Box{{0, -1, 2}, {4, 5, 9}}));
+  EXPECT_EQ(bounding_box(b, a), bounding_box(a, b));
+}
+
 // Intersection 1 x 2 x 2 = 4; union 8 + 8 - 4 = 12; 4 / 12.
 TEST(IntersectionOverUnion, MatchesAHandWorkedPair) {
   EXPECT_DOUBLE_EQ(intersection_over_union({{0, 0, 0}, {2, 2, 2}}, {{1, 0, 0}, {3, 2, 2}}),

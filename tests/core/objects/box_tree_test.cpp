@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objects/box_tree.hpp"
+#include "objects/map/box_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -189,30 +189,27 @@ TEST(DatasetReader, ABadTrajectoryLineCostsItsFrameAndIsAFinding) {
   EXPECT_EQ(read_error(*reader, 2), "was read");
 }
 
-TEST(DatasetReader, OpenGlAxesBecomeOptical) {
+/// Where a point before the camera of the first frame lies when the poses have these axes.
+Eigen::Vector3d point_in_map(const std::string& camera_axes, const Eigen::Vector3d& in_camera) {
   const TempDir dir;
   const SyntheticDataset data = test::write_described(dir / "d");
   write_text(data.folder / "dataset.yaml",
              "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
-             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: opengl\n");
+             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: " +
+                 camera_axes + "\n");
   ClassRegistry registry;
   const auto reader = opened(data.folder, registry);
+  return (reader->read(0)->map_from_camera * PointInCamera{in_camera}).xyz;
+}
+
+TEST(DatasetReader, OpenGlAxesBecomeOptical) {
   // One metre ahead of the camera is one metre along -z of OpenGL's camera, the world here.
-  const auto ahead = reader->read(0)->map_from_camera * PointInCamera{{0, 0.5, 1}};
-  EXPECT_EQ(ahead.xyz, Eigen::Vector3d(0, -0.5, -1));
+  EXPECT_EQ(point_in_map("opengl", {0, 0.5, 1}), Eigen::Vector3d(0, -0.5, -1));
 }
 
 TEST(DatasetReader, RobotAxesBecomeOptical) {
-  const TempDir dir;
-  const SyntheticDataset data = test::write_described(dir / "d");
-  write_text(data.folder / "dataset.yaml",
-             "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
-             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: robot\n");
-  ClassRegistry registry;
-  const auto reader = opened(data.folder, registry);
   // Ahead is x, right is -y, down is -z.
-  const auto seen = reader->read(0)->map_from_camera * PointInCamera{{0.25, 0.5, 1}};
-  EXPECT_EQ(seen.xyz, Eigen::Vector3d(1, -0.25, -0.5));
+  EXPECT_EQ(point_in_map("robot", {0.25, 0.5, 1}), Eigen::Vector3d(1, -0.25, -0.5));
 }
 
 TEST(DatasetReader, DepthOfAnotherCameraIsRegisteredToColour) {

@@ -38,6 +38,11 @@ struct Box {
 /// Requires: points not empty and finite.
 [[nodiscard]] Box bounding_box(std::span<const Eigen::Vector3f> points_in_map);
 
+/// The smallest box around both.
+[[nodiscard]] inline Box bounding_box(const Box& a, const Box& b) {
+  return {a.min_in_map.cwiseMin(b.min_in_map), a.max_in_map.cwiseMax(b.max_in_map)};
+}
+
 /// The box with each face moved outwards by `by_m`.
 [[nodiscard]] inline Box grown(const Box& box, double by_m) {
   return {box.min_in_map.array() - by_m, box.max_in_map.array() + by_m};

@@ -50,6 +50,18 @@ class Transform {
   Eigen::Isometry3d isometry_;
 };
 
+/// How far a matrix is from one that keeps lengths: the largest entry of |R^T R - 1|. 0 for
+/// rotations and mirrors. Requires: finite.
+[[nodiscard]] inline double rotation_error(const Eigen::Matrix3d& matrix) {
+  return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
+/// Whether it is finite, no mirror, and a rotation and shift within `max_error` (rotation_error).
+[[nodiscard]] inline bool is_rigid(const Eigen::Isometry3d& transform, double max_error) {
+  return transform.matrix().allFinite() && rotation_error(transform.linear()) <= max_error &&
+         transform.linear().determinant() > 0.0;
+}
+
 using MapFromCamera = Transform<frame::Map, frame::Camera>;
 using MapFromInput = Transform<frame::Map, frame::Input>;
 using InputFromCamera = Transform<frame::Input, frame::Camera>;

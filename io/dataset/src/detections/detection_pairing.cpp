@@ -2,7 +2,7 @@
 #include "detection_pairing.hpp"
 
 #include "hypermap/io/codec/text_file.hpp"
-#include "image_list.hpp"
+#include "images/image_list.hpp"
 
 #include <algorithm>
 #include <cmath>

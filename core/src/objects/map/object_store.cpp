@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objects/object_store.hpp"
+#include "objects/map/object_store.hpp"
 
 #include <algorithm>
 #include <cassert>

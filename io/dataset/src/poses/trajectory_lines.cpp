@@ -7,6 +7,28 @@
 #include <utility>
 
 namespace hypermap {
+namespace {
+
+template <class Trajectory>
+Result<Loaded<Trajectory>> finished_trajectory(Loaded<Trajectory> loaded,
+                                               const std::filesystem::path& path) {
+  if (loaded.value.poses.empty()) {
+    return Unexpected(
+        in_file({.code = ErrorCode::kMalformedFile, .what = "has no pose, expected at least one"},
+                path,
+                0));
+  }
+  if (loaded.value.num_normalised > 0) {
+    loaded.findings.push_back(warning(path,
+                                      0,
+                                      "rotation",
+                                      std::to_string(loaded.value.num_normalised) +
+                                          " rotations off by more than 1e-3 were normalised"));
+  }
+  return loaded;
+}
+
+}  // namespace
 
 Error in_file(Error error, const std::filesystem::path& path, int line) {
   error.file = path.string();
@@ -44,15 +66,14 @@ bool is_comment(std::string_view line) {
   return text.empty() || text.front() == '#';
 }
 
-void note_normalised(std::size_t count,
-                     const std::filesystem::path& path,
-                     std::vector<Finding>& findings) {
-  if (count == 0) return;
-  findings.push_back(
-      warning(path,
-              0,
-              "rotation",
-              std::to_string(count) + " rotations off by more than 1e-3 were normalised"));
+Result<Loaded<StampedTrajectory>> finished(Loaded<StampedTrajectory> loaded,
+                                           const std::filesystem::path& path) {
+  return finished_trajectory(std::move(loaded), path);
+}
+
+Result<Loaded<NumberedTrajectory>> finished(Loaded<NumberedTrajectory> loaded,
+                                            const std::filesystem::path& path) {
+  return finished_trajectory(std::move(loaded), path);
 }
 
 }  // namespace hypermap

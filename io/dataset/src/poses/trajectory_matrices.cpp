@@ -56,10 +56,6 @@ std::vector<TextLine> content_lines(std::string_view text) {
   return lines;
 }
 
-double rotation_error(const Eigen::Matrix3d& r) {
-  return (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-}
-
 struct LogRecord {
   NumberedPose pose;
   bool is_normalised = false;
@@ -117,14 +113,7 @@ Result<Loaded<NumberedTrajectory>> read_log_trajectory(const std::filesystem::pa
       return Unexpected(record.error());
     }
   }
-  if (loaded.value.poses.empty()) {
-    return Unexpected(
-        in_file({.code = ErrorCode::kMalformedFile, .what = "has no pose, expected at least one"},
-                path,
-                0));
-  }
-  note_normalised(loaded.value.num_normalised, path, loaded.findings);
-  return loaded;
+  return finished(std::move(loaded), path);
 }
 
 Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,

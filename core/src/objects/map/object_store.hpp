@@ -5,7 +5,7 @@
 
 #include "hypermap/core/base/cow_ref.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "objects/box_tree.hpp"
+#include "objects/map/box_tree.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/object_query.hpp"
 
-#include "policies.hpp"
+#include "objects/association/policies.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objects/box_tree.hpp"
+#include "objects/map/box_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t kMaxNodeEntries = 16;
 constexpr std::size_t kMinNodeEntries = 6;
 
-Box box_around(const Box& a, const Box& b) {
-  return {a.min_in_map.cwiseMin(b.min_in_map), a.max_in_map.cwiseMax(b.max_in_map)};
-}
-
 /// Sum of the edges: unlike the volume it tells flat boxes apart.
 double edge_sum_m(const Box& box) {
   return (box.max_in_map - box.min_in_map).sum();
@@ -36,7 +32,7 @@ double squared_distance_to_m2(const Eigen::Vector3d& point, const Box& box) {
 
 BoxTree::Entry BoxTree::entry_above(Node node) {
   Box box = node.entries.front().box;
-  for (const Entry& entry : node.entries) box = box_around(box, entry.box);
+  for (const Entry& entry : node.entries) box = bounding_box(box, entry.box);
   return {box, kNoObject, std::make_shared<const Node>(std::move(node))};
 }
 
@@ -56,7 +52,7 @@ std::vector<BoxTree::Entry> BoxTree::inserted(const Node& node, const Entry& add
   } else {
     const auto cost = [&added](const Entry& entry) {
       const double before = edge_sum_m(entry.box);
-      return std::pair(edge_sum_m(box_around(entry.box, added.box)) - before, before);
+      return std::pair(edge_sum_m(bounding_box(entry.box, added.box)) - before, before);
     };
     const auto best = std::min_element(
         changed.entries.begin(), changed.entries.end(), [&](const Entry& a, const Entry& b) {
@@ -79,7 +75,7 @@ std::vector<BoxTree::Entry> BoxTree::split(Node node) {
   double worst = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < rest.size(); ++i) {
     for (std::size_t k = i + 1; k < rest.size(); ++k) {
-      const double waste = edge_sum_m(box_around(rest[i].box, rest[k].box)) -
+      const double waste = edge_sum_m(bounding_box(rest[i].box, rest[k].box)) -
                            edge_sum_m(rest[i].box) - edge_sum_m(rest[k].box);
       if (waste > worst) std::tie(worst, first, second) = std::tuple(waste, i, k);
     }
@@ -90,8 +86,8 @@ std::vector<BoxTree::Entry> BoxTree::split(Node node) {
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(first));
   while (!rest.empty()) {
     const auto preference = [&boxes](const Entry& entry) {  // > 0: for the second side
-      return (edge_sum_m(box_around(boxes[0], entry.box)) - edge_sum_m(boxes[0])) -
-             (edge_sum_m(box_around(boxes[1], entry.box)) - edge_sum_m(boxes[1]));
+      return (edge_sum_m(bounding_box(boxes[0], entry.box)) - edge_sum_m(boxes[0])) -
+             (edge_sum_m(bounding_box(boxes[1], entry.box)) - edge_sum_m(boxes[1]));
     };
     const auto next =
         std::max_element(rest.begin(), rest.end(), [&](const Entry& a, const Entry& b) {
@@ -101,7 +97,7 @@ std::vector<BoxTree::Entry> BoxTree::split(Node node) {
     for (const std::size_t needy : {std::size_t{0}, std::size_t{1}}) {
       if (sides[needy].entries.size() + rest.size() <= kMinNodeEntries) side = needy;
     }
-    boxes[side] = box_around(boxes[side], next->box);
+    boxes[side] = bounding_box(boxes[side], next->box);
     sides[side].entries.push_back(std::move(*next));
     rest.erase(next);
   }

@@ -30,9 +30,11 @@ inline constexpr double kMinReportedNormError = 1e-3;
                                              const TrajectoryOptions& options);
 /// Empty, or behind a `#`.
 [[nodiscard]] bool is_comment(std::string_view line);
-/// Says how many rotations were normalised, when there were any.
-void note_normalised(std::size_t count,
-                     const std::filesystem::path& path,
-                     std::vector<Finding>& findings);
+/// Findings: how many rotations were normalised, when there were any.
+/// Errors: kMalformedFile when there is no pose.
+[[nodiscard]] Result<Loaded<StampedTrajectory>> finished(Loaded<StampedTrajectory> loaded,
+                                                         const std::filesystem::path& path);
+[[nodiscard]] Result<Loaded<NumberedTrajectory>> finished(Loaded<NumberedTrajectory> loaded,
+                                                          const std::filesystem::path& path);
 
 }  // namespace hypermap

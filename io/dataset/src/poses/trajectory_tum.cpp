@@ -145,15 +145,7 @@ Result<Loaded<StampedTrajectory>> read_tum_trajectory(const std::filesystem::pat
     if (!options.skip_bad_lines) return Unexpected(std::move(error));
     builder.loaded().findings.push_back({Severity::kWarning, std::move(error)});
   }
-  Loaded<StampedTrajectory>& loaded = builder.loaded();
-  if (loaded.value.poses.empty()) {
-    return Unexpected(
-        in_file({.code = ErrorCode::kMalformedFile, .what = "has no pose, expected at least one"},
-                path,
-                0));
-  }
-  note_normalised(loaded.value.num_normalised, path, loaded.findings);
-  return std::move(loaded);
+  return finished(std::move(builder.loaded()), path);
 }
 
 std::string to_tum_line(Stamp stamp, const InputFromCamera& input_from_camera) {

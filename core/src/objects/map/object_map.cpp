@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/object_map.hpp"
 
-#include "objects/object_store.hpp"
+#include "objects/map/object_store.hpp"
 
 #include <algorithm>
 #include <cassert>

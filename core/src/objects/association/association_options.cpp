@@ -2,7 +2,7 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "option_names.hpp"
+#include "objects/option_names.hpp"
 
 namespace hypermap {
 namespace {
