@@ -6,14 +6,14 @@
 
 namespace hypermap {
 
-Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor) {
+Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor, const char* field) {
   if (grid.key(PointInMap{sensor.xyz.cast<float>().cast<double>()})) return {};
   return fail(ErrorCode::kInvalidArgument,
               "the sensor must stand within " + std::to_string(kOriginKey * grid.resolution_m()) +
                   " m of the map's origin along each axis, is at (" +
                   std::to_string(sensor.xyz.x()) + ", " + std::to_string(sensor.xyz.y()) + ", " +
                   std::to_string(sensor.xyz.z()) + ")",
-              "map_from_camera");
+              field);
 }
 
 Result<void> check_labels(std::span<const PixelLabels> labels, std::size_t num_measurements) {

@@ -11,8 +11,11 @@
 
 namespace hypermap {
 
-/// Errors: kInvalidArgument when the sensor is not finite or stands outside the volume of the map.
-[[nodiscard]] Result<void> check_sensor(const VoxelGrid& grid, const PointInMap& sensor);
+/// Errors: kInvalidArgument naming `field` when the sensor is not finite or stands outside the
+/// volume of the map.
+[[nodiscard]] Result<void> check_sensor(const VoxelGrid& grid,
+                                        const PointInMap& sensor,
+                                        const char* field);
 
 /// Errors: kInvalidArgument when a label names a measurement that is not there, a class above
 /// 65,534, or classes that are not sorted by id.

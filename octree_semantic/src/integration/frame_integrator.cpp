@@ -25,7 +25,7 @@ Result<IntegrationReport> FrameIntegrator::integrate(SemanticOctree& tree,
                                                      const IntegrationOptions& options) {
   HYPERMAP_TRY(validate(options));
   HYPERMAP_TRY(validate(frame));
-  HYPERMAP_TRY(check_sensor(tree.grid(), frame.map_from_camera.origin()));
+  HYPERMAP_TRY(check_sensor(tree.grid(), frame.map_from_camera.origin(), "map_from_camera"));
   HYPERMAP_TRY(check_labels(labels, frame.depth_m.size()));
   const DepthPoints points(frame);
   workspace_->last_was_scan = false;
@@ -44,7 +44,7 @@ Result<IntegrationReport> FrameIntegrator::integrate_cloud(
                 "a cloud has no image to project into: use exact or discretize",
                 "mode");
   }
-  HYPERMAP_TRY(check_sensor(tree.grid(), sensor));
+  HYPERMAP_TRY(check_sensor(tree.grid(), sensor, "sensor"));
   HYPERMAP_TRY(check_labels(labels, points_in_map.size()));
   const CloudPoints points(sensor, points_in_map);
   workspace_->last_was_scan = false;
@@ -58,7 +58,7 @@ Result<IntegrationReport> FrameIntegrator::integrate_far_cloud(
     std::span<const PixelLabels> labels,
     const CloudOptions& options) {
   HYPERMAP_TRY(validate(options));
-  HYPERMAP_TRY(check_sensor(tree.grid(), sensor));
+  HYPERMAP_TRY(check_sensor(tree.grid(), sensor, "sensor"));
   HYPERMAP_TRY(check_labels(labels, points_in_map.size()));
   const Eigen::Vector3f rounded = sensor.xyz.cast<float>();
   workspace_->last_was_scan = true;

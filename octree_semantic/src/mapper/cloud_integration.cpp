@@ -3,6 +3,7 @@
 #include "hypermap/core/objects/cloud_observations.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/observation_labels.hpp"
 
 #include <new>
 #include <utility>
@@ -13,14 +14,8 @@ namespace {
 std::vector<PixelLabels> labels_of(const LabelledCloud& cloud,
                                    CloudObservations seen,
                                    const AssociationReport& association) {
-  std::vector<PixelLabels> labels;
-  labels.reserve(seen.instances.size() + seen.classes.size());
-  for (std::size_t i = 0; i < seen.instances.size(); ++i) {
-    Observation& instance = seen.instances[i];
-    labels.push_back({.object = association.object_of_observation[i],
-                      .class_scores = std::move(instance.class_scores),
-                      .pixel_indices = std::move(instance.segment.pixel_indices)});
-  }
+  std::vector<PixelLabels> labels = observation_labels(std::move(seen.instances), association);
+  labels.reserve(labels.size() + seen.classes.size());
   for (ClassPoints& points : seen.classes) {
     labels.push_back({.object = kNoObject,
                       .class_scores = cloud.class_vectors[points.class_vector],
@@ -43,7 +38,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   FrameReport report;
   StopWatch watch(clock_);
   HYPERMAP_TRY(validate(cloud));
-  HYPERMAP_TRY(check_sensor(octree_.grid(), cloud.sensor));
+  HYPERMAP_TRY(check_sensor(octree_.grid(), cloud.sensor, "sensor"));
   apply_pending_relabels();  // what an earlier frame left to be done
   auto seen = observe_cloud(cloud,
                             {.max_range_m = options_.cloud.max_range_m,

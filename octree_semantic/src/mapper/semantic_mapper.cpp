@@ -5,6 +5,7 @@
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
 
 #include <algorithm>
@@ -35,18 +36,6 @@ std::vector<Observation> observe(const RgbdFrame& frame,
   }
   report.num_segments = observations.size();
   return observations;
-}
-
-std::vector<PixelLabels> pixel_labels(std::vector<Observation> observations,
-                                      const AssociationReport& association) {
-  std::vector<PixelLabels> labels;
-  labels.reserve(observations.size());
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    labels.push_back({.object = association.object_of_observation[i],
-                      .class_scores = std::move(observations[i].class_scores),
-                      .pixel_indices = std::move(observations[i].segment.pixel_indices)});
-  }
-  return labels;
 }
 
 /// Errors: as ClassRegistry::find_all, naming the field.
@@ -176,7 +165,7 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   report.num_merged = association.merged.size();
   report.seconds.associate = watch.lap();
 
-  const auto labels = pixel_labels(std::move(observations), association);
+  const auto labels = observation_labels(std::move(observations), association);
   prepare_to_adopt(labels, association.merged);
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
                             integrator_.integrate(octree_, frame, labels, options_.integration));
@@ -186,8 +175,8 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   report.seconds.integrate = watch.lap();
 
   apply_missed_detections(frame, association, report);
-  report.published = publish_if_due();
   report.seconds.visibility = watch.lap();
+  report.published = publish_if_due();
   return report;
 }
 
@@ -232,7 +221,7 @@ Result<void> SemanticMapper::set_classes(const ClassRegistry& classes) {
 
 Result<void> SemanticMapper::check(const RgbdFrame& frame) const {
   HYPERMAP_TRY(validate(frame));
-  return check_sensor(octree_.grid(), frame.map_from_camera.origin());
+  return check_sensor(octree_.grid(), frame.map_from_camera.origin(), "map_from_camera");
 }
 
 /// Invariant: on any failure the frame is in the map and the objects are unchanged.

@@ -16,6 +16,9 @@ namespace hypermap {
 /// Threads: all of it from any thread; nobody ever waits for another.
 class BrickPool {
  public:
+  /// Idle bricks that are always kept, 76 KiB: what a frame's noise takes back of the free space.
+  static constexpr std::size_t kMinCapacity = 64;
+
   BrickPool() = default;
   BrickPool(const BrickPool&) = delete;
   BrickPool& operator=(const BrickPool&) = delete;
@@ -30,7 +33,7 @@ class BrickPool {
 
   /// Keeps the brick for later, or frees it when enough are kept.
   void give_back(Brick* brick) noexcept;
-  /// At most so many idle bricks are kept from now on.
+  /// At most so many idle bricks are kept from now on; kMinCapacity to begin with.
   void set_capacity(std::size_t num_bricks) noexcept {
     capacity_.store(num_bricks, std::memory_order_relaxed);
   }
@@ -49,7 +52,7 @@ class BrickPool {
   /// brick can come back between a look at it and its removal.
   std::atomic<Brick*> returned_{nullptr};
   std::atomic<std::size_t> num_idle_{0};
-  std::atomic<std::size_t> capacity_{64};
+  std::atomic<std::size_t> capacity_{kMinCapacity};
   /// Who sets it may pop from `taken_`; who finds it set allocates instead of waiting.
   std::atomic_flag taking_;
   Brick* taken_ = nullptr;

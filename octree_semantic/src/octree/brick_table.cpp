@@ -7,9 +7,6 @@
 namespace hypermap {
 namespace {
 
-/// Idle bricks that are always kept, 76 KiB: what a frame's noise takes back of the free space.
-constexpr std::size_t kMinIdle = 64;
-
 /// Fibonacci hashing: neighbours in Morton order are spread over the table.
 std::size_t slot_of(BrickKey key, std::size_t num_slots) noexcept {
   const std::uint64_t mixed = key.code * 0x9E37'79B9'7F4A'7C15ULL;
@@ -109,7 +106,7 @@ void BrickTable::commit() noexcept {
   ++revision_;
   if (!pool_) return;
   const std::size_t capacity = pool_->capacity();
-  pool_->set_capacity(std::max({kMinIdle, num_copied_, capacity - capacity / 16}));
+  pool_->set_capacity(std::max({BrickPool::kMinCapacity, num_copied_, capacity - capacity / 16}));
   num_copied_ = 0;
 }
 

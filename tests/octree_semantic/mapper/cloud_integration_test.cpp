@@ -114,5 +114,15 @@ TEST(CloudIntegration, AScanThatIsRefusedChangesNothing) {
   EXPECT_EQ(mapper.integrate_cloud(unsound).error().field, "instance_of_point");
 }
 
+TEST(CloudIntegration, AScanFromOutsideTheVolumeIsRefusedByItsSensor) {
+  auto mapper = SemanticMapper::create({}).value();
+  LabelledCloud outside = street();
+  outside.sensor.xyz.x() = 1e6;
+  const auto refused = mapper.integrate_cloud(outside);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(refused.error().field, "sensor");
+}
+
 }  // namespace
 }  // namespace hypermap

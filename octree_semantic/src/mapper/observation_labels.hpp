@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From associated observations to the labels of what they measured.
+#pragma once
+
+#include "hypermap/core/objects/association.hpp"
+#include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+
+#include <vector>
+
+namespace hypermap {
+
+/// One for each observation, in their order: its object, class vector and pixels.
+/// Requires: `association` is of these observations.
+[[nodiscard]] std::vector<PixelLabels> observation_labels(std::vector<Observation> observations,
+                                                          const AssociationReport& association);
+
+}  // namespace hypermap
