@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 using namespace hypermap;  // NOLINT(google-build-using-namespace): a program in one file
 
@@ -30,32 +31,36 @@ int main(int argc, char** argv) {
     }
     done = true;
   });
+  // Calls `use` with the newest snapshot again and again, the last time with the whole map.
+  const auto while_mapping = [&](auto use) {
+    bool is_last = false;
+    while (!is_last) {
+      is_last = done;
+      use(*mapper.snapshot());
+    }
+  };
   std::size_t most_objects = 0;
   std::jthread objects([&] {  // each answer belongs to one moment between two frames
-    while (!done) most_objects = std::max(most_objects, mapper.snapshot()->objects.size());
+    while_mapping(
+        [&](const MapSnapshot& now) { most_objects = std::max(most_objects, now.objects.size()); });
   });
   std::size_t num_grids = 0;
   std::jthread grids([&] {  // a grid for the planner, whenever there is news
-    std::uint64_t seen = 0;
-    while (!done) {
-      const auto snapshot = mapper.snapshot();
-      if (snapshot->num_frames == seen) continue;
-      seen = snapshot->num_frames;
-      if (project_occupancy(leaf_source(snapshot->octree))) ++num_grids;
-    }
+    while_mapping([&, seen = std::uint64_t{0}](const MapSnapshot& now) mutable {
+      if (std::exchange(seen, now.num_frames) == now.num_frames) return;
+      if (project_occupancy(leaf_source(now.octree))) ++num_grids;
+    });
   });
   std::jthread saver([&] {  // the writer does not wait for the disk
-    while (!done) {
-      const auto now = mapper.snapshot();
+    while_mapping([&](const MapSnapshot& now) {
       const MapArchive map{
-          .hypermap = {}, .classes = *now->classes, .objects = now->objects, .octree = now->octree};
+          .hypermap = {}, .classes = *now.classes, .objects = now.objects, .octree = now.octree};
       if (!save_archive(map, argv[2])) failed = true;
-    }
+    });
   });
   writer.join(), objects.join(), grids.join(), saver.join();
-  const auto last = mapper.snapshot();
   std::printf("%zu frames, %zu grids, at most %zu objects\n",
-              std::size_t{last->num_frames},
+              std::size_t{mapper.snapshot()->num_frames},
               num_grids,
               most_objects);
   return failed ? 1 : 0;

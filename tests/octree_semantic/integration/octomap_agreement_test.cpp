@@ -69,76 +69,62 @@ std::vector<LabelledFrame> kitchen() {
                         num_frames);
 }
 
-TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(8), 320), 0.05, 5.0, IntegrationMode::kExact);
+/// Both know the same voxels, and what differs in occupancy is explained by log-odds of 16 bits.
+void expect_same_voxels(const Agreement& agreement) {
   EXPECT_GE(agreement.occupied_iou(), 0.999);
   EXPECT_EQ(agreement.only_ours_known, 0U);
   EXPECT_EQ(agreement.only_theirs_known, 0U);
   EXPECT_EQ(agreement.otherwise, 0U);
 }
 
+TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
+  expect_same_voxels(
+      map_both(room_frames(repetitions(8), 320), 0.05, 5.0, IntegrationMode::kExact));
+}
+
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoomAtTwoCentimetres) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(4), 320), 0.02, 5.0, IntegrationMode::kExact);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
-  EXPECT_EQ(agreement.otherwise, 0U);
+  expect_same_voxels(
+      map_both(room_frames(repetitions(4), 320), 0.02, 5.0, IntegrationMode::kExact));
 }
 
 TEST(OctomapAgreement, ExactModeClearsUpToTheRangeOnly) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(6), 160), 0.05, 2.5, IntegrationMode::kExact);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
+  expect_same_voxels(
+      map_both(room_frames(repetitions(6), 160), 0.05, 2.5, IntegrationMode::kExact));
 }
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRule) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(8), 320), 0.05, 20.0, IntegrationMode::kDiscretize);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
-  EXPECT_EQ(agreement.otherwise, 0U);
+  expect_same_voxels(
+      map_both(room_frames(repetitions(8), 320), 0.05, 20.0, IntegrationMode::kDiscretize));
 }
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapsRuleBeyondTheRangeToo) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(8), 320), 0.05, 3.0, IntegrationMode::kDiscretize);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
-  EXPECT_EQ(agreement.otherwise, 0U);
+  expect_same_voxels(
+      map_both(room_frames(repetitions(8), 320), 0.05, 3.0, IntegrationMode::kDiscretize));
 }
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement = map_both(kitchen(), 0.05, 5.0, IntegrationMode::kExact);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
-  EXPECT_EQ(agreement.otherwise, 0U) << "all differences come from 16-bit log-odds";
+  expect_same_voxels(map_both(kitchen(), 0.05, 5.0, IntegrationMode::kExact));
 }
 
 TEST(OctomapAgreement, DiscretizeModeIsThatOfOctomapInTheRealKitchen) {
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
-  const Agreement agreement = map_both(kitchen(), 0.05, 5.0, IntegrationMode::kDiscretize);
-  EXPECT_GE(agreement.occupied_iou(), 0.999);
-  EXPECT_EQ(agreement.only_ours_known + agreement.only_theirs_known, 0U);
-  EXPECT_EQ(agreement.otherwise, 0U);
+  expect_same_voxels(map_both(kitchen(), 0.05, 5.0, IntegrationMode::kDiscretize));
 }
 
 // Mode projective keeps nearly the voxels of insertPointCloud: what it looks through by the corners
-// of voxels is what rays pass, up to voxels that rays only clip. Free space is reported, not
-// pinned.
+// of voxels is what rays pass, up to voxels that rays only clip.
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoom) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(8), 640), 0.05, 5.0, IntegrationMode::kProjective);
-  EXPECT_GE(agreement.occupied_iou(), 0.99);
+  EXPECT_GE(map_both(room_frames(repetitions(8), 640), 0.05, 5.0, IntegrationMode::kProjective)
+                .occupied_iou(),
+            0.99);
 }
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoomAtTwoCentimetres) {
-  const Agreement agreement =
-      map_both(room_frames(repetitions(3), 640), 0.02, 5.0, IntegrationMode::kProjective);
-  EXPECT_GE(agreement.occupied_iou(), 0.99);
+  EXPECT_GE(map_both(room_frames(repetitions(3), 640), 0.02, 5.0, IntegrationMode::kProjective)
+                .occupied_iou(),
+            0.99);
 }
 
 TEST(OctomapAgreement, ProjectiveModeClearsUpToTheRangeOnly) {

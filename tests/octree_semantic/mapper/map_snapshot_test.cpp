@@ -121,7 +121,7 @@ TEST(MapSnapshot, HasTheClassesThatWereKnownThen) {
   const auto first = mapper.snapshot();
   ASSERT_TRUE(classes.add("table"));
   ASSERT_TRUE(mapper.integrate(frames()[1]));
-  EXPECT_EQ(mapper.snapshot()->classes->size(), 1U) << "nobody reported the mapper";
+  EXPECT_EQ(mapper.snapshot()->classes->size(), 1U) << "nobody told the mapper";
   ASSERT_TRUE(mapper.set_classes(classes));
   ASSERT_TRUE(mapper.integrate(frames()[2]));
   EXPECT_EQ(*mapper.snapshot()->classes, classes);
@@ -175,13 +175,15 @@ TEST(MapSnapshot, MemoryIsFlatWhileSnapshotsComeAndGo) {
   EXPECT_LE(mapper.octree().memory_bytes(), before + before / 10);
 }
 
-/// Reads snapshots until `done` and holds every one of them to what a run without them gave.
+/// Reads snapshots until `done` and once more, and holds every one of them to what a run without
+/// them gave.
 void read_snapshots(const SemanticMapper& mapper,
                     const std::atomic<bool>& done,
                     std::size_t reader) {
   std::uint64_t newest = 0;
   std::shared_ptr<const MapSnapshot> held;
-  while (!done) {
+  for (bool is_last = false; !is_last;) {
+    is_last = done;  // before the look: the last one sees the whole map
     const auto snapshot = mapper.snapshot();
     EXPECT_GE(snapshot->num_frames, newest) << "time does not run backwards";
     if (snapshot->num_frames == newest && held) {
