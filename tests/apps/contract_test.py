@@ -120,6 +120,15 @@ class Limits(Case):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual(digest(output), digest(self.archive))
 
+    def take_rescued(self, result):
+        """A map that memory sufficed to make but not to save is rescued; the error says where."""
+        rescued = self.folder / "a.hmap.rescue"
+        if not rescued.exists():
+            return
+        self.assertIn(str(rescued), result.stderr)
+        self.assertEqual(run("info", rescued).returncode, 0)
+        rescued.unlink()
+
     @unittest.skipIf(IS_SANITIZED, "sanitizers reserve addresses")
     def test_too_little_memory_is_an_error_or_enough(self):
         step = 12 << 20
@@ -138,6 +147,7 @@ class Limits(Case):
                     self.assertIn(result.returncode, (0, 3), result.stderr)
                     if result.returncode != 0:
                         self.assertEqual(output.read_bytes(), OLD)
+                        self.take_rescued(result)
                         self.assert_names("a.hmap")
                 outcomes.add(result.returncode)
                 shutil.rmtree(self.folder / "lab", ignore_errors=True)
@@ -173,8 +183,7 @@ class Targets(Case):
                 result = run("--progress", "always", "map", "--input", self.dataset, "--output", target)
                 self.assertEqual(result.returncode, 3, result.stderr)
                 self.assertIn(str(target), result.stderr)
-                if not str(target).startswith("/proc"):  # whose permissions say what is not so
-                    self.assertNotIn("mapping", result.stderr)
+                self.assertNotIn("mapping", result.stderr)
 
     def test_nothing_is_written_over_what_is_read(self):
         dataset = self.folder / "dataset"

@@ -142,6 +142,11 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.job.poses,
                   "corrected trajectory (TUM's form, or .log by frame) instead of the dataset's")
       ->excludes(append);
+  command
+      .add_option("--checkpoint-every",
+                  arguments.job.checkpoint_every,
+                  "save OUTPUT.checkpoint after every N frames, until the map is saved")
+      ->check(CLI::Range(1, 1000000000));
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
@@ -160,8 +165,11 @@ void keep_outputs_apart(const MapArguments& arguments) {
                                           arguments.job.poses.value_or("")};
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");
+  const std::filesystem::path checkpoint =
+      arguments.job.checkpoint_every > 0 ? checkpoint_path(arguments.job.output) : "";
   keep_apart("--stats", stats, read);
-  keep_apart("--stats", stats, {arguments.job.output});
+  keep_apart("--stats", stats, {arguments.job.output, checkpoint});
+  keep_apart("--checkpoint-every", checkpoint, read);
   read.emplace_back(dataset.input);
   keep_apart("--output", arguments.job.output, read);
 }

@@ -2,19 +2,16 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 
 #include "frame_stream.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
-#include "hypermap/io/dataset/corrected_poses.hpp"
-#include "hypermap/io/dataset/gravity_alignment.hpp"
-#include "hypermap/io/options/options_file.hpp"
-#include "input_fingerprint.hpp"
+#include "map_rescue.hpp"
+#include "mapping_run.hpp"
+#include "outlying_regions.hpp"
 
 #include <sys/resource.h>
 
 #include <iterator>
-#include <span>
-#include <string>
+#include <new>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,116 +22,6 @@ std::size_t peak_rss_bytes() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024U;
-}
-
-/// What a run needs besides the job: everything is opened before the first frame is mapped.
-struct Run {
-  ClassRegistry classes;
-  std::optional<MapArchive> previous;
-  std::unique_ptr<DatasetReader> dataset;
-  std::optional<OnnxDetector> detector;
-  std::optional<SemanticMapper> mapper;
-  InputFingerprint fingerprint;
-};
-
-/// Names of no class that the input speaks of: they may be misspelt.
-std::vector<Finding> unknown_names(std::span<const std::string> names,
-                                   const char* option,
-                                   const ClassRegistry& classes) {
-  std::vector<Finding> findings;
-  for (const std::string& name : names) {
-    if (classes.find(name)) continue;
-    findings.push_back({.error = {.code = ErrorCode::kNotFound,
-                                  .what = "no class of the input is called \"" + printable(name) +
-                                          "\"" + did_you_mean(name, classes.names()),
-                                  .field = option}});
-  }
-  return findings;
-}
-
-void append(std::vector<Finding>& findings, std::vector<Finding> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(findings));
-}
-
-/// Classes that the options name are known even when no detection is ever of them.
-Result<void> add_named_classes(const SemanticMapperOptions& options, ClassRegistry& classes) {
-  for (const std::string& name : options.objects.transient_class_names) {
-    HYPERMAP_TRY(classes.add(name));
-  }
-  for (const std::string& name : options.wanted_class_names) HYPERMAP_TRY(classes.add(name));
-  return {};
-}
-
-Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRegistry& classes) {
-  if (!job.model) return std::optional<OnnxDetector>();
-  OnnxDetectorOptions options = job.detector;
-  options.detector = DetectorId{static_cast<std::uint32_t>(job.dataset.detections.size()) + 1};
-  HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
-                            OnnxDetector::load(*job.model, options, classes));
-  return std::optional<OnnxDetector>(std::move(detector));
-}
-
-Result<SemanticMapper> make_mapper(const MappingJob& job,
-                                   ClassRegistry& classes,
-                                   const std::optional<MapArchive>& previous) {
-  HYPERMAP_TRY(add_named_classes(job.mapper, classes));
-  if (!previous) return SemanticMapper::create(job.mapper, classes);
-  if (!previous->octree) {
-    return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
-  }
-  return SemanticMapper::resume(job.mapper, *previous->octree, previous->objects, classes);
-}
-
-/// With a network at work, detections beside the data are read only when they were asked for.
-DatasetOptions dataset_options(const MappingJob& job) {
-  DatasetOptions options = job.dataset;
-  options.read_color = options.read_color && job.model.has_value();
-  if (job.model) options.find_detections = false;
-  return options;
-}
-
-/// A map does not depend on the clock.
-Result<void> refuse_deadline(const DeadlineOptions& options) {
-  if (options.rule == DeadlineRule::kNone) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be none: what is mapped from a dataset may not depend on the clock",
-              "deadline.rule");
-}
-
-Result<void> refuse_mixed_poses(const MappingJob& job) {
-  if (!job.poses || !job.append) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "a map is built anew with corrected poses, what it holds has the old ones",
-              "append");
-}
-
-Result<Run> open(const MappingJob& job, MappingReport& report) {
-  HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
-  HYPERMAP_TRY(refuse_mixed_poses(job));
-  Run run;
-  if (job.append) {
-    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output));
-    run.classes = loaded.value.classes;
-    run.previous = std::move(loaded.value);
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
-                            open_dataset(job.input, dataset_options(job), run.classes));
-  if (job.poses) {
-    HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
-                              with_corrected_poses(std::move(run.dataset), *job.poses));
-  }
-  report.findings = run.dataset->summary().findings;
-  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align_to_gravity(*run.dataset, job.up_axis));
-  run.dataset->set_map_from_input(up.map_from_input);
-  report.up = up.explanation;
-  append(report.findings,
-         unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
-  append(report.findings,
-         unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
-  run.mapper.emplace(std::move(mapper));
-  return run;
 }
 
 void count(const FrameReport& frame, MappingReport& report) {
@@ -172,43 +59,25 @@ Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detec
   return {};
 }
 
-Result<FrameReport> map_frame(Run& run, Result<RgbdFrame> frame, MappingReport& report) {
+Result<FrameReport> map_frame(MappingRun& run,
+                              std::size_t index,
+                              Result<RgbdFrame> frame,
+                              MappingReport& report) {
   if (!frame) return Unexpected(std::move(frame).error());
   StopWatch watch;
   HYPERMAP_TRY(add_detections(*frame, run.detector));
   report.seconds.detect += watch.lap();
   HYPERMAP_ASSIGN_OR_RETURN(FrameReport done, run.mapper->integrate(*frame));
   run.fingerprint.add(*frame);
+  run.places.push_back({index, frame->map_from_camera.origin().xyz});
   return done;
 }
 
-Result<void> map_frames(Run& run,
-                        const MappingJob& job,
-                        MappingReport& report,
-                        const JobProgress& progress) {
-  FrameStream stream(*run.dataset, job.mapper.num_threads > 1);
-  const std::size_t total = run.dataset->size();
-  for (std::size_t i = 0; i < total; ++i) {
-    StopWatch watch;
-    auto frame = stream.next();
-    report.seconds.read += watch.lap();
-    const auto done = map_frame(run, std::move(frame), report);
-    if (done) {
-      count(*done, report);
-    } else if (spares_other_frames(done.error())) {
-      report.skipped.push_back(about(done.error(), std::string(run.dataset->frame_name(i))));
-    } else {
-      return Unexpected(done.error());
-    }
-    if (progress && !progress(i + 1, total)) return interrupted();
-  }
-  return {};
-}
-
-Result<void> check_losses(const MappingReport& report, const MappingJob& job) {
-  const std::size_t total = report.num_frames + report.skipped.size();
+/// Refuses a map of too few frames as soon as it is sure to be one.
+Result<void> check_losses(const MappingReport& report, const MappingJob& job, std::size_t total) {
   const auto allowed = job.max_skipped_share * static_cast<double>(total);
-  if (report.num_frames > 0 && static_cast<double>(report.skipped.size()) <= allowed) return {};
+  const bool is_any_left = report.skipped.size() < total;
+  if (is_any_left && static_cast<double>(report.skipped.size()) <= allowed) return {};
   Error error{.code = ErrorCode::kLimit,
               .what = std::to_string(report.skipped.size()) + " of " + std::to_string(total) +
                       " frames could not be used, more than the share of " +
@@ -218,32 +87,108 @@ Result<void> check_losses(const MappingReport& report, const MappingJob& job) {
   return Unexpected(std::move(error));
 }
 
-/// Every option by name, as an options file would say it.
-ValueTree options_tree(const MapOptions& options) {
-  std::vector<ValueTree::Entry> entries;
-  for (const OptionDescription& option : describe_options(options)) {
-    entries.emplace_back(option.name, make_text(option.value));
+/// Derives the layers, saves all to `path` and returns what is to be said of the layers.
+Result<std::vector<Finding>> save_map(MapArchive& archive,
+                                      const std::filesystem::path& path,
+                                      const MappingRun& run,
+                                      const MappingJob& job,
+                                      MappingSeconds& seconds) {
+  StopWatch watch;
+  HYPERMAP_ASSIGN_OR_RETURN(const DerivedLayers derived,
+                            derive_layers(archive, job.mapper.objects, job.layers));
+  auto findings = findings_of(derived, run.places, *run.dataset, job.output);
+  seconds.project += watch.lap();
+  HYPERMAP_TRY(save_archive(archive, path));
+  seconds.write += watch.lap();
+  return findings;
+}
+
+/// Memory that ends is an error of the work that asked for it.
+template <class Work>
+auto within_memory(const Work& work) -> decltype(work()) try {
+  return work();
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "out of memory");
+}
+
+/// The run goes on whatever becomes of it; the first failure is said.
+void save_checkpoint(MappingRun& run,
+                     const MappingJob& job,
+                     MappingReport& report,
+                     const std::string& frame_name) {
+  const auto saved = within_memory([&] {
+    MapArchive archive = map_of(run, job);
+    return save_map(archive, checkpoint_path(job.output), run, job, report.seconds);
+  });
+  if (saved) {
+    run.checkpoint_of = frame_name;
+  } else if (!run.checkpoint_failed) {
+    run.checkpoint_failed = true;
+    Error error = about(saved.error(), checkpoint_path(job.output).string());
+    error.what = "no checkpoint after " + printable(frame_name) + ": " + error.what;
+    report.findings.push_back({Severity::kWarning, std::move(error)});
   }
-  return make_map(std::move(entries));
 }
 
-Provenance provenance(const Run& run, const MappingJob& job) {
-  return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
-          .input = printable(
-              std::filesystem::absolute(job.input).lexically_normal().filename().string()),
-          .input_hash = run.fingerprint.text(),
-          .options = options_tree({job.mapper, job.layers}),
-          .map_from_input = run.dataset->map_from_input()};
+Result<void> map_frames(MappingRun& run,
+                        const MappingJob& job,
+                        MappingReport& report,
+                        const JobProgress& progress) {
+  FrameStream stream(*run.dataset, job.mapper.num_threads > 1);
+  const std::size_t total = run.dataset->size();
+  for (std::size_t i = 0; i < total; ++i) {
+    StopWatch watch;
+    auto frame = stream.next();
+    report.seconds.read += watch.lap();
+    const std::string name = run.dataset->frame_name(i);
+    const auto done = map_frame(run, i, std::move(frame), report);
+    if (done) {
+      count(*done, report);
+    } else if (spares_other_frames(done.error())) {
+      report.skipped.push_back(about(done.error(), name));
+      HYPERMAP_TRY(check_losses(report, job, total));
+    } else {
+      return Unexpected(about(done.error(), name));
+    }
+    const bool is_due = done && job.checkpoint_every > 0 && i + 1 < total &&
+                        report.num_frames % job.checkpoint_every == 0;
+    if (is_due) save_checkpoint(run, job, report, name);
+    if (progress && !progress(i + 1, total)) return interrupted();
+  }
+  return {};
 }
 
-Result<MapArchive> make_archive(Run& run, const MappingJob& job) {
-  MapArchive archive = run.previous ? std::move(*run.previous) : MapArchive{};
-  archive.classes = run.classes;
-  archive.octree = run.mapper->octree();
-  archive.objects = run.mapper->objects();
-  archive.provenance = provenance(run, job);
-  HYPERMAP_TRY(derive_layers(archive, job.mapper.objects, job.layers));
-  return archive;
+/// The error, and where the newest checkpoint is.
+Error naming_checkpoint(Error error, const MappingRun& run, const MappingJob& job) {
+  if (!run.checkpoint_of) return error;
+  error.what += "; the map up to " + printable(*run.checkpoint_of) + " is in " +
+                printable(checkpoint_path(job.output).string(), 500);
+  return error;
+}
+
+/// Why the run ended before its last frame, and where what it mapped is, if anywhere. Who
+/// interrupts it wants nothing written, nor is a map of too few frames.
+Error ended_early(Error error,
+                  const MappingRun& run,
+                  const MappingJob& job,
+                  const MappingReport& report) {
+  if (!spares_other_frames(error) && report.num_frames > 0) {
+    error = with_rescue(std::move(error), map_of(run, job), job.output);
+  }
+  return naming_checkpoint(std::move(error), run, job);
+}
+
+/// The saved map supersedes its checkpoints.
+void remove_checkpoint(const MappingJob& job, MappingReport& report) {
+  std::error_code failed;
+  const bool is_there = std::filesystem::is_regular_file(checkpoint_path(job.output), failed);
+  if (job.checkpoint_every == 0 || !is_there) return;
+  std::filesystem::remove(checkpoint_path(job.output), failed);
+  if (!failed) return;
+  report.findings.push_back({Severity::kWarning,
+                             {.code = ErrorCode::kIo,
+                              .what = "cannot be removed: " + failed.message(),
+                              .file = checkpoint_path(job.output).string()}});
 }
 
 void describe(const MapArchive& archive, const MappingJob& job, MappingReport& report) {
@@ -257,18 +202,29 @@ void describe(const MapArchive& archive, const MappingJob& job, MappingReport& r
 
 }  // namespace
 
+std::filesystem::path checkpoint_path(const std::filesystem::path& output) {
+  return output.string() + ".checkpoint";
+}
+
+std::filesystem::path rescue_path(const std::filesystem::path& output) {
+  return output.string() + ".rescue";
+}
+
 Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& progress) {
   MappingReport report;
   StopWatch whole;
-  HYPERMAP_TRY(check_target(job.output));
-  HYPERMAP_ASSIGN_OR_RETURN(Run run, open(job, report));
-  HYPERMAP_TRY(map_frames(run, job, report, progress));
-  HYPERMAP_TRY(check_losses(report, job));
-  StopWatch watch;
-  HYPERMAP_ASSIGN_OR_RETURN(const MapArchive archive, make_archive(run, job));
-  report.seconds.project = watch.lap();
-  HYPERMAP_TRY(save_archive(archive, job.output));
-  report.seconds.write = watch.lap();
+  HYPERMAP_ASSIGN_OR_RETURN(MappingRun run, open_run(job, report));
+  auto mapped = within_memory([&] { return map_frames(run, job, report, progress); });
+  if (!mapped) return Unexpected(ended_early(std::move(mapped).error(), run, job, report));
+  MapArchive archive = map_of(run, job);
+  auto findings =
+      within_memory([&] { return save_map(archive, job.output, run, job, report.seconds); });
+  if (!findings) {
+    Error error = with_rescue(std::move(findings).error(), archive, job.output);
+    return Unexpected(naming_checkpoint(std::move(error), run, job));
+  }
+  std::move(findings->begin(), findings->end(), std::back_inserter(report.findings));
+  remove_checkpoint(job, report);
   describe(archive, job, report);
   report.seconds.wall = whole.lap();
   return report;

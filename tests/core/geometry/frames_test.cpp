@@ -11,7 +11,7 @@ namespace {
 
 Eigen::Isometry3d turn_and_shift() {
   Eigen::Isometry3d transform(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()));
-  transform.translation() = {1e5, -2.0, 3.0};
+  transform.translation() = Eigen::Vector3d(1e5, -2.0, 3.0);
   return transform;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hypermap {
@@ -104,6 +105,61 @@ TEST(ShownFrame, IsThatOfWhatIsSolidElseOfTheFirstLayer) {
   EXPECT_EQ(shown_frame_id(archive), "odom");
   archive.octree = SemanticOctree::create({}).value();
   EXPECT_EQ(shown_frame_id(archive), "map");
+}
+
+/// Occupied voxels at these places, half a metre above the floor.
+MapArchive archive_of(const std::vector<Eigen::Vector2d>& places) {
+  MapArchive archive;
+  archive.octree = SemanticOctree::create({}).value();
+  for (const Eigen::Vector2d& place : places) {
+    const auto key = archive.octree->grid().key(PointInMap{{place.x(), place.y(), 0.52}});
+    EXPECT_TRUE(archive.octree->set_leaf({.key = key.value(), .log_odds = 1000}));
+  }
+  return archive;
+}
+
+TEST(DerivedLayers, CoverTheLargestRegionAndNameTheOthers) {
+  const MapArchive near = archive_of({{0.02, 0.02}, {3.02, 1.02}});
+  MapArchive far = archive_of({{0.02, 0.02}, {3.02, 1.02}, {1000.02, 1000.02}});
+  const SemanticOctree octree = *far.octree;
+  const auto derived = derive_layers(far, {}, {});
+  ASSERT_TRUE(derived) << to_string(derived.error());
+  EXPECT_TRUE(derived->left_out.empty());
+  EXPECT_EQ(derived->main.num_leaves(), 2U);
+  ASSERT_EQ(derived->outlying.size(), 1U);
+  EXPECT_EQ(derived->outlying[0].leaves, (LeafCount{.occupied = 1, .free = 0}));
+  EXPECT_NEAR(derived->outlying[0].bounds_in_map.centre().x(), 1000.0, 0.1);
+  EXPECT_EQ(*far.octree, octree);
+  MapArchive alone = near;
+  ASSERT_TRUE(derive_layers(alone, {}, {}));
+  EXPECT_EQ(far.hypermap, alone.hypermap) << "the layers are those without the far voxel";
+}
+
+TEST(DerivedLayers, LeaveOutAGridOfTooManyCellsAndSayIt) {
+  std::vector<Eigen::Vector2d> chain;
+  for (int i = -30; i <= 30; ++i) chain.emplace_back(30.0 * i, 30.0 * i);  // 36,001 cells a side
+  MapArchive archive = archive_of(chain);
+  ASSERT_TRUE(archive.hypermap.add_layer(
+      {.info = {.name = "occupancy"}, .content = OccupancyLayer(OccupancyGrid())}));
+  const auto derived = derive_layers(archive, {}, {});
+  ASSERT_TRUE(derived) << to_string(derived.error());
+  EXPECT_TRUE(derived->outlying.empty());
+  ASSERT_EQ(derived->left_out.size(), 2U);
+  EXPECT_EQ(derived->left_out[0].error.entry, "occupancy");
+  EXPECT_EQ(derived->left_out[0].error.code, ErrorCode::kLimit);
+  EXPECT_NE(to_string(derived->left_out[0].error).find("36001 x 36001 cells"), std::string::npos);
+  EXPECT_EQ(derived->left_out[1].error.entry, "class grids");
+  EXPECT_EQ(archive.hypermap.find("occupancy"), nullptr) << "it would be that of an older map";
+  EXPECT_NE(archive.hypermap.find("semantic"), nullptr);
+  EXPECT_EQ(archive.octree->num_leaves().occupied, 61U);
+}
+
+TEST(DerivedLayers, OfAnEmptyMapAreEmpty) {
+  MapArchive archive = archive_of({});
+  const auto derived = derive_layers(archive, {}, {});
+  ASSERT_TRUE(derived);
+  EXPECT_EQ(derived->main, MapRegion{});
+  EXPECT_TRUE(derived->outlying.empty() && derived->left_out.empty());
 }
 
 TEST(LayerOptions, RefuseABandThatIsNone) {

@@ -201,13 +201,32 @@ TEST(AtomicFile, ATargetIsJudgedBeforeTheWork) {
   EXPECT_TRUE(check_target(dir / "new"));
   EXPECT_TRUE(check_target(dir / "old"));
   EXPECT_TRUE(check_target("new"));
-  for (const fs::path& path :
-       {dir / "folder", dir / "no" / "a", dir / "old" / "a", fs::path("/dev/null")}) {
+  for (const fs::path& path : {dir / "folder",
+                               dir / "no" / "a",
+                               dir / "old" / "a",
+                               fs::path("/dev/null"),
+                               fs::path("/proc/a"),
+                               dir / std::string(300, 'a')}) {
     const auto judged = check_target(path);
     ASSERT_FALSE(judged) << path;
     EXPECT_EQ(judged.error().code, ErrorCode::kIo);
     EXPECT_EQ(judged.error().file, path.string());
   }
+}
+
+TEST(AtomicFile, ATargetOnAFullDiskIsToldBeforeTheWork) {
+  const TempDir dir;
+  ASSERT_TRUE(write_file_atomically(dir / "old", "old"));
+  const FileCalls full{.write = [](int, const void*, std::size_t) -> ssize_t {
+    errno = ENOSPC;
+    return -1;
+  }};
+  const auto judged = check_target(dir / "old", full);
+  ASSERT_FALSE(judged);
+  EXPECT_THAT(to_string(judged.error()), HasSubstr("errno 28"));
+  EXPECT_TRUE(check_target(dir / "old"));
+  EXPECT_EQ(content_of(dir / "old"), "old");
+  EXPECT_EQ(num_files(dir.path()), 1U) << "what was made to find out is gone";
 }
 
 TEST(AtomicFile, AFolderThatIsNotThereOrReadOnlyIsNamedWithErrno) {

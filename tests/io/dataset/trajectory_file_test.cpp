@@ -76,6 +76,63 @@ TEST(TrajectoryFile, AQuaternionAndItsNegativeAreOneRotation) {
   EXPECT_TRUE(loaded->value.poses[0].input_from_camera.isometry().linear().isIdentity());
 }
 
+TEST(TrajectoryFile, APositionBeyondTheEarthIsRefusedByLineAndValue) {
+  EXPECT_TRUE(read_poses("1.0 1e8 -1e8 1 0 0 0 1\n"));
+  const std::string long_number = "1" + std::string(300, '0');
+  for (const std::string& value : {std::string("1e9"), std::string("-1e9"), std::string("1e308")}) {
+    for (const std::string& position : {value + " 0 0", "0 " + value + " 0", "0 0 " + value}) {
+      const std::string refusal =
+          trajectory_refusal("1.0 0 0 1 0 0 0 1\n1.1 " + position + " 0 0 0 1\n");
+      EXPECT_THAT(refusal, HasSubstr("t.txt:2: t"));
+      EXPECT_THAT(refusal, HasSubstr("within 1e8 m"));
+      EXPECT_THAT(refusal, HasSubstr("is " + value));
+      EXPECT_LE(refusal.size(), 200U);
+    }
+  }
+  EXPECT_LE(trajectory_refusal("1.0 " + long_number + " 0 1 0 0 0 1\n").size(), 200U);
+}
+
+TEST(TrajectoryFile, AFarPositionInASequenceCostsItsLineAlone) {
+  const auto loaded = read_poses("1.0 0 0 1 0 0 0 1\n1.1 1e308 0 1 0 0 0 1\n1.2 0 0 1 0 0 0 1\n",
+                                 {.skip_bad_lines = true});
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(loaded->value.poses, SizeIs(2));
+  ASSERT_THAT(loaded->findings, SizeIs(1));
+  EXPECT_THAT(to_string(loaded->findings[0].error), HasSubstr("1e308"));
+}
+
+TEST(TrajectoryFile, APositionOfAMatrixBeyondTheEarthIsRefusedByLineAndValue) {
+  const TempDir dir;
+  const std::string rows = "1 0 0 0\n0 1 0 -1e308\n0 0 1 0\n0 0 0 1\n";
+  write_text(dir / "pose.txt", rows);
+  write_text(dir / "t.log", "0 0 1\n" + rows);
+  const auto pose = read_pose_matrix(dir / "pose.txt");
+  ASSERT_FALSE(pose);
+  EXPECT_THAT(to_string(pose.error()), HasSubstr("pose.txt:2: pose: must be within 1e8 m"));
+  EXPECT_THAT(to_string(pose.error()), HasSubstr("is -1e308"));
+  const auto log = read_log_trajectory(dir / "t.log");
+  ASSERT_FALSE(log);
+  EXPECT_THAT(to_string(log.error()), HasSubstr("t.log:3: pose: must be within 1e8 m"));
+  EXPECT_LE(to_string(log.error()).size(), 200U);
+}
+
+TEST(TrajectoryFile, ACutInsideTheLastNumberIsAFinding) {
+  const std::string lines = "1.0 0 0 1 0 0 0.7071 0.7071\n1.1 0 0 1 0 0 0.6018 0.7986\n";
+  const auto findings_of = [](const std::string& text) {
+    const auto loaded = read_poses(text);
+    EXPECT_TRUE(loaded) << to_string(loaded.error());
+    return loaded->findings;
+  };
+  EXPECT_THAT(findings_of(lines), SizeIs(0));
+  EXPECT_THAT(findings_of(lines.substr(0, lines.size() - 1)), SizeIs(0)) << "only the line end";
+  const auto cut = findings_of(lines.substr(0, lines.size() - 2));
+  ASSERT_THAT(cut, SizeIs(1));
+  EXPECT_THAT(to_string(cut[0].error), HasSubstr("t.txt:2: line: ends without a line end"));
+  EXPECT_THAT(findings_of("1.0 0 0 1 0 0 0 1"), SizeIs(0)) << "nothing to compare it with";
+  EXPECT_THAT(findings_of("1.0 0 0 1 0 0 0 1\n1.1 0 0 1 0 0 0 1"), SizeIs(0));
+  EXPECT_THAT(findings_of(lines + "# end"), SizeIs(0));
+}
+
 TEST(TrajectoryFile, BlanksCommentsAndLineEndsAreFree) {
   const auto loaded = read_poses("# t tx\r\n\r\n 1.0  0\t0 1 0 0 0 1\r\n1.1 0.1 0 1 0 0 0 1");
   ASSERT_TRUE(loaded) << to_string(loaded.error());

@@ -7,6 +7,7 @@
 #include "hypermap/projection/layers/object_footprints.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,6 +60,68 @@ Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent conten
   return hypermap.add_layer({LayerInfo{.name = name}, std::move(content)});
 }
 
+HeightBand band_of(const LayerOptions& options) {
+  return {.min_m = options.min_height_m, .max_m = options.max_height_m};
+}
+
+/// `make()`, and memory that ends is its error.
+template <class Make>
+auto within_memory(const Make& make) -> decltype(make()) try {
+  return make();
+} catch (const std::exception&) {
+  return fail(ErrorCode::kOutOfMemory, "no memory for it");
+}
+
+/// The layer is new, or, on an error, not there: one of an earlier map would be of another map.
+Result<void> put_occupancy(MapArchive& archive,
+                           const LeafSource& leaves,
+                           const LayerOptions& options) {
+  auto grid = within_memory([&] {
+    return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
+  });
+  if (grid) return put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(*grid)));
+  archive.hypermap.remove_layer(kOccupancyName);
+  return Unexpected(std::move(grid).error());
+}
+
+/// As put_occupancy.
+Result<void> put_footprints(MapArchive& archive,
+                            std::span<const ObjectId> confirmed,
+                            const ObjectPipelineOptions& options) {
+  auto footprints = within_memory([&] {
+    return project_footprints(
+        objects_of(archive.objects, confirmed),
+        archive.classes,
+        {.policy = options.footprint, .confidence = options.confirmation.confidence});
+  });
+  if (footprints) return put_layer(archive.hypermap, kSemanticName, std::move(footprints->layer));
+  archive.hypermap.remove_layer(kSemanticName);
+  return Unexpected(std::move(footprints).error());
+}
+
+/// All class grids are new, or, on an error, none is there.
+Result<void> put_class_grids(MapArchive& archive,
+                             const LeafSource& leaves,
+                             const LayerOptions& options) {
+  archive.class_grids.clear();
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto grids, within_memory([&] {
+        return project_class_grids(
+            leaves, band_of(options), {.min_free_share = options.min_free_share});
+      }));
+  for (auto& [id, grid] : grids) {
+    archive.class_grids.push_back(
+        {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
+  }
+  return {};
+}
+
+Finding left_out(Error error, const char* layer) {
+  error.what = "left out: " + error.what;
+  error.entry = layer;
+  return {Severity::kWarning, std::move(error)};
+}
+
 }  // namespace
 
 std::vector<const Object*> confirmed_objects_of(const MapArchive& archive) {
@@ -102,29 +165,24 @@ std::string shown_frame_id(const MapArchive& archive) {
   return layers.empty() ? LayerInfo{}.frame_id : layers.front().info.frame_id;
 }
 
-Result<void> derive_layers(MapArchive& archive,
-                           const ObjectPipelineOptions& objects,
-                           const LayerOptions& options) {
+Result<DerivedLayers> derive_layers(MapArchive& archive,
+                                    const ObjectPipelineOptions& objects,
+                                    const LayerOptions& options) {
   HYPERMAP_TRY(validate(options));
   const auto confirmed = confirmed_objects(archive.objects, objects.confirmation);
-  const LeafSource leaves = confirmed_leaves(archive, confirmed);
-  const HeightBand band{.min_m = options.min_height_m, .max_m = options.max_height_m};
-  const OccupancyProjectionOptions projection{.min_free_share = options.min_free_share};
-  HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid occupancy, project_occupancy(leaves, band, projection));
-  HYPERMAP_ASSIGN_OR_RETURN(auto class_grids, project_class_grids(leaves, band, projection));
-  HYPERMAP_ASSIGN_OR_RETURN(auto footprints,
-                            project_footprints(objects_of(archive.objects, confirmed),
-                                               archive.classes,
-                                               {.policy = objects.footprint,
-                                                .confidence = objects.confirmation.confidence}));
-  HYPERMAP_TRY(put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(occupancy))));
-  HYPERMAP_TRY(put_layer(archive.hypermap, kSemanticName, std::move(footprints.layer)));
-  archive.class_grids.clear();
-  for (auto& [id, grid] : class_grids) {
-    archive.class_grids.push_back(
-        {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
-  }
-  return {};
+  const MapRegions regions = MapRegions::find(leaf_source(*archive.octree));
+  const LeafSource leaves = leaves_of_largest(confirmed_leaves(archive, confirmed), regions);
+  DerivedLayers derived;
+  const auto all = regions.regions();
+  if (all.size() > 1) derived.outlying.assign(all.begin() + 1, all.end());
+  derived.main = all.empty() ? MapRegion{} : all.front();
+  const auto note = [&derived](const Result<void>& put, const char* layer) {
+    if (!put) derived.left_out.push_back(left_out(put.error(), layer));
+  };
+  note(put_occupancy(archive, leaves, options), kOccupancyName);
+  note(put_footprints(archive, confirmed, objects), kSemanticName);
+  note(put_class_grids(archive, leaves, options), "class grids");
+  return derived;
 }
 
 }  // namespace hypermap

@@ -151,9 +151,16 @@ Result<void> sync_folder(const Target& target, const FileCalls& calls) {
 }  // namespace
 
 Result<void> check_target(const std::filesystem::path& path) {
+  return check_target(path, FileCalls{});
+}
+
+Result<void> check_target(const std::filesystem::path& path, const FileCalls& calls) {
   HYPERMAP_ASSIGN_OR_RETURN(const Target target, find_target(path));
-  if (::access((target.folder() / "").c_str(), W_OK) != 0)
-    return system_error(path, "write into its folder", errno);
+  Temporary probe(calls);
+  if (!probe.create(target.folder(), 0600))
+    return system_error(path, "create a file in its folder", errno);
+  if (const int reason = write_all(calls, probe.descriptor, "?"); reason != 0)
+    return system_error(path, "write into its folder", reason);
   return {};
 }
 

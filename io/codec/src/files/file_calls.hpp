@@ -27,6 +27,7 @@ struct FileCalls {
   std::function<int(const char*, const char*)> rename = ::rename;
 };
 
+[[nodiscard]] Result<void> check_target(const std::filesystem::path& path, const FileCalls& calls);
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes,
                                                  const FileCalls& calls);

@@ -3,6 +3,7 @@
 
 #include "hypermap/io/codec/text_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,14 @@ Result<Loaded<Trajectory>> finished_trajectory(Loaded<Trajectory> loaded,
                                           " rotations off by more than 1e-3 were normalised"));
   }
   return loaded;
+}
+
+/// Digits behind the point.
+std::size_t num_decimals(std::string_view number) {
+  const std::size_t point = number.find('.');
+  if (point == std::string_view::npos) return 0;
+  const std::string_view behind = number.substr(point + 1);
+  return std::min(behind.find_first_not_of("0123456789"), behind.size());
 }
 
 }  // namespace
@@ -53,6 +62,14 @@ Result<double> finite_number(std::string_view word, std::string_view field) {
               std::string(field));
 }
 
+Result<double> position_number(std::string_view word, std::string_view field) {
+  HYPERMAP_ASSIGN_OR_RETURN(const double value, finite_number(word, field));
+  if (std::abs(value) <= kMaxPositionM) return value;
+  return fail(ErrorCode::kMalformedFile,
+              "must be within 1e8 m of the origin, is " + printable(word, 60),
+              std::string(field));
+}
+
 Result<void> check_line_length(std::string_view line, const TrajectoryOptions& options) {
   if (line.size() <= options.max_line_bytes) return {};
   return fail(ErrorCode::kLimit,
@@ -74,6 +91,27 @@ Result<Loaded<StampedTrajectory>> finished(Loaded<StampedTrajectory> loaded,
 Result<Loaded<NumberedTrajectory>> finished(Loaded<NumberedTrajectory> loaded,
                                             const std::filesystem::path& path) {
   return finished_trajectory(std::move(loaded), path);
+}
+
+std::optional<Finding> find_cut_number(std::string_view text, const std::filesystem::path& path) {
+  if (text.empty() || text.back() == '\n') return std::nullopt;
+  const std::vector<TextLine> lines = split_lines(text);
+  const auto last = split_words(lines.back().text);
+  if (is_comment(lines.back().text)) return std::nullopt;
+  std::optional<std::size_t> fewest;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const auto words = split_words(lines[i].text);
+    if (is_comment(lines[i].text) || words.size() != last.size()) continue;
+    const std::size_t decimals = num_decimals(words.back());
+    fewest = std::min(fewest.value_or(decimals), decimals);
+  }
+  const std::size_t decimals = num_decimals(last.back());
+  if (!fewest || decimals >= *fewest) return std::nullopt;
+  return warning(path,
+                 lines.back().number,
+                 "line",
+                 "ends without a line end after " + printable(last.back(), 60) +
+                     ", whose decimals are fewer than in any other line: the file is probably cut");
 }
 
 }  // namespace hypermap

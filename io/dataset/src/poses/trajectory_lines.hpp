@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ namespace hypermap {
 
 /// Rotations that are off by more are counted when they are normalised.
 inline constexpr double kMinReportedNormError = 1e-3;
+/// Farther no camera stands: coordinates in UTM zones reach 1e7 m, around the earth 4e7 m.
+inline constexpr double kMaxPositionM = 1e8;
 
 /// `error` with the file, and with the line when it names none.
 [[nodiscard]] Error in_file(Error error, const std::filesystem::path& path, int line);
@@ -25,6 +28,8 @@ inline constexpr double kMinReportedNormError = 1e-3;
                               std::string what);
 /// Errors: kMalformedFile naming `field`.
 [[nodiscard]] Result<double> finite_number(std::string_view word, std::string_view field);
+/// A coordinate of a position. Errors: kMalformedFile naming `field`, also beyond kMaxPositionM.
+[[nodiscard]] Result<double> position_number(std::string_view word, std::string_view field);
 /// Errors: kLimit.
 [[nodiscard]] Result<void> check_line_length(std::string_view line,
                                              const TrajectoryOptions& options);
@@ -36,5 +41,10 @@ inline constexpr double kMinReportedNormError = 1e-3;
                                                          const std::filesystem::path& path);
 [[nodiscard]] Result<Loaded<NumberedTrajectory>> finished(Loaded<NumberedTrajectory> loaded,
                                                           const std::filesystem::path& path);
+/// A warning when the file probably ends inside its last number: no line end follows, and it has
+/// fewer decimals than the last number of every other line of as many words. A cut that leaves as
+/// many decimals cannot be told from a file whose last line end is missing.
+[[nodiscard]] std::optional<Finding> find_cut_number(std::string_view text,
+                                                     const std::filesystem::path& path);
 
 }  // namespace hypermap

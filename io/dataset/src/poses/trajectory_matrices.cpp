@@ -42,7 +42,8 @@ Result<std::vector<double>> parse_rows(const std::vector<TextLine>& lines,
                                 line.number));
     }
     for (const std::string_view word : words) {
-      const auto number = finite_number(word, "pose");
+      const bool is_position = row < 3 && numbers.size() % 4 == 3;
+      const auto number = is_position ? position_number(word, "pose") : finite_number(word, "pose");
       if (!number) return Unexpected(in_file(number.error(), path, line.number));
       numbers.push_back(*number);
     }
@@ -113,6 +114,7 @@ Result<Loaded<NumberedTrajectory>> read_log_trajectory(const std::filesystem::pa
       return Unexpected(record.error());
     }
   }
+  if (auto cut = find_cut_number(text, path)) loaded.findings.push_back(std::move(*cut));
   return finished(std::move(loaded), path);
 }
 

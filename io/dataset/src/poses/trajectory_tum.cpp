@@ -33,7 +33,10 @@ Result<TumLine> parse_tum_line(std::string_view line, const TrajectoryOptions& o
   HYPERMAP_ASSIGN_OR_RETURN(out.stamp, parse_stamp(words[0]));
   std::array<double, 8> v{};
   for (std::size_t i = 1; i < words.size(); ++i) {
-    HYPERMAP_ASSIGN_OR_RETURN(v.at(i), finite_number(words[i], kTumFields.at(i)));
+    const bool is_position = i <= 3;
+    HYPERMAP_ASSIGN_OR_RETURN(v.at(i),
+                              is_position ? position_number(words[i], kTumFields.at(i))
+                                          : finite_number(words[i], kTumFields.at(i)));
   }
   Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
   out.norm_error = std::abs(rotation.norm() - 1.0);
@@ -145,6 +148,7 @@ Result<Loaded<StampedTrajectory>> read_tum_trajectory(const std::filesystem::pat
     if (!options.skip_bad_lines) return Unexpected(std::move(error));
     builder.loaded().findings.push_back({Severity::kWarning, std::move(error)});
   }
+  if (auto cut = find_cut_number(text, path)) builder.loaded().findings.push_back(std::move(*cut));
   return finished(std::move(builder.loaded()), path);
 }
 

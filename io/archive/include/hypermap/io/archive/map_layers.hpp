@@ -8,6 +8,7 @@
 #include "hypermap/core/objects/object_pipeline_options.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/grids/layer_options.hpp"
+#include "hypermap/projection/grids/map_regions.hpp"
 
 #include <span>
 #include <string>
@@ -36,13 +37,23 @@ namespace hypermap {
 /// The frame of those voxels and of the objects; of a map that has neither that of its first layer.
 [[nodiscard]] std::string shown_frame_id(const MapArchive& archive);
 
+/// What became of the layers that derive_layers made.
+struct DerivedLayers {
+  MapRegion main;                   ///< What the grids cover; empty for a map without leaves.
+  std::vector<MapRegion> outlying;  ///< What they do not: the other regions, the largest first.
+  std::vector<Finding> left_out;    ///< Layers that are not there, and why; `entry` names them.
+};
+
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
 /// octree and from the objects that `objects` confirms; other layers stay as they are.
 ///
-/// Requires: archive.octree. Errors: those of the grids and layers.
-/// Cost: two walks over the leaves.
-[[nodiscard]] Result<void> derive_layers(MapArchive& archive,
-                                         const ObjectPipelineOptions& objects,
-                                         const LayerOptions& options);
+/// Grids cover the largest region of the octree alone (map_regions.hpp); `semantic` has the objects
+/// of all regions. What cannot be made (too many cells, no memory) is left out and said: the map
+/// would else be lost with it.
+/// Requires: archive.octree. Errors: those of validate(options).
+/// Cost: some walks over the leaves, the cells of the grids.
+[[nodiscard]] Result<DerivedLayers> derive_layers(MapArchive& archive,
+                                                  const ObjectPipelineOptions& objects,
+                                                  const LayerOptions& options);
 
 }  // namespace hypermap

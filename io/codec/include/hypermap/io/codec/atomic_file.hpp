@@ -10,8 +10,10 @@
 
 namespace hypermap {
 
-/// Whether a file could be replaced or made at `path`, to be asked before long work.
-/// Errors: kIo when its folder is not there or not writable, or when it is no regular file.
+/// Whether a file could be replaced or made at `path`, to be asked before long work: a file of one
+/// byte is made beside it and removed again.
+/// Errors: kIo when its folder is not there or takes no file or no byte (a full disk), when its
+/// name is too long, or when it is no regular file.
 [[nodiscard]] Result<void> check_target(const std::filesystem::path& path);
 
 /// Writes `bytes` to a temporary beside the target, syncs it, renames it over the target and syncs

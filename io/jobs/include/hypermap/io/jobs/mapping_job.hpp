@@ -38,7 +38,15 @@ struct MappingJob {
   std::optional<std::filesystem::path> poses = std::nullopt;
   /// Go on from the archive at `output`.
   bool append = false;
+  /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
+  /// archive that a later run may go on from. It goes when the map itself is saved. 0: never.
+  std::size_t checkpoint_every = 0;
 };
+
+/// `<output>.checkpoint`: the map as it was some frames ago, while it is made.
+[[nodiscard]] std::filesystem::path checkpoint_path(const std::filesystem::path& output);
+/// `<output>.rescue`: the map that could not be saved to `output`.
+[[nodiscard]] std::filesystem::path rescue_path(const std::filesystem::path& output);
 
 /// Wall clock by stage, in seconds.
 struct MappingSeconds {
@@ -56,7 +64,7 @@ struct MappingSeconds {
 struct MappingReport {
   std::size_t num_frames = 0;     ///< In the map.
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
-  std::vector<Finding> findings;  ///< Repairs, unknown keys and class names of the opening.
+  std::vector<Finding> findings;  ///< Of the dataset, of class names, of layers, of checkpoints.
   std::size_t num_detections = 0;
   std::size_t num_segments = 0;
   std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
@@ -71,10 +79,18 @@ struct MappingReport {
 };
 
 /// With more than one thread the next frame is read and decoded while one is worked on.
-/// Errors: kInvalidArgument when the mapper has a deadline, or when a map is to be gone on from
-/// with corrected poses (what it holds has the old ones); those of open_dataset,
-/// with_corrected_poses, OnnxDetector::load, SemanticMapper::create and save_archive; kLimit when
-/// more frames were skipped than allowed, naming the first. Nothing is written on an error.
+///
+/// What can be told before the first frame is told then: options, and whether files can be made
+/// where the map and its checkpoints are to be. Grids cover the largest region of the map; what
+/// lies outside and what layer could not be made are findings (see derive_layers), as is a
+/// checkpoint that could not be saved. Errors: kInvalidArgument when the mapper has a deadline, or
+/// when a map is to be gone on from with corrected poses (what it holds has the old ones); those of
+/// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
+/// save_archive; kLimit as soon as more frames were skipped than allowed, naming the first;
+/// kInterrupted. `output` is not written on an error. When the map cannot be saved or memory ends
+/// after a frame, the map is at `rescue_path(output)`, else in the working folder or that for
+/// temporary files, and the error says where: without layers when it cannot be saved with them.
+/// Checkpoints stay and are named.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 

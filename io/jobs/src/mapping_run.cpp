@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping_run.hpp"
+
+#include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/dataset/corrected_poses.hpp"
+#include "hypermap/io/dataset/gravity_alignment.hpp"
+#include "hypermap/io/options/options_file.hpp"
+
+#include <filesystem>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+/// Names of no class that the input speaks of: they may be misspelt.
+std::vector<Finding> unknown_names(std::span<const std::string> names,
+                                   const char* option,
+                                   const ClassRegistry& classes) {
+  std::vector<Finding> findings;
+  for (const std::string& name : names) {
+    if (classes.find(name)) continue;
+    findings.push_back({.error = {.code = ErrorCode::kNotFound,
+                                  .what = "no class of the input is called \"" + printable(name) +
+                                          "\"" + did_you_mean(name, classes.names()),
+                                  .field = option}});
+  }
+  return findings;
+}
+
+void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+/// Classes that the options name are known even when no detection is ever of them.
+Result<void> add_named_classes(const SemanticMapperOptions& options, ClassRegistry& classes) {
+  for (const std::string& name : options.objects.transient_class_names) {
+    HYPERMAP_TRY(classes.add(name));
+  }
+  for (const std::string& name : options.wanted_class_names) HYPERMAP_TRY(classes.add(name));
+  return {};
+}
+
+Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRegistry& classes) {
+  if (!job.model) return std::optional<OnnxDetector>();
+  OnnxDetectorOptions options = job.detector;
+  options.detector = DetectorId{static_cast<std::uint32_t>(job.dataset.detections.size()) + 1};
+  HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
+                            OnnxDetector::load(*job.model, options, classes));
+  return std::optional<OnnxDetector>(std::move(detector));
+}
+
+Result<SemanticMapper> make_mapper(const MappingJob& job,
+                                   ClassRegistry& classes,
+                                   const std::optional<MapArchive>& previous) {
+  HYPERMAP_TRY(add_named_classes(job.mapper, classes));
+  if (!previous) return SemanticMapper::create(job.mapper, classes);
+  if (!previous->octree) {
+    return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
+  }
+  return SemanticMapper::resume(job.mapper, *previous->octree, previous->objects, classes);
+}
+
+/// With a network at work, detections beside the data are read only when they were asked for.
+DatasetOptions dataset_options(const MappingJob& job) {
+  DatasetOptions options = job.dataset;
+  options.read_color = options.read_color && job.model.has_value();
+  if (job.model) options.find_detections = false;
+  return options;
+}
+
+/// A map does not depend on the clock.
+Result<void> refuse_deadline(const DeadlineOptions& options) {
+  if (options.rule == DeadlineRule::kNone) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be none: what is mapped from a dataset may not depend on the clock",
+              "deadline.rule");
+}
+
+Result<void> refuse_mixed_poses(const MappingJob& job) {
+  if (!job.poses || !job.append) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "a map is built anew with corrected poses, what it holds has the old ones",
+              "append");
+}
+
+/// Before the first frame: what would be refused at the end is refused now.
+Result<void> check(const MappingJob& job) {
+  HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
+  HYPERMAP_TRY(refuse_mixed_poses(job));
+  HYPERMAP_TRY(validate(job.layers));
+  HYPERMAP_TRY(check_target(job.output));
+  if (job.checkpoint_every > 0) HYPERMAP_TRY(check_target(checkpoint_path(job.output)));
+  return {};
+}
+
+/// Every option by name, as an options file would say it.
+ValueTree options_tree(const MapOptions& options) {
+  std::vector<ValueTree::Entry> entries;
+  for (const OptionDescription& option : describe_options(options)) {
+    entries.emplace_back(option.name, make_text(option.value));
+  }
+  return make_map(std::move(entries));
+}
+
+Provenance provenance(const MappingRun& run, const MappingJob& job) {
+  return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
+          .input = run.input_name,
+          .input_hash = run.fingerprint.text(),
+          .options = options_tree({job.mapper, job.layers}),
+          .map_from_input = run.dataset->map_from_input()};
+}
+
+}  // namespace
+
+Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
+  HYPERMAP_TRY(check(job));
+  MappingRun run;
+  // Now, as the working folder may be gone when the map is saved.
+  run.input_name =
+      printable(std::filesystem::absolute(job.input).lexically_normal().filename().string());
+  if (job.append) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output));
+    run.classes = loaded.value.classes;
+    run.previous = std::move(loaded.value);
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
+                            open_dataset(job.input, dataset_options(job), run.classes));
+  if (job.poses) {
+    HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
+                              with_corrected_poses(std::move(run.dataset), *job.poses));
+  }
+  report.findings = run.dataset->summary().findings;
+  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align_to_gravity(*run.dataset, job.up_axis));
+  run.dataset->set_map_from_input(up.map_from_input);
+  report.up = up.explanation;
+  append(report.findings,
+         unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
+  append(report.findings,
+         unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
+  run.mapper.emplace(std::move(mapper));
+  return run;
+}
+
+MapArchive map_of(const MappingRun& run, const MappingJob& job) {
+  MapArchive archive = run.previous.value_or(MapArchive{});
+  archive.classes = run.classes;
+  archive.octree = run.mapper->octree();
+  archive.objects = run.mapper->objects();
+  archive.provenance = provenance(run, job);
+  return archive;
+}
+
+}  // namespace hypermap

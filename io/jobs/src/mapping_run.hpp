@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a mapping job holds while it runs, and the map of it at any moment.
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/detector/onnx_detector.hpp"
+#include "hypermap/io/jobs/mapping_job.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+#include "input_fingerprint.hpp"
+#include "outlying_regions.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+/// What a run needs besides the job: everything is opened before the first frame is mapped.
+struct MappingRun {
+  std::string input_name;
+  ClassRegistry classes;
+  std::optional<MapArchive> previous;
+  std::unique_ptr<DatasetReader> dataset;
+  std::optional<OnnxDetector> detector;
+  std::optional<SemanticMapper> mapper;
+  InputFingerprint fingerprint;
+  std::vector<FramePlace> places;            ///< Of the frames in the map.
+  std::optional<std::string> checkpoint_of;  ///< The frame whose checkpoint is on disk.
+  bool checkpoint_failed = false;            ///< Some checkpoint could not be saved; it was said.
+};
+
+/// Notes findings and the up axis in `report`. Errors: those of run_mapping that need no frame.
+[[nodiscard]] Result<MappingRun> open_run(const MappingJob& job, MappingReport& report);
+
+/// The map as it is now, without layers of its own; those of a map that is gone on from are kept.
+[[nodiscard]] MapArchive map_of(const MappingRun& run, const MappingJob& job);
+
+}  // namespace hypermap
