@@ -4,6 +4,7 @@
 
 Usage: contract_test.py PROGRAM [unittest args]"""
 
+import fcntl
 import os
 import pathlib
 import resource
@@ -74,11 +75,14 @@ class Signals(Case):
 
     def test_temporaries_of_the_dead_go_and_those_of_the_living_stay(self):
         dead = f".hypermap-save-{dead_process()}-0.tmp"
-        living = f".hypermap-save-{os.getpid()}-0.tmp"
-        for name in (dead, living):
+        same_number = f".hypermap-save-{os.getpid()}-0.tmp"
+        living = f".hypermap-save-{dead_process()}-1.tmp"  # perhaps of another container
+        for name in (dead, same_number, living):
             (self.folder / name).write_bytes(b"half")
         output = self.folder / "a.ply"
-        self.assertEqual(run("export", self.archive, "--format", "ply", "--output", output).returncode, 0)
+        with open(self.folder / living, "rb") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            self.assertEqual(run("export", self.archive, "--format", "ply", "--output", output).returncode, 0)
         self.assert_names("a.ply", living)
 
 

@@ -39,8 +39,8 @@ void add_export_command(CLI::App& program, Action& action) {
   command
       .add_option("--output",
                   arguments->request.output,
-                  "file; for ros-map the stem or .yaml, for class-grids a folder, for geojson "
-                  "a name in .local.geojson")
+                  "file; for ros-map the stem or .yaml (the image beside it is named after its "
+                  "content), for class-grids a folder, for geojson a name in .local.geojson")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -49,9 +49,8 @@ void add_export_command(CLI::App& program, Action& action) {
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
   command.callback([arguments, &action] {
     keep_apart("--output", arguments->request.output, {arguments->file});
-    for (const char* ending : {".yaml", ".pgm"}) {  // of a ros-map, whose stem is given
-      keep_apart("--output", arguments->request.output.string() + ending, {arguments->file});
-    }
+    // Of a ros-map the stem is given.
+    keep_apart("--output", arguments->request.output.string() + ".yaml", {arguments->file});
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
     if (*format == ExportFormat::kGeojson &&

@@ -89,11 +89,13 @@ Result<void> verify_bytes(const MapArchive& archive,
 }
 
 Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string stored, read_file(path, bytes.size()));
-  if (stored == bytes) return {};
+  auto stored = read_file(path, bytes.size());
+  if (stored && *stored == bytes) return {};
   Error error{.code = ErrorCode::kIo,
-              .what = "replaced, yet the disk returns other bytes than were written"};
-  error.file = path.string();
+              .what = "the disk returns other bytes than were written",
+              .file = path.string()};
+  if (!stored) error = std::move(stored).error();
+  error.what.insert(0, "replaced, yet ");
   return tl::make_unexpected(std::move(error));
 }
 

@@ -5,8 +5,11 @@
 
 namespace hypermap {
 
-/// `<stem>.pgm` and `<stem>.yaml` for map_server: trinary, unturned unless asked.
-/// Errors: those of without_rotation, write_trinary_map and write_file_atomically.
+/// `<stem>.yaml` for map_server and the image that it names, `<stem>-<hash of the image>.pgm`:
+/// trinary, unturned unless asked. The YAML is replaced last; then the image that the old one named
+/// is removed when an export to this stem wrote it.
+/// Errors: those of without_rotation, write_trinary_map and write_file_atomically; until the YAML
+/// is replaced the old pair stays whole.
 [[nodiscard]] Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
                                                   const std::filesystem::path& stem,
                                                   bool keep_rotation);

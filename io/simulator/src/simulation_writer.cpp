@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/codec/staged_folder.hpp"
 #include "hypermap/io/codec/text_file.hpp"
@@ -12,12 +13,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <new>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -169,33 +171,50 @@ class FramePipeline {
   SimulationReport report_;
 };
 
-/// An entry of a folder that no simulation wrote there.
-std::optional<std::string> foreign_entry(const fs::path& folder) {
-  constexpr std::array<std::string_view, 8> kOurs{"depth",
-                                                  "depth.txt",
-                                                  "detections.jsonl",
-                                                  "groundtruth.txt",
-                                                  "intrinsics.json",
-                                                  "rgb",
-                                                  "rgb.txt",
-                                                  "truth.hmap"};
-  std::error_code code;
-  for (const auto& entry : fs::directory_iterator(folder, code)) {
-    const std::string name = entry.path().filename().string();
-    if (std::ranges::find(kOurs, name) == kOurs.end()) return name;
+constexpr std::uint64_t kMaxListBytes = std::uint64_t{64} << 20U;
+
+/// What a simulation wrote, relative to its folder: the images are those that its lists name.
+Result<std::set<std::string>> files_of_simulation(const fs::path& folder) {
+  std::set<std::string> files{"depth",
+                              "depth.txt",
+                              "detections.jsonl",
+                              "groundtruth.txt",
+                              "intrinsics.json",
+                              "rgb",
+                              "rgb.txt",
+                              "truth.hmap"};
+  for (const char* list : {"rgb.txt", "depth.txt"}) {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(folder / list, kMaxListBytes));
+    for (const TextLine& line : split_lines(text)) {
+      const auto words = split_words(line.text);
+      if (words.size() == 2) files.emplace(words[1]);
+    }
   }
+  return files;
+}
+
+/// An entry below the folder that the simulation there did not write.
+Result<std::optional<std::string>> foreign_entry(const fs::path& folder) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto ours, files_of_simulation(folder));
+  std::error_code code;
+  fs::recursive_directory_iterator entry(folder, code);
+  for (; !code && entry != fs::recursive_directory_iterator(); entry.increment(code)) {
+    const std::string name = entry->path().lexically_relative(folder).string();
+    if (!ours.contains(name) || entry->is_symlink()) return name;
+  }
+  if (code) return Unexpected(Error{ErrorCode::kIo, code.message(), folder.string()});
   return std::nullopt;
 }
 
 /// A simulation may be written where nothing is, in an empty folder, or over another simulation
-/// beside which nothing else was put.
+/// among whose files nothing else was put.
 Result<void> require_replaceable(const fs::path& output_dir) {
   std::error_code code;
   if (!fs::exists(output_dir, code)) return {};
   if (fs::is_directory(output_dir, code)) {
     if (fs::is_empty(output_dir, code)) return {};
     if (fs::exists(output_dir / "truth.hmap", code) && fs::exists(output_dir / "rgb.txt", code)) {
-      const auto foreign = foreign_entry(output_dir);
+      HYPERMAP_ASSIGN_OR_RETURN(const auto foreign, foreign_entry(output_dir));
       if (!foreign) return {};
       return tl::make_unexpected(
           Error{ErrorCode::kInvalidArgument,
@@ -223,6 +242,7 @@ Result<SimulationReport> write_simulation(const Scene& scene,
                             FramePipeline(simulator, folder, progress).run(options.num_threads));
   HYPERMAP_ASSIGN_OR_RETURN(const MapArchive truth, make_truth(simulator, scene, report.objects));
   HYPERMAP_TRY(save_archive(truth, folder.path() / "truth.hmap"));
+  HYPERMAP_TRY(require_replaceable(output_dir));  // the rendering took a while
   HYPERMAP_TRY(folder.commit());
   return report;
 }

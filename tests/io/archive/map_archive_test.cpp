@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -178,6 +180,27 @@ TEST(MapArchive, AFailedSaveLeavesTheOldArchive) {
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().what, HasSubstr("errno 27"));
   EXPECT_EQ(read_file(dir / "a.hmap", 1 << 20).value(), before);
+}
+
+TEST(MapArchive, WhenItCannotBeReadBackTheErrorSaysThatItWasReplaced) {
+  const TempDir dir;
+  std::ofstream(dir / "a.hmap") << "old";
+  fs::permissions(dir / "a.hmap", fs::perms::owner_write);
+  fs::permissions(dir.path(), fs::perms::all);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {  // whose saver is nobody: the old file's mode, which is kept, forbids to read
+    constexpr uid_t kNobody = 65534;
+    const bool is_nobody = ::geteuid() != 0 || ::setuid(kNobody) == 0;
+    const auto saved = save_archive(sample_archive(), dir / "a.hmap");
+    const bool said = !saved && saved.error().what.starts_with("replaced, yet cannot open") &&
+                      saved.error().file == (dir / "a.hmap").string();
+    ::_exit(is_nobody && said ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_GT(fs::file_size(dir / "a.hmap"), 3U);
 }
 
 TEST(MapArchive, LoadsWhatWasSavedFromADisk) {

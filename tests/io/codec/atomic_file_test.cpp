@@ -2,8 +2,8 @@
 // Long because: each call to the system fails once, and what is then on the disk is told.
 #include "hypermap/io/codec/atomic_file.hpp"
 
-#include "files/file_calls.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
+#include "io/codec/system_faults.hpp"
 #include "support/temp_dir.hpp"
 
 #include <fcntl.h>
@@ -19,8 +19,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -41,49 +42,43 @@ std::size_t num_files(const fs::path& folder) {
       std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
 mode_t mode_of(const fs::path& path) {
   struct stat status {};
   ::stat(path.c_str(), &status);
   return status.st_mode & 07777U;
 }
 
-/// Lets the n-th of all calls fail with `reason`; counts them.
-class FailingCalls {
- public:
-  FailingCalls(int failing_call, int reason) : failing_call_(failing_call), reason_(reason) {}
-  FileCalls calls() {
-    const FileCalls real;
-    return {.open = failing(real.open),
-            .write = [this](int descriptor, const void* bytes, std::size_t num_bytes) -> ssize_t {
-              // Short writes, so that there are several of them.
-              return fails() ? -1 : ::write(descriptor, bytes, std::min<std::size_t>(num_bytes, 3));
-            },
-            .fchmod = failing(real.fchmod),
-            .fchown = failing(real.fchown),
-            .fsync = failing(real.fsync),
-            .close =
-                [this](int descriptor) {
-                  const int result = ::close(descriptor);
-                  return fails() ? -1 : result;
-                },
-            .rename = failing(real.rename)};
+/// Saves while the n-th of all calls fails with `reason`; `num_calls` is how many there were.
+struct FailingSave {
+  FailingSave(const fs::path& path, std::string_view bytes, int failing_call, int reason) {
+    const test::SystemFaults faults(
+        [&](std::string_view, int) { return ++num_calls == failing_call ? reason : 0; });
+    written = write_file_atomically(path, bytes);
   }
-  [[nodiscard]] int num_calls() const { return num_calls_; }
-
- private:
-  template <class... Arguments>
-  std::function<int(Arguments...)> failing(std::function<int(Arguments...)> call) {
-    return [this, call](Arguments... arguments) { return fails() ? -1 : call(arguments...); };
-  }
-  bool fails() {
-    if (++num_calls_ != failing_call_) return false;
-    errno = reason_;
-    return true;
-  }
-  int failing_call_;
-  int reason_;
-  int num_calls_ = 0;
+  int num_calls = 0;
+  Result<void> written;
 };
+
+bool is_folder(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/// A process that has ended.
+pid_t dead_process() {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return child;
+}
 
 TEST(AtomicFile, WritesANewFileAndLeavesNothingElse) {
   const TempDir dir;
@@ -116,9 +111,9 @@ TEST(AtomicFile, WhicheverCallFailsTheOldFileIsIntactAndNoTemporaryIsLeft) {
     for (int failing_call = 1;; ++failing_call) {
       const TempDir dir;
       ASSERT_TRUE(write_file_atomically(dir / "a", "old"));
-      FailingCalls calls(failing_call, reason);
-      const auto written = write_file_atomically(dir / "a", "new content", calls.calls());
-      if (calls.num_calls() < failing_call) break;  // more than there are
+      const FailingSave save(dir / "a", "new content", failing_call, reason);
+      const auto& written = save.written;
+      if (save.num_calls < failing_call) break;  // more than there are
       EXPECT_EQ(num_files(dir.path()), 1U) << failing_call;
       if (written) continue;  // a close of a folder does not matter
       EXPECT_EQ(written.error().code, ErrorCode::kIo);
@@ -132,14 +127,10 @@ TEST(AtomicFile, WhicheverCallFailsTheOldFileIsIntactAndNoTemporaryIsLeft) {
 
 TEST(AtomicFile, OnlyTheSyncOfTheFolderFailsAfterTheReplacement) {
   const TempDir dir;
-  const FileCalls calls{.fsync = [](int descriptor) {
-    struct stat status {};
-    ::fstat(descriptor, &status);
-    if (!S_ISDIR(status.st_mode)) return ::fsync(descriptor);
-    errno = EIO;
-    return -1;
-  }};
-  const auto written = write_file_atomically(dir / "a", "new", calls);
+  const test::SystemFaults faults([](std::string_view call, int descriptor) {
+    return call == "fsync" && is_folder(descriptor) ? EIO : 0;
+  });
+  const auto written = write_file_atomically(dir / "a", "new");
   ASSERT_FALSE(written);
   EXPECT_THAT(written.error().what, HasSubstr("replaced, durability unconfirmed"));
   EXPECT_EQ(content_of(dir / "a"), "new");
@@ -147,11 +138,14 @@ TEST(AtomicFile, OnlyTheSyncOfTheFolderFailsAfterTheReplacement) {
 
 TEST(AtomicFile, InterruptedCallsAreRepeated) {
   const TempDir dir;
-  for (int call = 1; call <= 4; ++call) {  // the opening and the first writes
-    FailingCalls calls(call, EINTR);
-    ASSERT_TRUE(write_file_atomically(dir / "a", "new content", calls.calls())) << call;
-    EXPECT_EQ(content_of(dir / "a"), "new content");
-  }
+  const std::set<std::string_view> repeated{"open", "write"};
+  std::set<std::string_view> interrupted;
+  const test::SystemFaults faults([&](std::string_view call, int) {
+    return repeated.contains(call) && interrupted.insert(call).second ? EINTR : 0;
+  });
+  ASSERT_TRUE(write_file_atomically(dir / "a", "new content"));
+  EXPECT_EQ(interrupted, repeated);
+  EXPECT_EQ(content_of(dir / "a"), "new content");
 }
 
 TEST(AtomicFile, FollowsALinkAndKeepsIt) {
@@ -217,11 +211,12 @@ TEST(AtomicFile, ATargetIsJudgedBeforeTheWork) {
 TEST(AtomicFile, ATargetOnAFullDiskIsToldBeforeTheWork) {
   const TempDir dir;
   ASSERT_TRUE(write_file_atomically(dir / "old", "old"));
-  const FileCalls full{.write = [](int, const void*, std::size_t) -> ssize_t {
-    errno = ENOSPC;
-    return -1;
-  }};
-  const auto judged = check_target(dir / "old", full);
+  const auto check_on_a_full_disk = [&] {
+    const test::SystemFaults full(
+        [](std::string_view call, int) { return call == "write" ? ENOSPC : 0; });
+    return check_target(dir / "old");
+  };
+  const auto judged = check_on_a_full_disk();
   ASSERT_FALSE(judged);
   EXPECT_THAT(to_string(judged.error()), HasSubstr("errno 28"));
   EXPECT_TRUE(check_target(dir / "old"));
@@ -262,45 +257,77 @@ TEST(AtomicFile, ALimitOnFileSizesIsAnErrorAndNoSignal) {
   EXPECT_EQ(num_files(dir.path()), 1U);
 }
 
-TEST(AtomicFile, TemporariesOfDeadProcessesGoThoseOfLivingOnesStay) {
+TEST(AtomicFile, WhatNobodyHoldsALockOnGoesWhateverProcessItsNameTells) {
   const TempDir dir;
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) ::_exit(0);
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  const fs::path dead = dir / (".hypermap-save-" + std::to_string(child) + "-0.tmp");
-  const fs::path dead_yet_locked = dir / (".hypermap-save-" + std::to_string(child) + "-1.tmp");
-  const fs::path alive = dir / (".hypermap-save-" + std::to_string(::getppid()) + "-0.tmp");
-  const fs::path foreign = dir / ".hypermap-save-notes.txt";
-  for (const auto& path : {dead, dead_yet_locked, alive, foreign}) std::ofstream(path) << "x";
-  const int locked = ::open(dead_yet_locked.c_str(), O_RDONLY);
-  ASSERT_EQ(::flock(locked, LOCK_EX), 0);
+  const std::string prefix = ".hypermap-save-";
+  const fs::path dead = dir / (prefix + std::to_string(dead_process()) + "-0.tmp");
+  const fs::path same_number = dir / (prefix + std::to_string(::getpid()) + "-0.tmp");
+  const fs::path locked = dir / (prefix + std::to_string(dead_process()) + "-1.tmp");
+  const fs::path foreign = dir / (prefix + "notes.txt");
+  for (const auto& path : {dead, same_number, locked, foreign}) std::ofstream(path) << "x";
+  fs::create_directory(dir / (prefix + "aB3dE6"));
+  std::ofstream(dir / (prefix + "aB3dE6") / "new") << "x";
+  const int lock = ::open(locked.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
   ASSERT_TRUE(write_file_atomically(dir / "a", "new"));
-  ::close(locked);
-  EXPECT_FALSE(fs::exists(dead));
-  EXPECT_TRUE(fs::exists(dead_yet_locked));
-  EXPECT_TRUE(fs::exists(alive));
-  EXPECT_TRUE(fs::exists(foreign));
+  ::close(lock);
+  EXPECT_THAT(
+      names_in(dir.path()),
+      testing::UnorderedElementsAre("a", locked.filename().string(), foreign.filename().string()));
 }
 
-TEST(AtomicFile, AProcessKilledInTheMiddleLeavesTheOldFile) {
+TEST(AtomicFile, AThousandTemporariesOfTheSameProcessNumberHinderNoSave) {
   const TempDir dir;
-  ASSERT_TRUE(write_file_atomically(dir / "a", "old"));
-  const FileCalls calls{.fsync = [](int) { return ::kill(::getpid(), SIGKILL); }};
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    static_cast<void>(write_file_atomically(dir / "a", "new", calls));
-    ::_exit(0);
+  for (int n = 0; n < 1000; ++n)
+    std::ofstream(
+        dir / (".hypermap-save-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".tmp"))
+        << "x";
+  ASSERT_TRUE(write_file_atomically(dir / "a", "new"));
+  EXPECT_THAT(names_in(dir.path()), testing::ElementsAre("a"));
+}
+
+TEST(AtomicFile, WhatALivingSaverWritesStaysUntilItsRename) {
+  const TempDir dir;
+  for (const std::string_view moment : {"write", "fsync", "close", "rename"}) {
+    bool is_other_saved = false;
+    const test::SystemFaults faults([&](std::string_view call, int) {
+      if (call != moment || is_other_saved) return 0;
+      std::thread([&] {
+        is_other_saved = write_file_atomically(dir / "b", "other").has_value();
+      }).join();
+      return 0;
+    });
+    ASSERT_TRUE(write_file_atomically(dir / "a", moment)) << moment;
+    EXPECT_TRUE(is_other_saved);
+    EXPECT_EQ(content_of(dir / "a"), moment);
+    EXPECT_THAT(names_in(dir.path()), testing::UnorderedElementsAre("a", "b"));
   }
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(content_of(dir / "a"), "old");
-  EXPECT_EQ(num_files(dir.path()), 2U);  // the temporary of the dead
-  ASSERT_TRUE(write_file_atomically(dir / "a", "newer"));
-  EXPECT_EQ(num_files(dir.path()), 1U);
+}
+
+TEST(AtomicFile, AProcessKilledAtAnyCallLeavesTheOldOrTheNewFile) {
+  for (int killing_call = 1;; ++killing_call) {
+    const TempDir dir;
+    ASSERT_TRUE(write_file_atomically(dir / "a", "old"));
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      int num_calls = 0;
+      const test::SystemFaults faults([&](std::string_view, int) {
+        return ++num_calls == killing_call ? ::kill(::getpid(), SIGKILL) : 0;
+      });
+      static_cast<void>(write_file_atomically(dir / "a", "new"));
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_THAT(content_of(dir / "a"), testing::AnyOf("old", "new")) << killing_call;
+    ASSERT_TRUE(write_file_atomically(dir / "a", "newer"));
+    EXPECT_THAT(names_in(dir.path()), testing::ElementsAre("a")) << killing_call;
+    if (!WIFSIGNALED(status)) {  // more than there are
+      EXPECT_GT(killing_call, 8);
+      break;
+    }
+  }
 }
 
 TEST(AtomicFile, OfManySaversOneWinsWhole) {

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/exports/map_export.hpp"
 
+#include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "io/archive/sample_archive.hpp"
+#include "io/codec/system_faults.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 #include <set>
 
 namespace hypermap {
@@ -18,10 +27,13 @@ using ::testing::UnorderedElementsAre;
 
 const std::string kActive = "../../etc/passwd\n- evil: true";
 
+/// Images are named after their content: hashes are shown as <hash>.
 std::set<std::string> names_in(const std::filesystem::path& folder) {
+  const std::regex hash("-[0-9a-f]{16}\\.pgm$");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    names.insert(entry.path().lexically_relative(folder).string());
+    const std::string name = entry.path().lexically_relative(folder).string();
+    names.insert(std::regex_replace(name, hash, "-<hash>.pgm"));
   }
   return names;
 }
@@ -54,11 +66,11 @@ TEST(ExportClassGrids, AClassNameLeadsNowhere) {
   ASSERT_TRUE(written) << to_string(written.error());
   EXPECT_THAT(names_in(dir.path()),
               UnorderedElementsAre("grids",
-                                   "grids/______etc_passwd_-_evil__true.pgm",
+                                   "grids/______etc_passwd_-_evil__true-<hash>.pgm",
                                    "grids/______etc_passwd_-_evil__true.yaml",
-                                   "grids/__.pgm",
+                                   "grids/__-<hash>.pgm",
                                    "grids/__.yaml",
-                                   "grids/café.pgm",
+                                   "grids/café-<hash>.pgm",
                                    "grids/café.yaml"));
 }
 
@@ -66,8 +78,12 @@ TEST(ExportClassGrids, NoGridTakesTheFileOfAnother) {
   const test::TempDir dir;
   ASSERT_TRUE(export_grids(archive_with_grids_of({"a/b", "a_b", "a:b"}), dir / "grids"));
   EXPECT_THAT(names_in(dir / "grids"),
-              UnorderedElementsAre(
-                  "a_b-2.pgm", "a_b-2.yaml", "a_b-3.pgm", "a_b-3.yaml", "a_b.pgm", "a_b.yaml"));
+              UnorderedElementsAre("a_b-2-<hash>.pgm",
+                                   "a_b-2.yaml",
+                                   "a_b-3-<hash>.pgm",
+                                   "a_b-3.yaml",
+                                   "a_b-<hash>.pgm",
+                                   "a_b.yaml"));
 }
 
 TEST(ExportClassGrids, ALongNameIsCutBetweenCharacters) {
@@ -75,8 +91,104 @@ TEST(ExportClassGrids, ALongNameIsCutBetweenCharacters) {
   for (int i = 0; i < 128; ++i) name += "é";  // 256 bytes
   const test::TempDir dir;
   ASSERT_TRUE(export_grids(archive_with_grids_of({name}), dir / "grids"));
-  EXPECT_THAT(names_in(dir / "grids"),
-              UnorderedElementsAre(name.substr(0, 200) + ".pgm", name.substr(0, 200) + ".yaml"));
+  EXPECT_THAT(
+      names_in(dir / "grids"),
+      UnorderedElementsAre(name.substr(0, 200) + "-<hash>.pgm", name.substr(0, 200) + ".yaml"));
+}
+
+/// A map of one cell.
+MapArchive map_of(std::int8_t occupancy) {
+  GridGeometry geometry;
+  geometry.cols = 1;
+  geometry.rows = 1;
+  geometry.resolution_m = 0.05;
+  MapArchive archive;
+  EXPECT_TRUE(archive.hypermap.add_layer(
+      {.info = {.name = "map", .file = "map"},
+       .content = OccupancyLayer(OccupancyGrid::create(geometry, occupancy).value())}));
+  return archive;
+}
+
+/// What map_server finds there: the occupancy of the one cell, or the error.
+std::string loaded_cell(const std::filesystem::path& yaml) {
+  const auto map = read_map(yaml);
+  return map ? std::to_string(map->value.grid.at({0, 0})) : to_string(map.error());
+}
+
+TEST(ExportRosMap, IsAYamlAndAnImageNamedAfterItsContent) {
+  const test::TempDir dir;
+  const auto written = exported(map_of(100), ExportFormat::kRosMap, dir / "lab.yaml");
+  ASSERT_TRUE(written) << to_string(written.error());
+  EXPECT_THAT(names_in(dir.path()), UnorderedElementsAre("lab.yaml", "lab-<hash>.pgm"));
+  EXPECT_EQ(written->size(), 2U);
+  for (const auto& path : *written) EXPECT_TRUE(std::filesystem::exists(path)) << path;
+  EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
+}
+
+TEST(ExportRosMap, TheImageThatIsNoLongerNamedGoesOthersStay) {
+  const test::TempDir dir;
+  std::ofstream(dir / "lab.pgm") << "of an earlier version, or of somebody";
+  std::ofstream(dir / "lab-0123456789abcdef.pgm") << "of another YAML";
+  const auto old = exported(map_of(100), ExportFormat::kRosMap, dir / "lab");
+  ASSERT_TRUE(old);
+  const auto same = exported(map_of(100), ExportFormat::kRosMap, dir / "lab");
+  EXPECT_EQ(old.value(), same.value());
+  EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
+  const auto next = exported(map_of(0), ExportFormat::kRosMap, dir / "lab");
+  ASSERT_TRUE(next);
+  EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "0");
+  EXPECT_FALSE(std::filesystem::exists(old->back()));
+  EXPECT_TRUE(std::filesystem::exists(dir / "lab.pgm"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "lab-0123456789abcdef.pgm"));
+}
+
+TEST(ExportRosMap, AnImageThatSomebodysYamlNamesStays) {
+  const test::TempDir dir;
+  std::ofstream(dir / "holiday.pgm") << "precious";
+  std::ofstream(dir / "lab.yaml") << "image: holiday.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
+                                     "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  ASSERT_TRUE(exported(map_of(0), ExportFormat::kRosMap, dir / "lab"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "holiday.pgm"));
+}
+
+TEST(ExportRosMap, WhicheverCallFailsTheYamlFindsItsOwnImage) {
+  for (int failing_call = 1;; ++failing_call) {
+    const test::TempDir dir;
+    ASSERT_TRUE(exported(map_of(100), ExportFormat::kRosMap, dir / "lab"));
+    int num_calls = 0;
+    bool is_exported = false;
+    {
+      const test::SystemFaults faults(
+          [&](std::string_view, int) { return ++num_calls == failing_call ? ENOSPC : 0; });
+      is_exported = exported(map_of(0), ExportFormat::kRosMap, dir / "lab").has_value();
+    }
+    if (num_calls < failing_call) break;  // more than there are
+    const std::string found = loaded_cell(dir / "lab.yaml");
+    if (is_exported) {
+      EXPECT_EQ(found, "0");
+    } else {
+      EXPECT_THAT(found, ::testing::AnyOf("0", "100")) << failing_call;
+    }
+  }
+}
+
+TEST(ExportRosMap, AKillBetweenTheFilesLeavesTheOldPair) {
+  const test::TempDir dir;
+  ASSERT_TRUE(exported(map_of(100), ExportFormat::kRosMap, dir / "lab"));
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    int num_renames = 0;
+    const test::SystemFaults faults([&](std::string_view call, int) {
+      return call == "rename" && ++num_renames == 2 ? ::kill(::getpid(), SIGKILL) : 0;
+    });
+    static_cast<void>(exported(map_of(0), ExportFormat::kRosMap, dir / "lab"));
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
 }
 
 TEST(ExportPly, AClassNameStaysInItsComment) {

@@ -140,10 +140,12 @@ TEST(SimulatedDataset, AFailureLeavesNothing) {
 TEST(SimulatedDataset, OnlyEmptyFoldersAndOldSimulationsAreReplaced) {
   const test::TempDir dir;
   fs::create_directory(dir / "empty");
+  SimulationOptions options = small_options();
+  options.num_frames += 2;
+  EXPECT_TRUE(simulate(room_scene(), options, dir / "empty"));
+  EXPECT_TRUE(fs::exists(dir / "empty/rgb/000007.png"));
   EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
-  std::ofstream(dir / "empty/rgb/stale.jpg") << "old";
-  EXPECT_TRUE(simulate(room_scene(), small_options(), dir / "empty"));
-  EXPECT_FALSE(fs::exists(dir / "empty/rgb/stale.jpg"));
+  EXPECT_FALSE(fs::exists(dir / "empty/rgb/000007.png"));
   std::ofstream(dir / "empty/map.hmap") << "what somebody made of it";
   const auto kept = simulate(room_scene(), small_options(), dir / "empty");
   ASSERT_FALSE(kept);
@@ -157,6 +159,52 @@ TEST(SimulatedDataset, OnlyEmptyFoldersAndOldSimulationsAreReplaced) {
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_TRUE(fs::exists(dir / "photos/holiday.jpg"));
   EXPECT_EQ(std::distance(fs::directory_iterator(dir.path()), fs::directory_iterator()), 2);
+}
+
+TEST(SimulatedDataset, WhatStrangersPutBelowAnOldSimulationIsNamedAndStays) {
+  const test::TempDir dir;
+  ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab"));
+  const auto before = contents(dir / "lab");
+  for (const std::string name : {"rgb/notes.txt", "depth/000999.png", "rgb/more/000000.png"}) {
+    fs::create_directories((dir / "lab" / name).parent_path());
+    std::ofstream(dir / "lab" / name) << "precious";
+    const auto refused = simulate(room_scene(), small_options(), dir / "lab");
+    ASSERT_FALSE(refused) << name;
+    EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_THAT(refused.error().what, HasSubstr(name.substr(0, name.rfind("/000000"))));
+    EXPECT_TRUE(fs::exists(dir / "lab" / name));
+    fs::remove(dir / "lab" / name);
+    fs::remove(dir / "lab" / "rgb" / "more");
+  }
+  fs::rename(dir / "lab/rgb", dir / "photos");
+  fs::create_symlink("../photos", dir / "lab/rgb");
+  EXPECT_FALSE(simulate(room_scene(), small_options(), dir / "lab")) << "a link is no part of one";
+  fs::remove(dir / "lab/rgb");
+  fs::rename(dir / "photos", dir / "lab/rgb");
+  EXPECT_EQ(contents(dir / "lab"), before);
+}
+
+TEST(SimulatedDataset, WhatIsPutThereMeanwhileStays) {
+  const test::TempDir dir;
+  ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab"));
+  const auto refused =
+      simulate(room_scene(), small_options(), dir / "lab", [&](std::size_t, std::size_t) {
+        std::ofstream(dir / "lab/rgb/notes.txt") << "precious";
+        return true;
+      });
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().what, HasSubstr("rgb/notes.txt"));
+  EXPECT_TRUE(fs::exists(dir / "lab/rgb/notes.txt"));
+}
+
+TEST(SimulatedDataset, ALinkIsFollowedAndStays) {
+  const test::TempDir dir;
+  fs::create_directory(dir / "disk");
+  fs::create_symlink("disk", dir / "lab");
+  ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab"));
+  ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab" / ""));  // the old one replaced
+  EXPECT_TRUE(fs::is_symlink(dir / "lab"));
+  EXPECT_TRUE(fs::is_regular_file(dir / "disk/truth.hmap"));
 }
 
 }  // namespace

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/staged_folder.hpp"
 
-#include "abandoned.hpp"
+#include "replacement.hpp"
+#include "system_error.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -20,103 +18,78 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Unexpected io_error(const std::error_code& code, const char* what, const fs::path& path) {
-  return tl::make_unexpected(
-      Error{ErrorCode::kIo, std::string(what) + ": " + code.message(), path.string()});
-}
-
-/// The target without a trailing slash, so that it has a name and a parent.
-fs::path plain(const fs::path& target) {
-  return target.has_filename() ? target : target.parent_path();
-}
-
-/// Hidden, beside the target: of the same file system.
-std::string staging_prefix(const fs::path& target) {
-  return "." + target.filename().string() + ".partial-";
-}
-
-fs::path folder_of(const fs::path& target) {
-  return target.has_parent_path() ? target.parent_path() : fs::path(".");
-}
-
-fs::path staging_for(const fs::path& target) {
-  return target.parent_path() / (staging_prefix(target) + std::to_string(::getpid()));
-}
-
 }  // namespace
 
-StagedFolder::StagedFolder(fs::path target, fs::path staging)
-    : target_(std::move(target)), staging_(std::move(staging)) {}
+StagedFolder::StagedFolder(fs::path target, std::unique_ptr<TemporaryFolder> temporary)
+    : target_(std::move(target)),
+      temporary_(std::move(temporary)),
+      path_(temporary_->path / "new") {}
 
-StagedFolder::StagedFolder(StagedFolder&& other) noexcept
-    : target_(std::move(other.target_)),
-      staging_(std::exchange(other.staging_, {})),
-      lock_(std::exchange(other.lock_, -1)) {}
-
-StagedFolder::~StagedFolder() {
-  std::error_code ignored;
-  if (!staging_.empty()) fs::remove_all(staging_, ignored);
-  if (lock_ >= 0) ::close(lock_);
-}
+StagedFolder::StagedFolder(StagedFolder&& other) noexcept = default;
+StagedFolder::~StagedFolder() = default;
 
 Result<StagedFolder> StagedFolder::create(const fs::path& target) {
-  const fs::path final_name = plain(target);
-  remove_abandoned(folder_of(final_name), staging_prefix(final_name));
-  StagedFolder folder(final_name, staging_for(final_name));
+  // A trailing slash would hide a link, and leave no name to rename to.
+  const fs::path place = follow_links(target.has_filename() ? target : target.parent_path());
   std::error_code code;
-  fs::remove_all(folder.staging_, code);  // of a dead process with the same number
-  fs::create_directories(folder.staging_, code);
-  if (code) return io_error(code, "cannot make a folder", final_name);
-  folder.lock_ = ::open(folder.staging_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder.lock_ >= 0) ::flock(folder.lock_, LOCK_EX | LOCK_NB);  // marks it as alive
+  fs::create_directories(parent_of(place), code);
+  if (code) return system_error(place, "make the folder for it", code.value());
+  auto temporary = std::make_unique<TemporaryFolder>(parent_of(place));
+  if (temporary->path.empty())
+    return system_error(place, "create a temporary folder beside it", errno);
+  StagedFolder folder(place, std::move(temporary));
+  fs::create_directory(folder.path_, code);
+  if (code) return system_error(place, "make a folder", code.value());
   return folder;
 }
 
 Result<void> StagedFolder::make_folder(std::string_view name) const {
   std::error_code code;
-  fs::create_directory(staging_ / name, code);
-  if (code) return io_error(code, "cannot make a folder", target_ / name);
+  fs::create_directory(path_ / name, code);
+  if (code) return system_error(target_ / name, "make a folder", code.value());
   return {};
 }
 
 Result<void> StagedFolder::write(std::string_view name, std::string_view bytes) const {
-  errno = 0;
-  std::ofstream file(staging_ / name, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return {};
-  return io_error(
-      std::error_code(errno, std::generic_category()), "cannot be written", target_ / name);
+  Descriptor file(path_ / name, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (file.number < 0) return system_error(target_ / name, "create", errno);
+  if (!write_all(file.number, bytes)) return system_error(target_ / name, "write", errno);
+  if (file.close() != 0) return system_error(target_ / name, "close", errno);
+  return {};
 }
 
 Result<void> StagedFolder::commit() {
+  // All files at once: a sync of each would cost as many commits of the file system's journal.
+  if (::syncfs(temporary_->lock) != 0) return system_error(target_, "sync", errno);
   std::error_code code;
   const bool replaces = fs::exists(target_, code);
   // In one step, so that the target's name always stands for one of both.
   const unsigned how = replaces ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-  if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, target_.c_str(), how) != 0) {
-    if (errno != EINVAL && errno != ENOSYS) {
-      return io_error({errno, std::generic_category()}, "cannot be put in place", target_);
-    }
+  if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), how) != 0) {
+    if (errno != EINVAL && errno != ENOSYS) return system_error(target_, "put it in place", errno);
     HYPERMAP_TRY(commit_in_steps(replaces));
   }
-  const fs::path old = std::exchange(staging_, {});
-  if (replaces) fs::remove_all(old, code);
-  if (code) return io_error(code, "is in place, but the old one cannot be removed", old);
-  return {};
+  const fs::path old = std::exchange(temporary_->path, {});  // stays until its successor is safe
+  HYPERMAP_TRY(sync_parent(target_));
+  fs::remove_all(old, code);
+  if (!code) return {};
+  auto refused = system_error(old, "remove the old folder", code.value());
+  refused.value().what.insert(0, "replaced, but ");
+  return refused;
 }
 
-/// For file systems that cannot exchange: the target is absent for a moment.
+/// For file systems that cannot exchange: the target is absent for a moment. Until the new one is
+/// there the old one has a name that nobody sweeps.
 Result<void> StagedFolder::commit_in_steps(bool replaces) const {
   std::error_code code;
-  fs::path aside = staging_;
+  fs::path aside = temporary_->path;
   aside += ".old";
   if (replaces) fs::rename(target_, aside, code);
-  if (code) return io_error(code, "cannot be replaced", target_);
-  fs::rename(staging_, target_, code);
+  if (code) return system_error(target_, "move the old folder aside", code.value());
+  fs::rename(path_, target_, code);
   const std::error_code reason = code;
-  if (replaces) fs::rename(aside, reason ? target_ : staging_, code);
-  if (reason) return io_error(reason, "cannot be put in place", target_);
+  if (replaces) fs::rename(aside, reason ? target_ : path_, code);
+  if (reason) return system_error(target_, "put it in place", reason.value());
   return {};
 }
 

@@ -16,17 +16,14 @@ namespace hypermap {
 /// name is too long, or when it is no regular file.
 [[nodiscard]] Result<void> check_target(const std::filesystem::path& path);
 
-/// Writes `bytes` to a temporary beside the target, syncs it, renames it over the target and syncs
-/// the folder.
+/// Writes `bytes` beside the target, syncs, renames over the target and syncs the folder.
 ///
-/// A symbolic link is followed: its target is replaced and the link stays. Mode, and owner as far
-/// as the system allows, are those of the file that is replaced. Temporaries that dead processes
-/// left in the folder are removed first, those of living ones are not. Of two savers to one path
-/// the last one wins, whole.
-/// Errors: kIo naming path and errno. Then the old file is as it was and no temporary is left,
-/// with one exception that the message states: when only the sync of the folder fails, the file is
-/// "replaced, durability unconfirmed". kIo also when the target is no regular file (a device, a
-/// folder).
+/// A symbolic link is followed and stays. Mode, and owner as far as the system allows, are those of
+/// the file that is replaced. What dead processes left in the folder is removed first. Of two
+/// savers to one path the last one wins, whole.
+/// Errors: kIo naming path and errno. Then the old file is as it was and nothing is left beside it,
+/// unless the message says "replaced, durability unconfirmed": when only the last sync fails. kIo
+/// also when the target is no regular file (a device, a folder).
 /// Threads: any number at once; a limit on file sizes (RLIMIT_FSIZE) gives an error, no signal.
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& path,
                                                  std::string_view bytes);

@@ -6,16 +6,19 @@
 #include "hypermap/core/base/result.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace hypermap {
 
+struct TemporaryFolder;
+
 /// Collects files in a temporary folder beside the target; `commit` gives it the target's name.
-/// What was not committed is removed when this goes out of scope, what a dead process left of the
-/// same target by `create`. Not synced: the same command makes it again.
+/// A symbolic link is followed and stays. What was not committed is removed when this goes out of
+/// scope, what dead processes left beside the target by `create`.
 class StagedFolder {
  public:
-  /// Errors: kIo when the temporary cannot be made.
+  /// Makes the folders above the target. Errors: kIo when a folder cannot be made.
   [[nodiscard]] static Result<StagedFolder> create(const std::filesystem::path& target);
   StagedFolder(StagedFolder&& other) noexcept;
   StagedFolder& operator=(StagedFolder&&) = delete;
@@ -23,24 +26,26 @@ class StagedFolder {
   StagedFolder& operator=(const StagedFolder&) = delete;
   ~StagedFolder();
 
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return staging_; }
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
   /// Errors: kIo naming the file as it will be called.
   [[nodiscard]] Result<void> make_folder(std::string_view name) const;
+  /// Threads: any number at once, each with files of its own.
   [[nodiscard]] Result<void> write(std::string_view name, std::string_view bytes) const;
 
-  /// Puts the folder in the target's place, in one step where the file system can exchange; what
-  /// is there already is removed afterwards.
-  /// Errors: kIo; then the target is as it was.
+  /// Syncs what was written and puts it in the target's place, in one step where the file system
+  /// can exchange; what was there is removed once the new place is synced too.
+  /// Errors: kIo; then the target is as it was, unless the message says "replaced": when only the
+  /// last sync or the removal fails.
   [[nodiscard]] Result<void> commit();
 
  private:
-  StagedFolder(std::filesystem::path target, std::filesystem::path staging);
+  StagedFolder(std::filesystem::path target, std::unique_ptr<TemporaryFolder> temporary);
   [[nodiscard]] Result<void> commit_in_steps(bool replaces) const;
 
-  std::filesystem::path target_;
-  std::filesystem::path staging_;  ///< Empty when there is nothing to remove.
-  int lock_ = -1;                  ///< Descriptor that holds the lock; none: -1.
+  std::filesystem::path target_;  ///< No link.
+  std::unique_ptr<TemporaryFolder> temporary_;
+  std::filesystem::path path_;
 };
 
 }  // namespace hypermap

@@ -103,10 +103,12 @@ struct SimulationReport {
 ///     detections.jsonl              boxes with full class vectors
 ///     truth.hmap                    the objects as objects and footprints, the true occupancy
 ///
-/// Written beside `output_dir` under a temporary name and renamed at the end: a failure leaves
-/// nothing. An `output_dir` that exists is replaced only when it is empty or holds a simulation
-/// (has a `truth.hmap` and an `rgb.txt`) and nothing else beside its files.
-/// Errors: those of `Simulator::create`; kIo; kInvalidArgument when `output_dir` is something else.
+/// Written beside `output_dir` under a temporary name, synced and renamed at the end: a failure
+/// leaves nothing. An `output_dir` that exists is replaced only when it is empty or holds a
+/// simulation (has a `truth.hmap` and an `rgb.txt`) and nothing else: images are those that its
+/// lists name. A symbolic link is followed and stays.
+/// Errors: those of `Simulator::create`; kIo; kInvalidArgument when `output_dir` is something else,
+/// naming what is no part of a simulation.
 [[nodiscard]] Result<SimulationReport> simulate(const Scene& scene,
                                                 const SimulationOptions& options,
                                                 const std::filesystem::path& output_dir,
