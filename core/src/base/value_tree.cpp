@@ -13,6 +13,21 @@ ValueTree plain(std::string text) {
   return {.kind = ValueKind::kScalar, .text = std::move(text)};
 }
 
+/// Whether digits follow, after a sign and a point where there are any, and nothing stands among
+/// them but what numbers, dates and times of any notation have, in a form that needs no quotes.
+bool is_number_like(std::string_view text) {
+  std::string_view rest = text;
+  if (rest.front() == '+' || rest.front() == '-') rest.remove_prefix(1);
+  if (!rest.empty() && rest.front() == '.') rest.remove_prefix(1);
+  if (rest.empty() || rest.front() < '0' || rest.front() > '9') return false;
+  const bool is_all = std::all_of(rest.begin(), rest.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("+-.:_ ").find(c) != std::string_view::npos;
+  });
+  return is_all && rest.back() != ':' && rest.back() != ' ' &&
+         rest.find(": ") == std::string_view::npos;
+}
+
 }  // namespace
 
 const ValueTree* ValueTree::find(std::string_view key) const {
@@ -40,11 +55,10 @@ bool reads_as_no_text(std::string_view text) {
       "yes", "Yes",  "YES",  "no",   "No",   "NO",   "on",   "On",    "ON",    "off",
       "Off", "OFF",  "y",    "Y",    "n",    "N",    ".nan", ".NaN",  ".NAN"};
   if (text.empty() || std::find(kWords.begin(), kWords.end(), text) != kWords.end()) return true;
-  std::string_view rest = text;
-  if (rest.front() == '+' || rest.front() == '-') rest.remove_prefix(1);
+  const bool has_sign = text.front() == '+' || text.front() == '-';
+  const std::string_view rest = has_sign ? text.substr(1) : text;
   if (rest == ".inf" || rest == ".Inf" || rest == ".INF") return true;
-  if (!rest.empty() && rest.front() == '.') rest.remove_prefix(1);
-  return !rest.empty() && rest.front() >= '0' && rest.front() <= '9';
+  return is_number_like(text);
 }
 
 ValueTree make_text(std::string text) {

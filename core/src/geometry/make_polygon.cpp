@@ -2,10 +2,13 @@
 #include "hypermap/core/geometry/polygon.hpp"
 #include "ring_check.hpp"
 #include "ring_sweep.hpp"
+#include "touching_rings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,18 +38,20 @@ struct RingArea {
   }
 };
 
-/// All rings meet nobody, so one point of a hole decides for all of it.
-Result<void> check_holes(const Polygon& polygon) {
+/// No two rings cross, so one point of a hole decides for all of it. Those that touch have each
+/// other on the right side.
+Result<void> check_holes(const Polygon& polygon, const RingPairs& touching) {
   const RingArea outer(polygon.outer);
   const std::vector<RingArea> holes(polygon.holes.begin(), polygon.holes.end());
   for (std::size_t i = 0; i < holes.size(); ++i) {
     const Eigen::Vector2d& point = polygon.holes[i].front();
-    if (!outer.holds(point)) {
+    if (!touching.contains({0, i + 1}) && !outer.holds(point)) {
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies outside the outer ring");
     }
     for (std::size_t k = 0; k < holes.size(); ++k) {
-      if (k == i || !holes[k].holds(point)) continue;
+      const bool touches = touching.contains(std::minmax(i + 1, k + 1));
+      if (k == i || touches || !holes[k].holds(point)) continue;
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies inside hole " + std::to_string(k + 1));
     }
@@ -66,7 +71,19 @@ Result<void> check_limits(const Ring& outer, const std::vector<Ring>& holes) {
 }
 
 void orient(Ring& ring, bool counter_clockwise) {
-  if ((signed_area_m2(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  if (is_counter_clockwise(ring) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+}
+
+/// The pairs of rings that touch in common corners. Errors: they meet in another way.
+Result<RingPairs> check_intersections(const std::vector<Ring>& rings) {
+  const auto place = first_intersection(rings);
+  if (!place) return RingPairs{};
+  const bool is_one = rings.size() == 1;
+  if (auto touching = is_one ? std::nullopt : touching_pairs(rings)) return *touching;
+  return fail(
+      ErrorCode::kInvalidArgument,
+      std::string(is_one ? "the ring crosses or touches itself" : "the rings cross or touch") +
+          " at or near " + point_text(*place));
 }
 
 }  // namespace
@@ -81,22 +98,16 @@ Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
     HYPERMAP_ASSIGN_OR_RETURN(Ring next, checked_ring(std::move(hole), name));
     rings.push_back(std::move(next));
   }
-  if (const auto place = first_intersection(rings)) {
-    return fail(ErrorCode::kInvalidArgument,
-                std::string(rings.size() > 1 ? "the rings cross or touch"
-                                             : "the ring crosses or touches itself") +
-                    " at or near " + point_text(*place));
-  }
-  if (signed_area_m2(rings.front()) == 0.0) {
+  orient(rings.front(), true);
+  for (std::size_t i = 1; i < rings.size(); ++i) orient(rings[i], false);
+  HYPERMAP_ASSIGN_OR_RETURN(const RingPairs touching, check_intersections(rings));
+  if (signed_area_m2(rings.front()) <= 0.0) {
     return fail(ErrorCode::kInvalidArgument, "ring 1 has no area");
   }
-  orient(rings.front(), true);
   Polygon polygon{std::move(rings.front()), {}};
-  for (std::size_t i = 1; i < rings.size(); ++i) {
-    orient(rings[i], false);
-    polygon.holes.push_back(std::move(rings[i]));
-  }
-  HYPERMAP_TRY(check_holes(polygon));
+  polygon.holes.assign(std::make_move_iterator(rings.begin() + 1),
+                       std::make_move_iterator(rings.end()));
+  HYPERMAP_TRY(check_holes(polygon, touching));
   return polygon;
 }
 

@@ -13,8 +13,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::size_t kMaxCrossingPoints = 4096;
-
 Result<void> check_signs(const RingArrangement& plane) {
   const auto [lowest, highest] =
       std::minmax_element(plane.windings().begin(), plane.windings().end());

@@ -46,6 +46,16 @@ double signed_area_m2(const Ring& ring) {
   return 0.5 * area2;
 }
 
+bool is_counter_clockwise(const Ring& ring) {
+  // The leftmost corner, the lowest of several, sticks out.
+  const auto corner = std::min_element(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  const auto& before = corner == ring.begin() ? ring.back() : *(corner - 1);
+  const auto& after = corner + 1 == ring.end() ? ring.front() : *(corner + 1);
+  return orientation(before, *corner, after) > 0;
+}
+
 namespace {
 
 /// Finite, without repeated consecutive points.

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -95,6 +96,58 @@ TEST(Polygon, HolesMustLieInsideAndApart) {
   EXPECT_THAT(refusal(outer, {square(1, 1, 3), square(2, 2, 3)}), HasSubstr("cross"));
   EXPECT_THAT(refusal(outer, {square(1, 1, 3), square(1, 1, 3)}), HasSubstr("cross"));
   EXPECT_EQ(refusal(outer, {square(1, 1, 3), square(5, 5, 3)}), "accepted");
+}
+
+TEST(Polygon, RingsMayTouchInCommonCornersFromTheRightSide) {
+  const Ring outer = square(0, 0, 10);
+  const Ring at_a_corner{{0, 0}, {3, 1}, {1, 3}};
+  EXPECT_DOUBLE_EQ(area_m2(make_polygon(outer, {at_a_corner}).value()), 100.0 - 4.0);
+  // In two corners, one of them a notch; two holes in one point.
+  const Ring with_notch{{0, 0}, {10, 0}, {10, 10}, {5, 8}, {0, 10}};
+  EXPECT_EQ(refusal(with_notch, {{{0, 0}, {5, 8}, {2, 6}}}), "accepted");
+  EXPECT_EQ(refusal(outer, {{{5, 5}, {3, 4}, {3, 6}}, {{5, 5}, {7, 4}, {7, 6}}}), "accepted");
+  // Elsewhere than in corners; from outside; one hole within the other; along an edge.
+  EXPECT_THAT(refusal(outer, {{{5, 0}, {6, 2}, {4, 2}}}), HasSubstr("cross or touch"));
+  EXPECT_THAT(refusal(outer, {{{0, 0}, {-3, -1}, {-1, -3}}}), HasSubstr("cross or touch"));
+  EXPECT_THAT(refusal(outer, {{{5, 5}, {1, 3}, {1, 7}}, {{5, 5}, {3, 4.5}, {3, 5.5}}}),
+              HasSubstr("cross or touch"));
+  EXPECT_THAT(refusal(outer, {{{0, 0}, {10, 0}, {5, 5}}}), HasSubstr("cross or touch"));
+}
+
+TEST(Polygon, HolesThatTouchLieInsideAndApart) {
+  // Corners on a coarse lattice touch often. Whether a point lies in each ring alone decides.
+  std::mt19937 random(17);
+  const auto random_triangle = [&] {
+    Ring ring;
+    for (int i = 0; i < 3; ++i)
+      ring.emplace_back(static_cast<double>(random() % 5), static_cast<double>(random() % 5));
+    return ring;
+  };
+  const auto touch = [](const Ring& a, const Ring& b) {
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+  };
+  const Polygon solid =
+      polygon_of({{0, 0}, {2, 0}, {4, 0}, {4, 2}, {4, 4}, {2, 3}, {0, 4}, {0, 2}, {1, 1}});
+  int num_touching = 0;
+  for (int round = 0; round < 60'000; ++round) {
+    const auto polygon = make_polygon(solid.outer, {random_triangle(), random_triangle()});
+    if (!polygon) continue;
+    const Ring& hole = polygon->holes[0];
+    const Ring& other = polygon->holes[1];
+    num_touching += touch(solid.outer, hole) || touch(hole, other) ? 1 : 0;
+    for (double x = 0.1234567; x < 4.0; x += 0.25) {
+      for (double y = 0.1765432; y < 4.0; y += 0.25) {
+        const bool in_hole = contains(Polygon{hole, {}}, {x, y});
+        const bool in_other = contains(Polygon{other, {}}, {x, y});
+        const bool in_solid = contains(solid, {x, y});
+        ASSERT_FALSE(in_hole && in_other) << "round " << round;
+        ASSERT_TRUE(in_solid || !(in_hole || in_other)) << "round " << round;
+        ASSERT_EQ(contains(*polygon, {x, y}), in_solid && !in_hole && !in_other)
+            << "round " << round;
+      }
+    }
+  }
+  EXPECT_GT(num_touching, 50);
 }
 
 TEST(Polygon, RoundingDoesNotInventCrossings) {

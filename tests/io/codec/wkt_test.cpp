@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/wkt.hpp"
 
+#include "support/sanitized.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -162,6 +164,84 @@ TEST(Wkt, WhatIsWrittenReadsTheSame) {
   }
   EXPECT_EQ(write_wkt(std::vector{*make_polygon({{0, 0}, {0.1, 0}, {0.1, 1}})}),
             "POLYGON((0 0,0.1 0,0.1 1,0 0))");
+}
+
+TEST(Wkt, TheFillOfARingMayHaveAHoleThatTouchesIt) {
+  // Around a square, in at its corner (0, 0), around a triangle the other way, and out.
+  const WktShape read = shape("POLYGON((0 0,4 0,4 4,0 4,0 0,1 3,3 1,0 0))");
+  EXPECT_EQ(read.wound_rings, 1U);
+  ASSERT_EQ(read.parts.size(), 1U);
+  EXPECT_EQ(read.parts[0].holes.size(), 1U);
+  EXPECT_DOUBLE_EQ(area_m2(read.parts[0]), 12.0);
+  EXPECT_EQ(shape(write_wkt(read.parts)).parts, read.parts);
+}
+
+/// A ring of whole coordinates below `range`, which crosses and touches itself more often than not.
+std::string random_ring_text(std::mt19937& random, std::size_t num_points, unsigned range) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < num_points; ++i) {
+    text += (i == 0 ? "" : ",") + std::to_string(random() % range) + " ";
+    text += std::to_string(random() % range) + (random() % 3 == 0 ? ".3" : "");
+  }
+  return text + ")";
+}
+
+std::string random_polygon_text(std::mt19937& random, unsigned range) {
+  std::string text = "(" + random_ring_text(random, 3 + random() % 10, range);
+  for (auto holes = random() % 6 < 3 ? 0U : random() % 3; holes > 0; --holes)
+    text += "," + random_ring_text(random, 3 + random() % 2, range);
+  return text + ")";
+}
+
+TEST(Wkt, WhatIsReadIsWrittenSoThatItReadsTheSame) {
+  std::mt19937 random(23);
+  std::size_t num_wound = 0;
+  std::size_t num_holed = 0;
+  std::size_t num_several = 0;
+  for (int i = 0; i < test::repetitions(200'000); ++i) {
+    const unsigned range = 3 + static_cast<unsigned>(random() % 6);
+    std::string text = random_polygon_text(random, range);
+    const bool is_multi = random() % 8 == 0;
+    if (is_multi) text = "(" + text + "," + random_polygon_text(random, range) + ")";
+    text = (is_multi ? "MULTIPOLYGON" : "POLYGON") + text;
+    const auto first = read_wkt(text);
+    if (!first) continue;
+    const std::string written = write_wkt(first->parts);
+    const auto again = read_wkt(written);
+    ASSERT_TRUE(again) << text << "\n" << written << "\n" << to_string(again.error());
+    ASSERT_EQ(again->parts, first->parts) << text << "\n" << written;
+    num_wound += first->wound_rings;
+    num_holed += first->parts[0].holes.empty() ? 0U : 1U;
+    num_several += first->parts.size() > 1 ? 1U : 0U;
+  }
+  EXPECT_GT(num_wound, 200U);
+  EXPECT_GT(num_holed, 100U);
+  EXPECT_GT(num_several, 20U);
+}
+
+TEST(Wkt, LimitsHoldForTheFillOfARingToo) {
+  // A chain of squares, each touching the next in a corner: as many parts as squares.
+  const auto chain = [](int num_squares) {
+    std::string there;
+    std::string back;
+    for (int i = 0; i < num_squares; ++i) {
+      const std::string low = std::to_string(i);
+      const std::string high = std::to_string(i + 1);
+      there += low + " " + low + "," + high + " " + low + ",";
+      back = high + " " + high + "," + low + " " + high + (back.empty() ? "" : ",") + back;
+    }
+    return "POLYGON((" + there + back + "))";
+  };
+  EXPECT_EQ(shape(chain(100)).parts.size(), 100U);
+  EXPECT_EQ(read_wkt(chain(101)).error().code, ErrorCode::kLimit);
+  EXPECT_EQ(read_wkt("POLYGON((0 0,4 0,4 4,0 4,0 0,1 3,3 1,0 0))", {.max_holes = 0}).error().code,
+            ErrorCode::kLimit);
+}
+
+TEST(Wkt, TheVertexThatClosesARingIsNoFurtherOne) {
+  EXPECT_TRUE(read_wkt("POLYGON((0 0,1 0,1 1,0 1))", {.max_vertices = 4}));
+  EXPECT_TRUE(read_wkt("POLYGON((0 0,1 0,1 1,0 1,0 0))", {.max_vertices = 4}));
+  EXPECT_FALSE(read_wkt("POLYGON((0 0,1 0,1 1,0 1,0 .5))", {.max_vertices = 4}));
 }
 
 }  // namespace

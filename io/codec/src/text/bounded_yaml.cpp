@@ -68,8 +68,7 @@ class CountingBuffer : public std::streambuf {
     const std::string_view portion = bytes_.substr(next_, count);
     std::copy(portion.begin(), portion.end(), target);
     next_ += count;
-    builder_.count_flow_items(static_cast<std::size_t>(std::count_if(
-        portion.begin(), portion.end(), [](char c) { return c == ',' || c == '[' || c == '{'; })));
+    builder_.count_flow_items(num_flow_marks(portion));
     return static_cast<std::streamsize>(count);
   }
   int_type underflow() override {

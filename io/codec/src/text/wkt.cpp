@@ -1,181 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/wkt.hpp"
 
+#include "wkt_text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <new>
 #include <utility>
 
 namespace hypermap {
 namespace {
-
-constexpr std::array<std::string_view, 9> kOtherGeometries = {"POINT",
-                                                              "LINESTRING",
-                                                              "MULTIPOINT",
-                                                              "MULTILINESTRING",
-                                                              "GEOMETRYCOLLECTION",
-                                                              "TRIANGLE",
-                                                              "TIN",
-                                                              "CURVEPOLYGON",
-                                                              "SRID"};
-
-bool is_wkt_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-std::string upper(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return out;
-}
-
-struct RingText {
-  Ring points;
-  std::size_t column = 1;
-  std::size_t missing_commas = 0;
-};
-using PolygonText = std::vector<RingText>;  // outer ring first
-
-/// Reads the text from front to back; nesting is fixed by the grammar, so nothing recurs.
-class WktParser {
- public:
-  WktParser(std::string_view text, const WktLimits& limits) : text_(text), limits_(limits) {}
-
-  [[nodiscard]] Result<std::vector<PolygonText>> parse() {
-    HYPERMAP_ASSIGN_OR_RETURN(const bool is_multi, keyword());
-    std::vector<PolygonText> polygons;
-    if (is_multi) HYPERMAP_TRY(expect('('));
-    do {
-      if (polygons.size() == limits_.max_parts) {
-        return refuse(ErrorCode::kLimit,
-                      "more than " + std::to_string(limits_.max_parts) + " parts");
-      }
-      HYPERMAP_ASSIGN_OR_RETURN(PolygonText polygon, polygon_text());
-      polygons.push_back(std::move(polygon));
-    } while (is_multi && take(','));
-    if (is_multi) HYPERMAP_TRY(expect(')'));
-    skip_blanks();
-    if (at_ < text_.size()) return refuse(ErrorCode::kMalformedFile, "text follows: " + shown());
-    return polygons;
-  }
-
- private:
-  [[nodiscard]] Result<bool> keyword() {
-    skip_blanks();
-    std::size_t end = at_;
-    while (end < text_.size() && is_letter(text_[end])) ++end;
-    const std::string word = upper(text_.substr(at_, end - at_));
-    if (word == "POLYGON" || word == "MULTIPOLYGON") {
-      at_ = end;
-      return word == "MULTIPOLYGON";
-    }
-    const bool is_other =
-        std::find(kOtherGeometries.begin(), kOtherGeometries.end(), word) != kOtherGeometries.end();
-    if (is_other) {
-      return refuse(ErrorCode::kUnsupported,
-                    word + " is not read, expected POLYGON or MULTIPOLYGON");
-    }
-    return refuse(ErrorCode::kMalformedFile,
-                  "is " + shown() + ", expected POLYGON or MULTIPOLYGON");
-  }
-
-  [[nodiscard]] Result<PolygonText> polygon_text() {
-    PolygonText rings;
-    HYPERMAP_TRY(expect('('));
-    do {
-      if (rings.size() > limits_.max_holes) {
-        return refuse(ErrorCode::kLimit,
-                      "more than " + std::to_string(limits_.max_holes) + " holes");
-      }
-      HYPERMAP_ASSIGN_OR_RETURN(RingText ring, ring_text());
-      rings.push_back(std::move(ring));
-    } while (take(','));
-    HYPERMAP_TRY(expect(')'));
-    return rings;
-  }
-
-  [[nodiscard]] Result<RingText> ring_text() {
-    skip_blanks();
-    RingText ring{.points = {}, .column = at_ + 1};
-    HYPERMAP_TRY(expect('('));
-    do {
-      if (++num_vertices_ > limits_.max_vertices) {
-        return refuse(ErrorCode::kLimit,
-                      "more than " + std::to_string(limits_.max_vertices) + " vertices");
-      }
-      HYPERMAP_ASSIGN_OR_RETURN(const double x, coordinate());
-      HYPERMAP_ASSIGN_OR_RETURN(const double y, coordinate());
-      ring.points.emplace_back(x, y);
-    } while (take(',') || lacks_comma(ring));
-    HYPERMAP_TRY(expect(')'));
-    return ring;
-  }
-
-  /// Whether two more numbers follow a point where a comma should stand, as in "0 0, 1 0 1 1": one
-  /// hand-made map has that, once. Three numbers are a point in space, and so are four each time:
-  /// both are refused.
-  [[nodiscard]] bool lacks_comma(RingText& ring) {
-    const std::size_t before = at_;
-    const bool two_numbers = coordinate() && coordinate();
-    skip_blanks();
-    const bool ends = at_ < text_.size() && (text_[at_] == ',' || text_[at_] == ')');
-    at_ = before;
-    if (!two_numbers || !ends || ring.missing_commas > 0) return false;
-    ++ring.missing_commas;
-    return true;
-  }
-
-  /// A decimal number that ends at a blank, a comma or a bracket.
-  [[nodiscard]] Result<double> coordinate() {
-    skip_blanks();
-    std::string_view rest = text_.substr(at_);
-    if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);
-    double value = 0.0;
-    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-    const auto used = static_cast<std::size_t>(end.ptr - rest.data());
-    const bool ends = used == rest.size() || is_wkt_blank(rest[used]) || rest[used] == ',' ||
-                      rest[used] == ')' || rest[used] == '(';
-    if (end.ec != std::errc() || !ends || !std::isfinite(value)) {
-      return refuse(ErrorCode::kMalformedFile, "is " + shown() + ", expected a finite number");
-    }
-    at_ = text_.size() - rest.size() + used;
-    return value;
-  }
-
-  void skip_blanks() {
-    while (at_ < text_.size() && is_wkt_blank(text_[at_])) ++at_;
-  }
-  [[nodiscard]] bool take(char wanted) {
-    skip_blanks();
-    if (at_ == text_.size() || text_[at_] != wanted) return false;
-    ++at_;
-    return true;
-  }
-  [[nodiscard]] Result<void> expect(char wanted) {
-    if (take(wanted)) return {};
-    return refuse(ErrorCode::kMalformedFile,
-                  "is " + shown() + ", expected '" + std::string(1, wanted) + "'");
-  }
-  [[nodiscard]] std::string shown() const {
-    if (at_ == text_.size()) return "the end";
-    return "'" + printable(text_.substr(at_, 20)) + "'";
-  }
-  [[nodiscard]] Unexpected refuse(ErrorCode code, const std::string& what) const {
-    return fail(code, "column " + std::to_string(at_ + 1) + ": " + what);
-  }
-
-  std::string_view text_;
-  WktLimits limits_;
-  std::size_t at_ = 0;
-  std::size_t num_vertices_ = 0;
-};
 
 Unexpected bad_shape(const Error& error, std::size_t column) {
   const ErrorCode code =
@@ -184,7 +19,7 @@ Unexpected bad_shape(const Error& error, std::size_t column) {
 }
 
 bool is_unclosed(const RingText& ring) {
-  return ring.points.size() > 1 && ring.points.front() != ring.points.back();
+  return ring.points.size() > 1 && !ring.is_closed;
 }
 
 Result<Polygon> polygon_of(const PolygonText& rings) {
@@ -204,12 +39,18 @@ Result<PolygonText> spike_free(PolygonText rings, std::size_t& num_spiked) {
   return rings;
 }
 
+/// Parts are in the form in which they are read when they are written; rounded crossings may leave
+/// one that is no polygon.
 Result<void> append_winding_fill(WktShape& shape, const RingText& ring) {
   auto fill = resolve_winding(ring.points);
   if (!fill) return bad_shape(fill.error(), ring.column);
+  for (Polygon& part : fill->parts) {
+    auto polygon = make_polygon(std::move(part.outer), std::move(part.holes));
+    if (!polygon) return bad_shape(polygon.error(), ring.column);
+    shape.parts.push_back(*std::move(polygon));
+  }
   ++shape.wound_rings;
   if (fill->had_spikes) ++shape.spiked_rings;
-  std::move(fill->parts.begin(), fill->parts.end(), std::back_inserter(shape.parts));
   return {};
 }
 
@@ -245,10 +86,30 @@ Result<void> check_disjoint(const std::vector<Polygon>& parts) {
       if (!overlap(parts[i], parts[j])) continue;
       return fail(ErrorCode::kMalformedFile,
                   "column 1: parts " + std::to_string(j) + " and " + std::to_string(i) +
-                      " of the MULTIPOLYGON overlap");
+                      " of the shape overlap");
     }
   }
   return {};
+}
+
+/// The limits of what the text says hold for what it stands for, too.
+Result<void> check_limits(const std::vector<Polygon>& parts, const WktLimits& limits) {
+  std::size_t num_vertices = 0;
+  std::size_t num_holes = 0;
+  for (const Polygon& part : parts) {
+    num_vertices += part.outer.size();
+    for (const Ring& hole : part.holes) num_vertices += hole.size();
+    num_holes = std::max(num_holes, part.holes.size());
+  }
+  const auto check = [](std::size_t count, std::size_t limit, const char* what) -> Result<void> {
+    if (count <= limit) return {};
+    return fail(ErrorCode::kLimit,
+                "column 1: stands for " + std::to_string(count) + what + ", the limit is " +
+                    std::to_string(limit));
+  };
+  HYPERMAP_TRY(check(parts.size(), limits.max_parts, " parts"));
+  HYPERMAP_TRY(check(num_holes, limits.max_holes, " holes"));
+  return check(num_vertices, limits.max_vertices, " vertices");
 }
 
 std::string number(double value) {
@@ -278,10 +139,11 @@ void append_polygon(std::string& out, const Polygon& polygon) {
 
 Result<WktShape> read_wkt(std::string_view text, const WktLimits& limits) {
   try {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto polygons, WktParser(text, limits).parse());
+    HYPERMAP_ASSIGN_OR_RETURN(const auto polygons, parse_wkt(text, limits));
     WktShape shape;
     for (const PolygonText& rings : polygons) HYPERMAP_TRY(append_parts(shape, rings));
-    if (polygons.size() > 1) HYPERMAP_TRY(check_disjoint(shape.parts));
+    HYPERMAP_TRY(check_limits(shape.parts, limits));
+    if (shape.parts.size() > 1) HYPERMAP_TRY(check_disjoint(shape.parts));
     return shape;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the shape");

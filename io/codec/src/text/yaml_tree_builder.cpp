@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "yaml_tree_builder.hpp"
 
+#include "hypermap/core/base/utf8.hpp"
+
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace hypermap {
@@ -11,6 +15,7 @@ constexpr const char* kCoreTag = "tag:yaml.org,2002:";
 struct TreeSize {
   std::size_t nodes = 1;
   std::size_t bytes = 0;
+  int depth = 0;  ///< Of lists and maps within each other; 0 of a scalar.
 };
 
 TreeSize size_of(const ValueTree& tree) {  // NOLINT(misc-no-recursion): depth is bounded
@@ -19,13 +24,30 @@ TreeSize size_of(const ValueTree& tree) {  // NOLINT(misc-no-recursion): depth i
     const TreeSize part = size_of(child);
     size.nodes += part.nodes;
     size.bytes += part.bytes;
+    size.depth = std::max(size.depth, part.depth);
   };
   for (const ValueTree& item : tree.items) add(item);
   for (const auto& [key, value] : tree.entries) {
     size.bytes += key.size();
     add(value);
   }
+  if (tree.kind == ValueKind::kList || tree.kind == ValueKind::kMap) ++size.depth;
   return size;
+}
+
+/// The text with U+0085 and U+00A0 where yaml-cpp has but a byte for their escapes `\N` and `\_`.
+std::string whole_utf8(std::string_view text) {
+  std::string out;
+  for (std::size_t bad = first_bad_utf8(text); bad < text.size(); bad = first_bad_utf8(text)) {
+    out.append(text.substr(0, bad)).append(1, '\xC2').append(1, text[bad]);
+    text.remove_prefix(bad + 1);
+  }
+  return out.append(text);
+}
+
+/// What YAML takes for nothing when it stands bare.
+bool is_null_word(std::string_view text) {
+  return text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL";
 }
 
 int line_of(const YAML::Mark& mark) {
@@ -33,6 +55,11 @@ int line_of(const YAML::Mark& mark) {
 }
 
 }  // namespace
+
+std::size_t num_flow_marks(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return c == ',' || c == '[' || c == '{'; }));
+}
 
 void YamlTreeBuilder::count_flow_items(std::size_t count) {
   flow_items_ahead_ += count;
@@ -59,7 +86,7 @@ void YamlTreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
   // yaml-cpp marks a missing value where the next token stands; the key's line is of more use.
   const bool has_key = !open_.empty() && open_.back().pending_key;
   const int line = has_key ? open_.back().key_line : line_of(mark);
-  count_node(line);
+  count_nodes(1, line);
   place({.line = line}, anchor);
 }
 
@@ -71,6 +98,9 @@ void YamlTreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
     refuse(ErrorCode::kMalformedFile, "an alias stands within the value that it names", line);
   }
   charge_copy(found->second, line);
+  const TreeSize size = size_of(found->second);
+  check_depth(open_.size() + static_cast<std::size_t>(size.depth), line);
+  count_nodes(size.nodes, line);
   ValueTree copy = found->second;
   copy.line = line;
   place(std::move(copy), 0);
@@ -84,10 +114,12 @@ void YamlTreeBuilder::OnScalar(const YAML::Mark& mark,
   const bool bare = tag == "?" || tag.empty();
   const bool is_text = tag == "!" || tag == std::string(kCoreTag) + "str";
   if (!is_text) check_tag(tag, "str int float bool null", line);
-  if (expects_key()) return take_key(value, bare, line);
-  count_node(line);
+  check_text(value, line);
+  if (expects_key()) return take_key(whole_utf8(value), bare, line);
+  count_nodes(1, line);
+  if (!is_text && is_null_word(value)) return place({.line = line}, anchor);
   place({.kind = ValueKind::kScalar,
-         .text = value,
+         .text = whole_utf8(value),
          .quoted = is_text && reads_as_no_text(value),
          .line = line},
         anchor);
@@ -138,11 +170,26 @@ void YamlTreeBuilder::check_tag(const std::string& tag, const char* allowed, int
   if (!known) refuse(ErrorCode::kUnsupported, "the tag " + printable(tag) + " is not read", line);
 }
 
-void YamlTreeBuilder::count_node(int line) {
+void YamlTreeBuilder::count_nodes(std::size_t count, int line) {
   flow_items_ahead_ = 0;
-  if (++num_nodes_ > limits_.max_nodes) {
+  num_nodes_ += count;
+  if (num_nodes_ > limits_.max_nodes) {
     refuse(ErrorCode::kLimit, "more than " + std::to_string(limits_.max_nodes) + " values", line);
   }
+}
+
+void YamlTreeBuilder::check_text(const std::string& text, int line) const {
+  if (num_flow_marks(text) <= limits_.max_flow_items) return;
+  refuse(ErrorCode::kLimit,
+         "more than " + std::to_string(limits_.max_flow_items) + " commas and brackets in one text",
+         line);
+}
+
+void YamlTreeBuilder::check_depth(std::size_t depth, int line) const {
+  if (depth <= static_cast<std::size_t>(limits_.max_depth)) return;
+  refuse(ErrorCode::kLimit,
+         "nested deeper than " + std::to_string(limits_.max_depth) + " levels",
+         line);
 }
 
 void YamlTreeBuilder::charge_copy(const ValueTree& tree, int line) {
@@ -177,12 +224,8 @@ void YamlTreeBuilder::open(ValueKind kind, YAML::anchor_t anchor, int line) {
   if (expects_key()) {
     refuse(ErrorCode::kUnsupported, "a list or map as key is not read, expected text", line);
   }
-  if (open_.size() >= static_cast<std::size_t>(limits_.max_depth)) {
-    refuse(ErrorCode::kLimit,
-           "nested deeper than " + std::to_string(limits_.max_depth) + " levels",
-           line);
-  }
-  count_node(line);
+  check_depth(open_.size() + 1, line);
+  count_nodes(1, line);
   open_.push_back({.value = {.kind = kind, .line = line}, .anchor = anchor});
 }
 

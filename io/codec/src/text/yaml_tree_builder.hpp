@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -22,6 +23,9 @@ namespace hypermap {
 struct YamlRefusal {
   Error error;
 };
+
+/// How often a text opens or separates flow items, or would if it stood bare.
+[[nodiscard]] std::size_t num_flow_marks(std::string_view text);
 
 class YamlTreeBuilder : public YAML::EventHandler {
  public:
@@ -65,7 +69,10 @@ class YamlTreeBuilder : public YAML::EventHandler {
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool expects_key() const;
   void check_tag(const std::string& tag, const char* allowed, int line) const;
-  void count_node(int line);
+  void count_nodes(std::size_t count, int line);
+  /// Escaped marks count, too: they are written as they are.
+  void check_text(const std::string& text, int line) const;
+  void check_depth(std::size_t depth, int line) const;
   void charge_copy(const ValueTree& tree, int line);
   void take_key(const std::string& text, bool bare, int line);
   void open(ValueKind kind, YAML::anchor_t anchor, int line);

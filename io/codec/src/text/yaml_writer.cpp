@@ -16,25 +16,28 @@ constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 /// Whether the scalar stands within brackets or braces, where commas separate.
 enum class Place { kBlock, kFlow };
 
+/// Longest bare or quoted key that needs no question mark. Source: YAML 1.1, 9.1 (simple keys).
+constexpr std::size_t kMaxSimpleKeyBytes = 1024;
+/// Longest list in one line: readers keep all of a flow collection until it is closed.
+constexpr std::size_t kMaxLineBytes = 65'536;
+
+/// Text that starts like a number, which some reader may take for one.
+bool starts_like_number(std::string_view text) {
+  const std::size_t at = text.find_first_not_of("+-.");
+  return at != std::string_view::npos && at < 3 && text[at] >= '0' && text[at] <= '9';
+}
+
 /// Text that every YAML reader takes as one bare scalar.
 bool is_safe_bare(std::string_view text, Place place) {
   constexpr std::string_view kNeverFirst = "!&*-?|>@`%'\"#[]{},:=<~ ";
   constexpr std::string_view kNever = "\"'#[]{}:\\`|>&*!%@";
   if (text.empty() || kNeverFirst.find(text.front()) != std::string_view::npos) return false;
-  if (text.back() == ' ' || text == "..." || text.starts_with("---")) return false;
-  if (place == Place::kFlow && text.find(',') != std::string_view::npos) return false;
+  if (text.back() == ' ' || text.starts_with("...") || starts_like_number(text)) return false;
+  if (place == Place::kFlow && text.find_first_of(",?") != std::string_view::npos) return false;
   return std::all_of(text.begin(), text.end(), [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte >= 0x20 && byte < 0x7F && kNever.find(c) == std::string_view::npos;
   });
-}
-
-/// A negative number may start with the minus sign that other bare text may not.
-bool is_bare_number(std::string_view text) {
-  return reads_as_no_text(text) && std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c == '+' || c == '-' ||
-                  c == '.';
-         });
 }
 
 std::string hex_escaped(unsigned char code) {
@@ -75,9 +78,8 @@ std::string in_quotes(std::string_view text) {
 
 std::string scalar(const ValueTree& tree, Place place) {
   if (tree.kind == ValueKind::kNull) return "~";
-  if (!tree.quoted && (is_bare_number(tree.text) || is_safe_bare(tree.text, place)))
-    return tree.text;
-  return in_quotes(tree.text);
+  const bool bare = reads_as_no_text(tree.text) ? !tree.quoted : is_safe_bare(tree.text, place);
+  return bare ? tree.text : in_quotes(tree.text);
 }
 
 bool is_scalar(const ValueTree& tree) {
@@ -86,6 +88,14 @@ bool is_scalar(const ValueTree& tree) {
 
 bool is_empty(const ValueTree& tree) {
   return tree.items.empty() && tree.entries.empty();
+}
+
+/// The key and its colon; a key that is no simple one stands after a question mark, `between` it
+/// and the colon.
+std::string key_text(std::string_view key, std::string_view between) {
+  const std::string text = yaml_scalar(key);
+  if (text.size() <= kMaxSimpleKeyBytes) return text + ":";
+  return "? " + text + std::string(between) + ":";
 }
 
 // NOLINTBEGIN(misc-no-recursion): the depth of a tree is bounded by whoever made it
@@ -99,17 +109,21 @@ std::string flow(const ValueTree& tree) {
     separator = ", ";
   }
   for (const auto& [key, value] : tree.entries) {
-    out += std::string(separator) + yaml_scalar(key) + ": " + flow(value);
+    out += std::string(separator) + key_text(key, " ") + " " + flow(value);
     separator = ", ";
   }
   return out + (is_list ? "]" : "}");
 }
 
-/// Lists of scalars stay in one line, as do empty collections.
+/// Lists of scalars stay in one line, up to a length, as do empty collections.
 bool fits_one_line(const ValueTree& tree) {
   if (is_scalar(tree) || is_empty(tree)) return true;
-  return tree.kind == ValueKind::kList &&
-         std::all_of(tree.items.begin(), tree.items.end(), is_scalar);
+  if (tree.kind != ValueKind::kList) return false;
+  std::size_t num_bytes = 0;
+  return std::all_of(tree.items.begin(), tree.items.end(), [&](const ValueTree& item) {
+    num_bytes += item.text.size() + 2;
+    return is_scalar(item) && num_bytes <= kMaxLineBytes;
+  });
 }
 
 /// What fits on the rest of a line.
@@ -142,7 +156,7 @@ void append_block(std::string& out, const ValueTree& tree, std::size_t indent, b
     }
   }
   for (const auto& [key, value] : tree.entries) {
-    out += (std::exchange(is_first, false) ? "" : blanks) + yaml_scalar(key) + ":";
+    out += (std::exchange(is_first, false) ? "" : blanks) + key_text(key, "\n" + blanks);
     append_value(out, value, indent + 2);
   }
 }

@@ -38,7 +38,8 @@ struct ValueTree {
 [[nodiscard]] ValueTree make_list(std::vector<ValueTree> items);
 [[nodiscard]] ValueTree make_map(std::vector<ValueTree::Entry> entries);
 /// Whether `text` without quotes would read as a number, a truth value or nothing; also what
-/// other readers take for one: `010`, `1_000`, `1:30`, `2020-01-01`.
+/// other readers take for one: `010`, `1_000`, `1:30`, `2020-01-01 12:00`. Boundary: all such text
+/// can stand without quotes; what only starts like a number is text (`50%`, `1, 2`, `3 m: wide`).
 [[nodiscard]] bool reads_as_no_text(std::string_view text);
 
 /// Text, whatever it looks like.

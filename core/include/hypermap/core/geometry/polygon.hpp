@@ -36,11 +36,13 @@ struct Rect {
 /// orientation.
 ///
 /// Errors: kInvalidArgument with the reason: fewer than three distinct points, zero area, a spike,
-/// a ring that crosses or touches itself or another one, a hole outside or inside another hole, a
-/// coordinate that is not finite or beyond 1e6 m; kLimit beyond 10^5 points in all.
+/// a ring that crosses or touches itself, or another one elsewhere than in corners of both, a hole
+/// outside or inside another hole, a coordinate that is not finite or beyond 1e6 m; kLimit beyond
+/// 10^5 points in all.
 /// Boundary: orientation is decided exactly, so a crossing is never missed or invented by rounding.
+/// Rings with more than 4,096 points in all may not touch.
 /// Cost: O(n log n) for any input (a sweep that stops at the first crossing), and O(n h) for h
-/// holes.
+/// holes; O(n^2) for rings that touch.
 [[nodiscard]] Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes = {});
 
 /// A ring, and whether parts of it went straight back on themselves.

@@ -26,7 +26,7 @@ namespace hypermap {
 struct YamlLimits {
   std::size_t max_bytes = std::size_t{16} << 20U;       ///< Of the file.
   int max_depth = 64;                                   ///< Of nested lists and maps.
-  std::size_t max_nodes = 1'000'000;                    ///< Of all values.
+  std::size_t max_nodes = 1'000'000;                    ///< Of all values, copies of aliases too.
   std::size_t max_map_keys = 65'536;                    ///< Of one map.
   std::size_t max_alias_nodes = 10'000;                 ///< Values that anchors and aliases copy.
   std::size_t max_alias_bytes = std::size_t{1} << 20U;  ///< Text that anchors and aliases copy.
@@ -112,7 +112,8 @@ enum class YamlStyle {
 
 /// The tree as YAML, the same bytes for the same tree: two blanks of indent, keys in the given
 /// order, text quoted where it would otherwise read as something else (active text, numbers,
-/// booleans), so that parse_yaml gives an equal tree. Requires: depth within YamlLimits.
+/// booleans), so that parse_yaml gives an equal tree. Requires: a tree within YamlLimits, as
+/// parse_yaml gives it.
 [[nodiscard]] std::string write_yaml(const ValueTree& tree, YamlStyle style = YamlStyle::kBlock);
 
 /// `text` as it stands in YAML: bare where that is safe, else in double quotes with escapes.

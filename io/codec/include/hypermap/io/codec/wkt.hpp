@@ -18,6 +18,7 @@
 
 namespace hypermap {
 
+/// Of the text, and of what it stands for; the vertex that closes a ring is no further one.
 struct WktLimits {
   std::size_t max_vertices = 100'000;  ///< Of the whole shape.
   std::size_t max_holes = 1'000;       ///< Of one polygon.
@@ -35,12 +36,14 @@ struct WktShape {
 
 /// Errors: kMalformedFile with the column (1-based, in bytes) for anything that is no such text,
 /// and for a shape that is none: fewer than three distinct points, zero area, a ring that
-/// crosses itself with windings of both signs, holes outside or overlapping, parts that overlap, a
-/// coordinate that is not finite or beyond 1e6 m; kUnsupported for other geometries; kLimit, named.
+/// crosses itself with windings of both signs, rings of a polygon that meet elsewhere than in
+/// common corners, holes outside or overlapping, parts that overlap, a coordinate that is not
+/// finite or beyond 1e6 m; kUnsupported for other geometries; kLimit, named.
 [[nodiscard]] Result<WktShape> read_wkt(std::string_view text, const WktLimits& limits = {});
 
 /// POLYGON, or MULTIPOLYGON for several parts, rings closed, numbers in their shortest form that
-/// reads back to the same value. Requires: parts not empty.
+/// reads back to the same value: what read_wkt gave is read again as it was. Requires: parts not
+/// empty.
 [[nodiscard]] std::string write_wkt(std::span<const Polygon> parts);
 
 }  // namespace hypermap
