@@ -16,12 +16,12 @@ GROUPS = ("octree", "pipeline", "cloud", "snapshot", "occlusion", "archive", "sc
 
 
 def load(folder):
-    """Figures of all benchmarks by group and name (without the suffixes of Google Benchmark)."""
+    """Figures of the benchmarks that were run, by group and name (without the suffixes of Google Benchmark)."""
     figures = {}
     for group in GROUPS:
         path = folder / f"{group}.json"
         if not path.exists():
-            sys.exit(f"bench_report: {path} is missing: run scripts/bench {group}")
+            continue
         rows = json.loads(path.read_text())["benchmarks"]
         figures[group] = {re.sub(r"/(iterations:\d+|manual_time)", "", row["name"]): row for row in rows
                           if not row.get("error_occurred")}
@@ -235,11 +235,19 @@ def plot_scale(plt, figures, path):
     fig.savefig(path, dpi=110)
 
 
+# The tables of the document: what each is made of, and by what.
+TABLES = {"targets": (GROUPS, targets), "octree": (("octree",), octree_tables), "frame": (("pipeline",), frame_table),
+          "cloud": (("cloud",), cloud_table), "snapshot": (("snapshot",), snapshot_tables),
+          "occlusion": (("occlusion",), occlusion_table), "archive": (("archive",), archive_table),
+          "scale": (("scale",), scale_table)}
+
+
 def filled(text, figures):
-    """The document with its tables made anew."""
-    blocks = {"machine": [machine()], "targets": targets(figures), "octree": octree_tables(figures),
-              "frame": frame_table(figures), "cloud": cloud_table(figures), "snapshot": snapshot_tables(figures),
-              "occlusion": occlusion_table(figures), "archive": archive_table(figures), "scale": scale_table(figures)}
+    """The document with those tables made anew for which there are figures."""
+    blocks = {"machine": [machine()]}
+    for name, (groups, lines_of) in TABLES.items():
+        if all(group in figures for group in groups):
+            blocks[name] = lines_of(figures)
     for name, lines in blocks.items():
         pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)", re.S)
         if not pattern.search(text):
@@ -254,11 +262,12 @@ def main():
     figures = load(root / "build" / "bench")
     document = root / "docs" / "BENCHMARKS.md"
     text = filled(document.read_text(), figures)
-    plt = pyplot()
-    plot_resolution(plt, figures, root / "docs" / "pictures" / "cost_by_resolution.png")
-    plot_scale(plt, figures, root / "docs" / "pictures" / "cost_by_map_size.png")
+    for group, plot, image in (("octree", plot_resolution, "cost_by_resolution.png"),
+                               ("scale", plot_scale, "cost_by_map_size.png")):
+        if group in figures:
+            plot(pyplot(), figures, root / "docs" / "pictures" / image)
     document.write_text(text)
-    print(f"{document} and two plots in docs/pictures are up to date")
+    print(f"{document} is up to date with " + ", ".join(figures))
 
 
 if __name__ == "__main__":

@@ -48,6 +48,13 @@ class Document(unittest.TestCase):
         tables = re.compile(r"(<!-- begin \w+ -->\n).*?(<!-- end \w+ -->)", re.S)
         self.assertEqual(tables.sub(r"\1\2", after), tables.sub(r"\1\2", before))
 
+    def test_tables_without_figures_stay(self):
+        before = DOCUMENT.read_text()
+        after = bench_report.filled(before, {"cloud": {"cloud/far": {"scan_ms": 1.0}}})
+        self.assertIn("| cloud/far | 1.0 |", after)
+        begin, end = "<!-- begin targets -->", "<!-- end frame -->"
+        self.assertEqual(after[after.index(begin):after.index(end)], before[before.index(begin):before.index(end)])
+
     def test_a_document_without_a_place_is_refused(self):
         with self.assertRaisesRegex(SystemExit, "no place for `cloud`"):
             bench_report.filled(DOCUMENT.read_text().replace("begin cloud", "begun"), figures_of())

@@ -138,7 +138,8 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
 }
 
 /// A question that the layer cannot be asked is a wrong command line.
-ExitCode report_refusal(const Error& error, const QueryArguments& arguments) {
+ExitCode report_refusal(Error error, const QueryArguments& arguments) {
+  if (error.field == "frame_id") error.field = "--frame";
   if (error.code != ErrorCode::kInvalidArgument) {
     return report(with_source(error, {arguments.file}));
   }
@@ -160,7 +161,7 @@ ExitCode run(const QueryRequest& request) {
   const auto loaded = load_archive(request.arguments.file);
   if (!loaded) return report(loaded.error());
   auto answers = run_query(loaded->value, request);
-  if (!answers) return report_refusal(answers.error(), request.arguments);
+  if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
   if (request.arguments.json) {
     print_json(*answers);
   } else {

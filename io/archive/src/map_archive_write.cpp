@@ -70,6 +70,19 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
   return {};
 }
 
+/// Verification loads what was written: it must know every type of layer.
+Result<void> check_layer_types(const MapArchive& archive, const LayerRegistry& types) {
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (is_strict_form(layer) || types.find(class_of(layer)) != nullptr) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "not saved, layer " + printable(layer.info.name) + " is of type " +
+                    printable(class_of(layer)) +
+                    ", which is not among SaveOptions::layers: what was written cannot be verified",
+                "layers");
+  }
+  return {};
+}
+
 /// What the loader would say of these bytes, and whether it would get the same map.
 Result<void> verify_bytes(const MapArchive& archive,
                           std::string_view bytes,
@@ -119,9 +132,12 @@ Result<void> save_archive(const MapArchive& archive,
   auto bytes = write_archive(archive, options.limits);
   if (!bytes) return in_file(std::move(bytes).error());
   const bool verify = options.verify && bytes->size() <= options.max_verified_bytes;
-  if (verify)
+  if (verify) {
+    if (auto known = check_layer_types(archive, options.layers); !known)
+      return in_file(std::move(known).error());
     if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options); !same)
       return in_file(std::move(same).error());
+  }
   HYPERMAP_TRY(write_file_atomically(path, *bytes));
   if (verify) return verify_file(path, *bytes);
   return {};

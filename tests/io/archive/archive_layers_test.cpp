@@ -186,7 +186,7 @@ TEST(ArchiveLayers, ASaveIsVerifiedWithTheTypesThatTheMapHas) {
   EXPECT_TRUE(save_archive(archive_with_number(), dir / "a.hmap", {.layers = with_numbers()}));
   const auto stock = save_archive(archive_with_number(), dir / "b.hmap");
   ASSERT_FALSE(stock);
-  EXPECT_THAT(to_string(stock.error()), HasSubstr("layers"));
+  EXPECT_THAT(to_string(stock.error()), HasSubstr("not among SaveOptions::layers"));
 }
 
 TEST(ArchiveLayers, WhatALoaderRefusesNamesFileMemberAndField) {
