@@ -11,7 +11,9 @@
 namespace hypermap::test {
 namespace {
 
+/// Of this thread.
 SystemFaults::BeforeCall*& active() {
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
   thread_local SystemFaults::BeforeCall* before_call = nullptr;
   return before_call;
 }

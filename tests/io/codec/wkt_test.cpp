@@ -200,10 +200,11 @@ TEST(Wkt, WhatIsReadIsWrittenSoThatItReadsTheSame) {
   std::size_t num_several = 0;
   for (int i = 0; i < test::repetitions(200'000); ++i) {
     const unsigned range = 3 + static_cast<unsigned>(random() % 6);
-    std::string text = random_polygon_text(random, range);
+    const std::string polygon = random_polygon_text(random, range);
     const bool is_multi = random() % 8 == 0;
-    if (is_multi) text = "(" + text + "," + random_polygon_text(random, range) + ")";
-    text = (is_multi ? "MULTIPOLYGON" : "POLYGON") + text;
+    std::string text = is_multi ? "MULTIPOLYGON(" : "POLYGON";
+    text.append(polygon);
+    if (is_multi) text.append(",").append(random_polygon_text(random, range)).append(")");
     const auto first = read_wkt(text);
     if (!first) continue;
     const std::string written = write_wkt(first->parts);
@@ -221,16 +222,18 @@ TEST(Wkt, WhatIsReadIsWrittenSoThatItReadsTheSame) {
 
 TEST(Wkt, LimitsHoldForTheFillOfARingToo) {
   // A chain of squares, each touching the next in a corner: as many parts as squares.
-  const auto chain = [](int num_squares) {
-    std::string there;
-    std::string back;
+  const auto corner = [](int x, int y) {
+    return std::to_string(x).append(" ").append(std::to_string(y));
+  };
+  const auto chain = [&corner](int num_squares) {
+    std::string ring;
     for (int i = 0; i < num_squares; ++i) {
-      const std::string low = std::to_string(i);
-      const std::string high = std::to_string(i + 1);
-      there += low + " " + low + "," + high + " " + low + ",";
-      back = high + " " + high + "," + low + " " + high + (back.empty() ? "" : ",") + back;
+      ring.append(corner(i, i)).append(",").append(corner(i + 1, i)).append(",");
     }
-    return "POLYGON((" + there + back + "))";
+    for (int i = num_squares; i > 0; --i) {
+      ring.append(corner(i, i)).append(",").append(corner(i - 1, i)).append(i > 1 ? "," : "");
+    }
+    return "POLYGON((" + ring + "))";
   };
   EXPECT_EQ(shape(chain(100)).parts.size(), 100U);
   EXPECT_EQ(read_wkt(chain(101)).error().code, ErrorCode::kLimit);

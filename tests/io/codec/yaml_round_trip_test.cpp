@@ -148,9 +148,14 @@ TEST(YamlRoundTrip, KeysAreTheSameAtAnyLength) {
       std::string key;
       for (std::size_t i = 0; i < length; ++i) key += piece;
       for (const char* value : {"1", "[1]", "{a: 1}", "[{b: 1}, [2]]"}) {
-        const std::string entry = "? \"" + key + "\" : " + value;
-        EXPECT_TRUE(holds_for("{" + entry + ", z: 1}\n"));
-        EXPECT_TRUE(holds_for("- 1\n- [{" + entry + "}]\n- z: {" + entry + "}\n"));
+        std::string entry = "? \"";
+        entry.append(key).append("\" : ").append(value);
+        std::string map = "{";
+        map.append(entry).append(", z: 1}\n");
+        std::string list = "- 1\n- [{";
+        list.append(entry).append("}]\n- z: {").append(entry).append("}\n");
+        EXPECT_TRUE(holds_for(map));
+        EXPECT_TRUE(holds_for(list));
       }
     }
   }

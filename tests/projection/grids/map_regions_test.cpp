@@ -83,6 +83,7 @@ TEST(MapRegions, NeverDivideNeighbours) {
   std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same heaps each time
   std::uniform_real_distribution<double> place(-400.0, 400.0);
   std::vector<LeafSample> leaves;
+  leaves.reserve(300);
   for (int i = 0; i < 300; ++i) leaves.push_back(leaf_at(place(random), place(random)));
   const auto found = MapRegions::find(source_over(leaves));
   ASSERT_GT(found.regions().size(), 1U);

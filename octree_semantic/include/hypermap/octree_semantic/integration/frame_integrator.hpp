@@ -40,15 +40,7 @@ struct OptionTable;
 /// The first two give the voxels of OctoMap's insertPointCloud without and with its `discretize`,
 /// the third occupied voxels of IoU 0.991 .. 0.999 with the first.
 ///
-/// Measured: CPU time of insertPointCloud over ours, one thread, labels included, 640 x 480 pixels,
-/// range 5 m; in brackets IoU of the occupied, then of the free voxels with insertPointCloud
-/// (`build/release/tests/bench/octree_bench`):
-///
-/// | mode | room 5 cm | kitchen 5 cm |
-/// |---|---|---|
-/// | exact | 6.9 (1, 1) | 4.5 (1, 1) |
-/// | discretize | 50 (0.992, 0.987) | 68 (0.985, 0.969) |
-/// | projective | 247 (0.999, 0.992) | 80 (0.997, 0.991) |
+/// What each costs against insertPointCloud: docs/BENCHMARKS.md, with machine and command.
 ///
 /// A cloud takes the first two only: it has no image to project into.
 enum class IntegrationMode : std::uint8_t { kExact, kDiscretize, kProjective };
