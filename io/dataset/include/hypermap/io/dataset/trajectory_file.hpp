@@ -50,10 +50,11 @@ struct StampedTrajectory {
 /// Reads lines `t tx ty tz qx qy qz qw`, `#` begins a comment, blanks are free.
 ///
 /// Stamps are seconds or nanoseconds (1e17 and more), exact to the nanosecond; one file has one
-/// unit. Errors: those of validate(options); kIo; kLimit; kMalformedFile naming line and field: not eight numbers, a number
-/// that is not finite, a position beyond 1e8 m, a quaternion whose norm is off, time that runs
-/// back, a stamp twice with two poses, no pose at all. Findings: skipped lines, jumps, stamps that
-/// lost digits, normalised rotations, an end that looks cut inside the last number.
+/// unit. Errors: those of validate(options); kIo; kLimit; kMalformedFile naming line and field: not
+/// eight numbers, a number that is not finite, a position beyond 1e8 m, a quaternion whose norm is
+/// off, time that runs back, a stamp twice with two poses, no pose at all. Findings: skipped lines,
+/// jumps, stamps that lost digits, normalised rotations, an end that looks cut inside the last
+/// number.
 [[nodiscard]] Result<Loaded<StampedTrajectory>> read_tum_trajectory(
     const std::filesystem::path& path, const TrajectoryOptions& options = {});
 
