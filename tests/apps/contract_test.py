@@ -202,6 +202,7 @@ class Targets(Case):
         cases = [["snapshot", archive, "--output", archive], ["snapshot", archive, "--output", link],
                  ["export", archive, "--format", "ply", "--output", self.folder / "." / "a.hmap"],
                  ["export", options, "--format", "ros-map", "--output", self.folder / "options"],
+                 ["export", options, "--format", "ros-map", "--output", self.folder / "options.pgm"],
                  [*mapping, "--output", dataset / "groundtruth.txt"],
                  [*mapping, "--output", dataset / "depth" / "1.png"],
                  [*mapping, "--output", options, "--config", options],

@@ -48,11 +48,11 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->request.output, {arguments->file});
-    // Of a ros-map the stem is given.
-    keep_apart("--output", arguments->request.output.string() + ".yaml", {arguments->file});
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
+    const auto& output = arguments->request.output;
+    const bool is_ros_map = *format == ExportFormat::kRosMap;
+    keep_apart("--output", is_ros_map ? ros_map_yaml(output) : output, {arguments->file});
     if (*format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",

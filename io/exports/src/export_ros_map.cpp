@@ -68,10 +68,15 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   return WrittenFiles{metadata, image};
 }
 
+std::filesystem::path ros_map_yaml(std::filesystem::path output) {
+  if (output.extension() == ".yaml" || output.extension() == ".pgm") output.replace_extension();
+  output += ".yaml";
+  return output;
+}
+
 Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<OccupancyLayer>(archive, request));
-  std::filesystem::path stem = request.output;
-  if (stem.extension() == ".yaml" || stem.extension() == ".pgm") stem.replace_extension();
+  const std::filesystem::path stem = ros_map_yaml(request.output).replace_extension();
   return write_map_pair(*layer->content.as<OccupancyLayer>(), stem, request.keep_rotation);
 }
 

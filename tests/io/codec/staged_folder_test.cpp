@@ -2,8 +2,8 @@
 #include "hypermap/io/codec/staged_folder.hpp"
 
 #include "hypermap/io/codec/atomic_file.hpp"
-#include "hypermap/io/codec/byte_source.hpp"
 #include "io/codec/system_faults.hpp"
+#include "support/files_below.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,20 +20,11 @@ namespace hypermap {
 namespace {
 
 namespace fs = std::filesystem;
+using test::files_below;
 using test::TempDir;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
-
-/// Every file below, hidden ones included, with its content.
-std::map<std::string, std::string> files_below(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file())
-      files[entry.path().lexically_relative(folder).string()] =
-          read_file(entry.path(), 1 << 20).value_or("cannot be read");
-  return files;
-}
 
 std::size_t num_entries(const fs::path& folder) {
   return static_cast<std::size_t>(

@@ -3,6 +3,7 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 #include "io/simulator/room_simulation.hpp"
+#include "support/files_below.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +14,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,21 +21,11 @@ namespace hypermap {
 namespace {
 
 namespace fs = std::filesystem;
+using test::files_below;
 using test::kSmall;
 using test::room_scene;
 using test::small_options;
 using testing::HasSubstr;
-
-std::map<std::string, std::string> contents(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    std::ostringstream bytes;
-    bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-    files[fs::relative(entry.path(), folder).string()] = bytes.str();
-  }
-  return files;
-}
 
 /// Same boxes, scores, masks, and the same probability for each class by name.
 void expect_same(const std::vector<Detection>& a,
@@ -104,13 +94,13 @@ TEST(SimulatedDataset, AnyNumberOfThreadsGivesTheSameBytes) {
   ASSERT_TRUE(simulate(room_scene(), options, dir / "one"));
   options.num_threads = 3;
   ASSERT_TRUE(simulate(room_scene(), options, dir / "three"));
-  const auto one = contents(dir / "one");
-  EXPECT_EQ(one, contents(dir / "three"));
+  const auto one = files_below(dir / "one");
+  EXPECT_EQ(one, files_below(dir / "three"));
   EXPECT_EQ(one.size(), 6U + 6U + 6U);  // images, depth, lists and truth
   options.seed = 2;
   ASSERT_TRUE(simulate(room_scene(), options, dir / "other"));
-  EXPECT_NE(one.at("depth/000000.png"), contents(dir / "other").at("depth/000000.png"));
-  EXPECT_NE(one.at("truth.hmap"), contents(dir / "other").at("truth.hmap"));
+  EXPECT_NE(one.at("depth/000000.png"), files_below(dir / "other").at("depth/000000.png"));
+  EXPECT_NE(one.at("truth.hmap"), files_below(dir / "other").at("truth.hmap"));
 }
 
 TEST(SimulatedDataset, EndsWhenItsProgressSaysSo) {
@@ -164,7 +154,7 @@ TEST(SimulatedDataset, OnlyEmptyFoldersAndOldSimulationsAreReplaced) {
 TEST(SimulatedDataset, WhatStrangersPutBelowAnOldSimulationIsNamedAndStays) {
   const test::TempDir dir;
   ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab"));
-  const auto before = contents(dir / "lab");
+  const auto before = files_below(dir / "lab");
   for (const std::string name : {"rgb/notes.txt", "depth/000999.png", "rgb/more/000000.png"}) {
     fs::create_directories((dir / "lab" / name).parent_path());
     std::ofstream(dir / "lab" / name) << "precious";
@@ -181,7 +171,7 @@ TEST(SimulatedDataset, WhatStrangersPutBelowAnOldSimulationIsNamedAndStays) {
   EXPECT_FALSE(simulate(room_scene(), small_options(), dir / "lab")) << "a link is no part of one";
   fs::remove(dir / "lab/rgb");
   fs::rename(dir / "photos", dir / "lab/rgb");
-  EXPECT_EQ(contents(dir / "lab"), before);
+  EXPECT_EQ(files_below(dir / "lab"), before);
 }
 
 TEST(SimulatedDataset, WhatIsPutThereMeanwhileStays) {

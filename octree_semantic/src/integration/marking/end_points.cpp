@@ -109,31 +109,29 @@ EndPoints::EndPoints(double resolution_m,
   far_grid_.outer_max_squared = far_grid_.max_squared;
 }
 
+void EndSink::fit_chunk() {
+  const std::size_t num_words = chunk.padded_size() / kernels::kBlock;
+  cells.resize(chunk.padded_size());
+  starts.resize(num_words);
+  far_bits.resize(num_words);
+  lost_bits.resize(num_words);
+}
+
 void EndPoints::reserve(EndSink& sink, const MeasuredPoints& points) const {
   sink.chunk.resize(points.points_per_chunk());
-  const std::size_t padded = sink.chunk.padded_size();
-  const std::size_t num_words = padded / kernels::kBlock;
-  sink.cells.reserve(padded);
-  sink.starts.reserve(num_words);
-  sink.far_bits.reserve(num_words);
-  sink.lost_bits.reserve(num_words);
+  sink.fit_chunk();
   if (mode_ != IntegrationMode::kProjective) sink.ray_ends.reserve(points.size());
-  if (mode_ == IntegrationMode::kDiscretize) sink.far_cells.reserve(padded);
+  if (mode_ == IntegrationMode::kDiscretize) sink.far_cells.reserve(sink.cells.size());
   if (mode_ == IntegrationMode::kProjective && ends_may_leave_volume_)
     sink.dropped.reserve(points.size());
 }
 
 void EndPoints::add(EndSink& sink, std::span<std::uint32_t> cells) const {
-  const std::size_t padded = sink.chunk.padded_size();
-  const std::size_t num_words = padded / kernels::kBlock;
-  sink.cells.resize(padded);
-  sink.starts.resize(num_words);
-  sink.far_bits.resize(num_words);
-  sink.lost_bits.resize(num_words);
+  sink.fit_chunk();
   const kernels::CellCounts counts = kernels::best_kernels().find_cells(
       grid_,
       sink.chunk.row(),
-      padded,
+      sink.cells.size(),
       sink.cells.data(),
       {sink.starts.data(), sink.far_bits.data(), sink.lost_bits.data()});
   std::copy_n(sink.cells.begin(), cells.size(), cells.begin());

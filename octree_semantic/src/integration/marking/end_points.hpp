@@ -51,6 +51,9 @@ struct EndSink {
   std::vector<std::uint64_t> starts;
   std::vector<std::uint64_t> far_bits;
   std::vector<std::uint64_t> lost_bits;
+
+  /// Gives the working memory above, but `far_cells`, the size of the chunk. Throws std::bad_alloc.
+  void fit_chunk();
 };
 
 /// Sorts the measurements of one frame into voxels and rays.

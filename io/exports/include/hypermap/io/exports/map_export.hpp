@@ -27,6 +27,9 @@ enum class ExportFormat {
 /// listing them.
 [[nodiscard]] Result<ExportFormat> parse_export_format(std::string_view name);
 
+/// The YAML file that an export as kRosMap to `output` writes: a stem, or a name in .yaml or .pgm.
+[[nodiscard]] std::filesystem::path ros_map_yaml(std::filesystem::path output);
+
 struct ExportRequest {
   ExportFormat format = ExportFormat::kRosMap;
   std::filesystem::path output;
