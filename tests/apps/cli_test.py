@@ -257,6 +257,12 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         self.assertIn("resolution_m", result.stderr)
 
+    def test_tune_refuses_what_its_policy_does_not_use(self):
+        for flag, value in (("--angle", 10), ("--curvature", 0.5)):
+            result = run("tune", "--input", self.dataset, "--frame", 5, flag, value)
+            self.assertEqual(result.returncode, 4, result)
+            self.assertIn(f"{flag}: belongs to --policy region_growing, is given with foreground", result.stderr)
+
     def test_tune_shows_the_steps(self):
         output = self.folder / "tune"
         result = run("tune", "--input", self.dataset, "--frame", 5, "--output", output)

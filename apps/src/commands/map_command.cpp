@@ -77,9 +77,17 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               arguments.job.output.c_str());
 }
 
+/// Says before the work what takes longer than a camera's next frame does.
+void warn_of_slow_options(const MappingJob& job) {
+  if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
+  std::fprintf(stderr,
+               "hypermap: segmentation by region growing takes a second or more for each frame\n");
+}
+
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
+  warn_of_slow_options(*job);
   if (arguments.stats) {
     if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
   }
@@ -107,7 +115,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
   command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
-  command.add_option("--preset", arguments.preset, "where options start from")
+  command.add_option("--preset", arguments.preset, "where options start from; hypermap takes a second or more a frame")
       ->check(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");

@@ -45,6 +45,12 @@ Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) 
   if (policy == SegmentationPolicy::kRegionGrowing) options = hypermap_segmentation();
   if (arguments.no_outliers) options.outlier_neighbours = 0;
   if (arguments.no_clusters) options.cluster_gap_m = 0.0;
+  const bool is_growing = policy == SegmentationPolicy::kRegionGrowing;
+  if (!is_growing && (arguments.angle_deg || arguments.curvature)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "belongs to --policy region_growing, is given with " + arguments.policy,
+                arguments.angle_deg ? "--angle" : "--curvature");
+  }
   HYPERMAP_ASSIGN_OR_RETURN(all,
                             with_flags(std::move(all),
                                        {{kAngleOption, arguments.angle_deg},

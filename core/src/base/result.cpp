@@ -19,11 +19,18 @@ std::string hex_escaped(std::string_view bytes) {
   return out;
 }
 
-/// Of ASCII, or U+0080 .. U+009F, which steer some terminals.
+/// Of ASCII; U+0080 .. U+009F, which steer some terminals; and what turns or breaks the text around
+/// it: the marks, embeddings, overrides and isolates of bidirectional text (U+061C, U+200E, U+200F,
+/// U+202A .. U+202E, U+2066 .. U+2069) and the separators U+2028 and U+2029.
 bool is_control(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7F;
-  return byte(0) == 0xC2 && byte(1) < 0xA0;
+  if (character.size() == 2)
+    return (byte(0) == 0xC2 && byte(1) < 0xA0) || (byte(0) == 0xD8 && byte(1) == 0x9C);
+  if (character.size() != 3 || byte(0) != 0xE2) return false;
+  const unsigned last = byte(2);
+  return (byte(1) == 0x80 && (last == 0x8E || last == 0x8F || (last >= 0xA8 && last <= 0xAE))) ||
+         (byte(1) == 0x81 && last >= 0xA6 && last <= 0xA9);
 }
 
 }  // namespace

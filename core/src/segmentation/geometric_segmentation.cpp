@@ -91,7 +91,7 @@ std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
                                          int threads,
                                          const MayBegin& may_begin) {
   std::vector<Result<Segment>> segments(
-      detections.size(), fail(ErrorCode::kLimit, "no time was left for it", "segmentation"));
+      detections.size(), fail(ErrorCode::kInterrupted, "no time was left for it", "segmentation"));
   WorkList list(detections, may_begin);
   const auto work = [&] {
     while (const auto i = list.next()) {

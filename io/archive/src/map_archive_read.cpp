@@ -2,6 +2,7 @@
 #include "archive_checks.hpp"
 #include "archive_extensions.hpp"
 #include "archive_members.hpp"
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
@@ -123,10 +124,8 @@ Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), {.file = file});
   return loaded;
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the map");
 } catch (const std::exception& exception) {
-  return fail(ErrorCode::kMalformedFile, "cannot be read: " + printable(exception.what()));
+  return caught(exception, ErrorCode::kMalformedFile, "the map");
 }
 
 Result<Loaded<MapArchive>> read_zip(std::shared_ptr<const ByteSource> source,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_checks.hpp"
 #include "archive_extensions.hpp"
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
@@ -119,8 +120,8 @@ Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits
   HYPERMAP_TRY(check_objects_of_voxels(archive));
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<OpaqueFile> files, members_of(archive));
   return zip_of(files, limits.zip);
-} catch (const std::exception&) {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the archive");
 }
 
 Result<void> save_archive(const MapArchive& archive,

@@ -2,6 +2,7 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 
 #include "folder_reader.hpp"
+#include "hypermap/io/dataset/detections_parsing.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -75,6 +76,31 @@ Result<void> settle_cameras(Sequence& sequence) {
   return {};
 }
 
+/// Takes out the boxes wholly outside the camera's image, in frames that do not state their own
+/// size; the reader of the file has refused the others. Returns how many.
+std::size_t erase_outside(DetectionSet& set, const PinholeCamera& camera) {
+  std::size_t num_erased = 0;
+  for (FrameDetections& frame : set.frames) {
+    if (frame.width_px != 0) continue;
+    const int width = frame.boxes_are_shares ? 1 : camera.width_px;
+    const int height = frame.boxes_are_shares ? 1 : camera.height_px;
+    num_erased += std::erase_if(frame.detections, [&](const NamedDetection& detection) {
+      return !clipped(detection.box_px, width, height);
+    });
+  }
+  return num_erased;
+}
+
+Finding boxes_outside(std::size_t num, const PinholeCamera& camera, const fs::path& file) {
+  return {Severity::kWarning,
+          {.code = ErrorCode::kMalformedFile,
+           .what = std::to_string(num) + " box(es) wholly outside the image of " +
+                   std::to_string(camera.width_px) + " x " + std::to_string(camera.height_px) +
+                   " are left out",
+           .file = file.string(),
+           .field = "bbox"}};
+}
+
 Result<void> read_detection_files(const DatasetOptions& options,
                                   Sequence& sequence,
                                   ClassRegistry& registry) {
@@ -88,6 +114,9 @@ Result<void> read_detection_files(const DatasetOptions& options,
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, options.detection_reading));
     DatasetSummary& summary = sequence.summary;
     std::move(loaded.findings.begin(), loaded.findings.end(), std::back_inserter(summary.findings));
+    if (const std::size_t outside = erase_outside(loaded.value, summary.camera)) {
+      summary.findings.push_back(boxes_outside(outside, summary.camera, file));
+    }
     PairedDetections paired =
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();

@@ -5,10 +5,35 @@
 #include "images/depth_registration.hpp"
 
 #include <iterator>
+#include <system_error>
+#include <utility>
 
 namespace hypermap {
+namespace {
+
+/// A file that is not there, or is none, is a fault of the dataset; kIo is left to files that the
+/// system refuses to read.
+Error told_from_system(Error error) {
+  if (error.code != ErrorCode::kIo) return error;
+  std::error_code unknown;
+  const auto type = std::filesystem::status(error.file, unknown).type();
+  if (type == std::filesystem::file_type::not_found) {
+    error.code = ErrorCode::kNotFound;
+  } else if (!unknown && type != std::filesystem::file_type::regular) {
+    error.code = ErrorCode::kMalformedFile;
+  }
+  return error;
+}
+
+}  // namespace
 
 Result<RgbdFrame> FolderReader::read(std::size_t index) const {
+  auto frame = try_read(index);
+  if (!frame) return Unexpected(told_from_system(std::move(frame).error()));
+  return frame;
+}
+
+Result<RgbdFrame> FolderReader::try_read(std::size_t index) const {
   const SequenceEntry& entry = sequence_.entries[position(index)];
   RgbdFrame frame;
   frame.index = position(index);

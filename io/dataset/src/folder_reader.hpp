@@ -59,6 +59,7 @@ class FolderReader final : public DatasetReader {
   [[nodiscard]] Result<RgbdFrame> read(std::size_t index) const override;
 
  private:
+  [[nodiscard]] Result<RgbdFrame> try_read(std::size_t index) const;
   [[nodiscard]] std::size_t position(std::size_t index) const {
     return options_.first + index * options_.stride;
   }

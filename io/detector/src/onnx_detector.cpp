@@ -165,6 +165,8 @@ Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,
   ClassRegistry grown = registry;
   HYPERMAP_ASSIGN_OR_RETURN(impl->classes, register_classes(impl->options.class_names, grown));
   try {
+    constexpr int kAllCores = -1;
+    cv::setNumThreads(options.num_threads > 0 ? options.num_threads : kAllCores);
     impl->net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
     impl->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     impl->net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);

@@ -20,6 +20,8 @@ constexpr OptionRow kOnnxRows[] = {
         {.unit = "px", .source = "YOLOX-nano", .effect = "The image is fitted into this square."}),
     option::count<&OnnxDetectorOptions::max_detections>(
         "max_detections", {1, 1000}, {.effect = "The best of an image are kept."}),
+    option::count<&OnnxDetectorOptions::num_threads>(
+        "num_threads", {0, 256}, {.effect = "0: one for each core.", .is_listed = false}),
     option::names<&OnnxDetectorOptions::class_names>(
         "class_names",
         {.effect = "What the outputs mean, in order; the classes of COCO when empty."}),

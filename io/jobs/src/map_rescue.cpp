@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_rescue.hpp"
 
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 
@@ -36,8 +37,8 @@ struct Content {
 Result<void> save_content(const Content& content, const fs::path& path) try {
   HYPERMAP_TRY(check_target(path));
   return save_archive(content.archive, path, {.verify = content.verify});
-} catch (const std::exception&) {
-  return fail(ErrorCode::kOutOfMemory, "out of memory");
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the map");
 }
 
 /// In a folder of its own, so that nobody else can have put a file or a link there.

@@ -9,6 +9,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <iterator>
 #include <new>
 #include <system_error>
@@ -78,7 +79,11 @@ Result<void> check_losses(const MappingReport& report, const MappingJob& job, st
   const auto allowed = job.max_skipped_share * static_cast<double>(total);
   const bool is_any_left = report.skipped.size() < total;
   if (is_any_left && static_cast<double>(report.skipped.size()) <= allowed) return {};
-  Error error{.code = ErrorCode::kLimit,
+  const bool is_of_system =
+      std::any_of(report.skipped.begin(), report.skipped.end(), [](const Error& skipped) {
+        return skipped.code == ErrorCode::kIo;
+      });
+  Error error{.code = is_of_system ? ErrorCode::kIo : ErrorCode::kLimit,
               .what = std::to_string(report.skipped.size()) + " of " + std::to_string(total) +
                       " frames could not be used, more than the share of " +
                       std::to_string(job.max_skipped_share) + " that is allowed",

@@ -49,6 +49,7 @@ Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRe
   if (!job.model) return std::optional<OnnxDetector>();
   OnnxDetectorOptions options = job.detector;
   options.detector = DetectorId{static_cast<std::uint32_t>(job.dataset.detections.size()) + 1};
+  options.num_threads = job.mapper.num_threads;
   HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
                             OnnxDetector::load(*job.model, options, classes));
   return std::optional<OnnxDetector>(std::move(detector));

@@ -92,6 +92,7 @@ void FrameWriter::stage(SemanticOctree& tree,
     }
   }
   merged_.assign(workers.num_slots(), {});
+  merged_chunks_.assign((staged_.size() + kBricksPerChunk - 1) / kBricksPerChunk, 0);
   report.num_new_bricks = bricks.size() - num_bricks_before;
 }
 
@@ -164,8 +165,7 @@ void FrameWriter::merge(SemanticOctree& tree,
       total.num_passed += counts.num_passed;
     }
   };
-  const std::size_t num_chunks = (staged_.size() + kBricksPerChunk - 1) / kBricksPerChunk;
-  workers.for_each(num_chunks, merge_chunk);
+  workers.finish_each(merged_chunks_, merge_chunk);
   for (const kernels::MergeCounts& total : merged_) {
     report.num_occupied_voxels += total.num_hit;
     report.num_free_voxels += total.num_passed;

@@ -79,6 +79,7 @@ class FrameWriter {
 
   BeliefBatch batch_;
   std::vector<Staged> staged_;
+  std::vector<std::uint8_t> merged_chunks_;   // 1: done
   std::vector<kernels::MergeCounts> merged_;  // one per worker
   std::vector<std::optional<Box>> label_boxes_;
   LabelVotes votes_;

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <memory>
+#include <span>
 
 namespace hypermap {
 
@@ -42,6 +45,23 @@ class Workers {
         work(static_cast<std::size_t>(slot), chunk);
       });
     });
+  }
+
+  /// As `for_each` over `done.size()` chunks, for work that must not stay half done: what the
+  /// threads did not get to for want of memory is done by the caller alone. Requires: `done` is 0
+  /// throughout, `work` does not throw. All of `done` is 1 then.
+  template <class Work>
+  void finish_each(std::span<std::uint8_t> done, const Work& work) const noexcept {
+    const auto finish = [&](std::size_t slot, std::size_t chunk) {
+      if (done[chunk] != 0) return;
+      work(slot, chunk);
+      done[chunk] = 1;
+    };
+    try {
+      for_each(done.size(), finish);
+    } catch (const std::exception&) {  // TBB's, before it gave a chunk to a thread
+      for (std::size_t chunk = 0; chunk < done.size(); ++chunk) finish(std::size_t{0}, chunk);
+    }
   }
 
  private:

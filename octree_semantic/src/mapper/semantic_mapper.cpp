@@ -30,7 +30,7 @@ std::vector<Observation> observe(const RgbdFrame& frame,
       observations.push_back(make_observation(frame, detections[i], std::move(*segments[i])));
     } else if (segments[i].error().code == ErrorCode::kOutOfMemory) {
       throw std::bad_alloc();
-    } else if (segments[i].error().code == ErrorCode::kLimit) {
+    } else if (segments[i].error().code == ErrorCode::kInterrupted) {
       ++report.num_deadline_dropped;
     }
   }
@@ -269,7 +269,7 @@ Result<std::vector<VisibilityResult>> SemanticMapper::evaluate_objects(
       break;
   }
   const auto query = [&](std::span<const OcclusionRay> rays) -> Result<std::vector<std::uint8_t>> {
-    HYPERMAP_TRY(occlusion_.update(octree_));
+    HYPERMAP_TRY(occlusion_.update(octree_, options_.num_threads));
     return occlusion_.occluded(rays, options_.num_threads);
   };
   return evaluate_visibility(objects_, frame, query, options_.visibility, detected);

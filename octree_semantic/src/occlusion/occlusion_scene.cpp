@@ -71,6 +71,11 @@ std::uint64_t region_of(BrickKey key) {
   return key.code >> (3 * kRegionEdgeLog2);
 }
 
+/// More than the machine has would only make TBB complain.
+int num_threads_of(int asked_for) {
+  return std::clamp(asked_for, 1, std::max(1, tbb::info::default_concurrency()));
+}
+
 Result<void> check(const Device& device) {
   const RTCError error = rtcGetDeviceError(device.get());
   if (error == RTC_ERROR_NONE) return {};
@@ -88,8 +93,9 @@ struct OcclusionScene::Scene {
     std::uint32_t brick = 0;
   };
 
+  std::size_t max_lanes = 0;
   Device device;
-  EmbreeScene scene;
+  EmbreeScene scene;  // null after a failure: nothing occludes
   std::size_t num_lanes = 0;
   std::vector<std::unique_ptr<Region>> regions;
   std::unordered_map<std::uint64_t, std::uint32_t> region_by_code;
@@ -99,19 +105,55 @@ struct OcclusionScene::Scene {
   double voxels_per_m = 1.0;
   Revision revision = 0;
 
+  /// Makes device and empty scene. Errors: as OcclusionScene::create.
+  Result<void> start();
+  /// Takes what changed since `revision`. Returns how many bricks. Throws std::bad_alloc.
+  Result<std::size_t> take_changes(const BrickTable& bricks, int num_threads);
   void take(std::uint32_t position, BrickKey key, const Brick& brick);
   /// The region of a brick, made when it is the first one there.
   std::uint32_t region_for(BrickKey key);
   void note_change(std::uint32_t region);
-  void commit();
-
+  void commit(int num_threads);
+  /// What is left after a failure: no scene, to be started and filled anew.
+  void forget() noexcept;
   /// Leaks scene and device after a failed build: releasing them would end the program
   /// (Embree 3.13).
-  void leak_after_failure() {
+  void leak_after_failure() noexcept {
     static_cast<void>(scene.release());
     static_cast<void>(device.release());
   }
 };
+
+Result<void> OcclusionScene::Scene::start() {
+  device.reset(rtcNewDevice("set_affinity=0"));
+  if (!device) {
+    return fail(ErrorCode::kUnavailable,
+                "Embree cannot start, error " + std::to_string(rtcGetDeviceError(nullptr)));
+  }
+  num_lanes = widest_packet(device.get(), max_lanes);
+  if (num_lanes == 0) {
+    return fail(ErrorCode::kUnavailable, "this Embree follows no rays together");
+  }
+  scene.reset(rtcNewScene(device.get()));
+  // A tree over the regions, each of which has its own: the others are not built again with one.
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
+  rtcCommitScene(scene.get());
+  auto built = check(device);
+  if (!built) leak_after_failure();
+  return built;
+}
+
+void OcclusionScene::Scene::forget() noexcept {
+  scene.reset();
+  device.reset();
+  regions.clear();
+  region_by_code.clear();
+  changed_regions.clear();
+  place_of_position.clear();
+  num_bricks = 0;
+  revision = 0;
+}
 
 std::uint32_t OcclusionScene::Scene::region_for(BrickKey key) {
   const std::uint64_t code = region_of(key);
@@ -158,7 +200,7 @@ void OcclusionScene::Scene::take(std::uint32_t position, BrickKey key, const Bri
 }
 
 /// Builds the changed regions, and the tree over all of them.
-void OcclusionScene::Scene::commit() {
+void OcclusionScene::Scene::commit(int num_threads) {
   for (const std::uint32_t number : changed_regions) {
     Region& region = *regions[number];
     rtcSetGeometryUserPrimitiveCount(region.geometry, static_cast<unsigned>(region.bricks.size()));
@@ -166,7 +208,29 @@ void OcclusionScene::Scene::commit() {
     region.is_changed = false;
   }
   changed_regions.clear();
-  rtcCommitScene(scene.get());
+  // Embree builds on the threads of the arena that it is called in.
+  tbb::task_arena arena(num_threads_of(num_threads));
+  arena.execute([this] { rtcCommitScene(scene.get()); });
+}
+
+Result<std::size_t> OcclusionScene::Scene::take_changes(const BrickTable& bricks, int num_threads) {
+  const std::vector<std::uint32_t> changed = bricks.changed_since(revision);
+  if (changed.empty()) return std::size_t{0};
+  place_of_position.resize(bricks.size());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    // The bricks lie far apart in memory.
+    constexpr std::size_t kAhead = 16;
+    const std::size_t ahead = std::min(i + kAhead, changed.size() - 1);
+    __builtin_prefetch(&bricks.brick(changed[ahead]).occupied);
+    take(changed[i], bricks.key(changed[i]), bricks.brick(changed[i]));
+  }
+  revision = bricks.revision();
+  commit(num_threads);
+  if (auto built = check(device); !built) {
+    leak_after_failure();
+    return Unexpected(std::move(built).error());
+  }
+  return changed.size();
 }
 
 OcclusionScene::OcclusionScene(std::unique_ptr<Scene> scene) : scene_(std::move(scene)) {}
@@ -176,54 +240,26 @@ OcclusionScene::~OcclusionScene() = default;
 
 Result<OcclusionScene> OcclusionScene::create(std::size_t max_lanes) {
   auto made = std::make_unique<Scene>();
-  made->device.reset(rtcNewDevice("set_affinity=0"));
-  if (!made->device) {
-    return fail(ErrorCode::kUnavailable,
-                "Embree cannot start, error " + std::to_string(rtcGetDeviceError(nullptr)));
-  }
-  made->num_lanes = widest_packet(made->device.get(), max_lanes);
-  if (made->num_lanes == 0) {
-    return fail(ErrorCode::kUnavailable, "this Embree follows no rays together");
-  }
-  made->scene.reset(rtcNewScene(made->device.get()));
-  // A tree over the regions, each of which has its own: the others are not built again with one.
-  rtcSetSceneFlags(made->scene.get(), RTC_SCENE_FLAG_DYNAMIC);
-  rtcSetSceneBuildQuality(made->scene.get(), RTC_BUILD_QUALITY_LOW);
-  rtcCommitScene(made->scene.get());
-  if (auto built = check(made->device); !built) {
-    made->leak_after_failure();
-    return Unexpected(std::move(built).error());
-  }
+  made->max_lanes = max_lanes;
+  HYPERMAP_TRY(made->start());
   return OcclusionScene(std::move(made));
 }
 
-Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree) {
-  const BrickTable& bricks = BrickAccess::bricks(tree);
+Result<std::size_t> OcclusionScene::update(const SemanticOctree& tree, int num_threads) {
   try {
-    const std::vector<std::uint32_t> changed = bricks.changed_since(scene_->revision);
-    if (changed.empty()) return std::size_t{0};
+    if (!scene_->scene) HYPERMAP_TRY(scene_->start());
     scene_->voxels_per_m = 1.0 / tree.resolution_m();
-    scene_->place_of_position.resize(bricks.size());
-    for (std::size_t i = 0; i < changed.size(); ++i) {
-      // The bricks lie far apart in memory.
-      constexpr std::size_t kAhead = 16;
-      const std::size_t ahead = std::min(i + kAhead, changed.size() - 1);
-      __builtin_prefetch(&bricks.brick(changed[ahead]).occupied);
-      scene_->take(changed[i], bricks.key(changed[i]), bricks.brick(changed[i]));
-    }
-    scene_->revision = bricks.revision();
-    scene_->commit();
-    if (auto built = check(scene_->device); !built) {
-      scene_->leak_after_failure();
-      return Unexpected(std::move(built).error());
-    }
-    return changed.size();
+    auto taken = scene_->take_changes(BrickAccess::bricks(tree), num_threads);
+    if (!taken) scene_->forget();
+    return taken;
   } catch (const std::bad_alloc&) {
+    scene_->forget();
     return fail(ErrorCode::kOutOfMemory, "no memory for the occlusion scene");
   }
 }
 
 bool OcclusionScene::occluded(const OcclusionRay& ray) const {
+  if (!scene_->scene) return false;
   RayPacketTracer tracer(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
   return tracer.hidden({&ray, 1}) != 0;
 }
@@ -231,6 +267,7 @@ bool OcclusionScene::occluded(const OcclusionRay& ray) const {
 std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const OcclusionRay> rays,
                                                    int num_threads) const {
   std::vector<std::uint8_t> results(rays.size());
+  if (!scene_->scene) return results;
   const auto trace = [&](std::size_t first, std::size_t last) {
     RayPacketTracer tracer(scene_->scene.get(), scene_->voxels_per_m, scene_->num_lanes);
     for (std::size_t i = first; i < last; i += RayPacketTracer::kMaxRays) {
@@ -244,7 +281,7 @@ std::vector<std::uint8_t> OcclusionScene::occluded(std::span<const OcclusionRay>
     trace(0, rays.size());
     return results;
   }
-  tbb::task_arena arena(std::min(num_threads, tbb::info::default_concurrency()));
+  tbb::task_arena arena(num_threads_of(num_threads));
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, rays.size(), kChunk),

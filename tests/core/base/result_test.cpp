@@ -29,6 +29,10 @@ TEST(Printable, EscapesControlCharactersAndInvalidUtf8) {
 TEST(Printable, EscapesControlCharactersBeyondAscii) {
   // U+009B is the control sequence introducer; U+00A0 is a blank.
   EXPECT_EQ(printable("\xc2\x9b\xc2\xa0"), "\\xc2\\x9b\xc2\xa0");
+  EXPECT_EQ(printable("a\u202Ecod\u202C"), "a\\xe2\\x80\\xaecod\\xe2\\x80\\xac");
+  EXPECT_EQ(printable("\u061C\u2066\u200F\u2028"),
+            "\\xd8\\x9c\\xe2\\x81\\xa6\\xe2\\x80\\x8f\\xe2\\x80\\xa8");
+  EXPECT_EQ(printable("\u2014\u2070\u0622"), "\u2014\u2070\u0622") << "their neighbours";
 }
 
 TEST(Printable, RefusesOverlongFormsAndSurrogates) {

@@ -143,13 +143,28 @@ TEST(PanelPolicy, PanelsBeforeInsideAndAfterTellTheState) {
   EXPECT_EQ(state_by_panels(0.0), Visibility::kOutOfView);
 }
 
+/// A wall at `near_m` whose right half stands at `far_m`.
+RgbdFrame stepped_wall(double near_m, double far_m) {
+  RgbdFrame frame = wall_at(near_m);
+  for (int v = 0; v < 120; ++v) {
+    for (int u = 80; u < 160; ++u) frame.depth_m.at(u, v) = static_cast<float>(far_m);
+  }
+  return frame;
+}
+
 TEST(HullPolicy, WhatLiesInTheSeenAreaIsVisibleEvenIfHidden) {
-  // [hypermap] 3.4.4: the hull of the cloud from above; a wall 3 m away has the object before it.
-  const auto results = evaluate_visibility_by_hull(map_of_one(), wall_at(3.0), 5.0).value();
-  ASSERT_EQ(results.size(), 1U);
-  EXPECT_EQ(results[0].state, Visibility::kVisible);
-  EXPECT_NEAR(results[0].distance_m, std::hypot(2.0, 0.1), 1e-2);
-  EXPECT_TRUE(evaluate_visibility_by_hull(map_of_one(), wall_at(1.0), 5.0)->empty());
+  // [hypermap] 3.4.4: the hull of the cloud from above. The object's centre lies 2 m before the
+  // camera, between the halves of the wall: hidden by the near one, and yet visible.
+  const auto results = evaluate_visibility_by_hull(map_of_one(), stepped_wall(1.0, 4.0), 5.0);
+  ASSERT_EQ(results->size(), 1U);
+  EXPECT_EQ(results->at(0).state, Visibility::kVisible);
+  EXPECT_NEAR(results->at(0).distance_m, std::hypot(2.0, 0.1), 1e-2);
+}
+
+TEST(HullPolicy, TheAreaIsThatOfTheCloudWithoutTheCamera) {
+  EXPECT_TRUE(evaluate_visibility_by_hull(map_of_one(), stepped_wall(2.5, 4.0), 5.0)->empty())
+      << "the object stands between the camera and the cloud";
+  EXPECT_TRUE(evaluate_visibility_by_hull(map_of_one(), stepped_wall(0.5, 1.0), 5.0)->empty());
   EXPECT_EQ(evaluate_visibility_by_hull(map_of_one(), wall_at(0.0), 5.0).error().code,
             ErrorCode::kNotFound);
 }

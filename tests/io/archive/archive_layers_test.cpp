@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -165,6 +166,30 @@ TEST(ArchiveLayers, ALayerOfARegisteredClassIsSavedAndLoaded) {
   EXPECT_TRUE(loaded->value == archive);
   EXPECT_EQ(write_archive(loaded->value).value(), *bytes);
   EXPECT_EQ(query_map(loaded->value, {.layer = "number", .text = "7"})->found.size(), 1U);
+}
+
+/// A layer of a program that throws where it should return an error.
+class ThrowingLayer final : public MapLayer {
+ public:
+  [[nodiscard]] std::string_view class_name() const override { return "ThrowingLayer"; }
+  [[nodiscard]] LayerStatistics statistics() const override { return {}; }
+  [[nodiscard]] Result<std::vector<LayerAnswer>> query(const LayerQuery& /*query*/) const override {
+    return std::vector<LayerAnswer>{};
+  }
+  [[nodiscard]] std::vector<LayerPrimitive> draw() const override { return {}; }
+  [[nodiscard]] bool equals(const MapLayer& other) const override { return this == &other; }
+  [[nodiscard]] Result<void> save(LayerWriter& /*writer*/) const override {
+    throw std::runtime_error("the sensor's table is gone");
+  }
+};
+
+TEST(ArchiveLayers, WhatALayerThrowsIsNotCalledMemory) {
+  MapArchive archive = sample_archive();
+  ASSERT_TRUE(archive.hypermap.add_layer({.info = {.name = "own"}, .content = ThrowingLayer()}));
+  const auto written = write_archive(archive);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(written.error().what, "the archive: the sensor's table is gone");
 }
 
 TEST(ArchiveLayers, AProgramThatDoesNotKnowTheClassKeepsTheLayer) {

@@ -132,6 +132,23 @@ TEST_P(EveryLayout, DetectionsFromOutsideReplaceThoseOfTheFolder) {
   EXPECT_THAT(reader->summary().unpaired, Contains("detections of nowhere.png: no frame"));
 }
 
+TEST_P(EveryLayout, ABoxWhollyOutsideTheImageCostsItselfAlone) {
+  write_text(dir_ / "a.jsonl",
+             "{\"image\": \"" + dataset_.color_of_1 +
+                 "\", \"detections\": ["
+                 "{\"label\": \"chair\", \"score\": 0.9, \"bbox\": [1, 1, 4, 5]}, "
+                 "{\"label\": \"table\", \"score\": 0.9, \"bbox\": [8, 1, 9, 5]}]}\n");
+  const auto reader = opened(dataset_.folder, registry_, {.detections = {dir_ / "a.jsonl"}});
+  ASSERT_NE(reader, nullptr);
+  const auto frame = reader->read(1);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  EXPECT_THAT(frame->detections, SizeIs(1));
+  EXPECT_EQ(reader->summary().num_detections, 1U);
+  ASSERT_THAT(reader->summary().findings, SizeIs(1));
+  EXPECT_THAT(to_string(reader->summary().findings[0].error),
+              HasSubstr("a.jsonl: bbox: 1 box(es) wholly outside the image of 8 x 6 are left out"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Tum, EveryLayout, ::testing::Values(&test::write_tum));
 INSTANTIATE_TEST_SUITE_P(SevenScenes, EveryLayout, ::testing::Values(&test::write_7scenes));
 INSTANTIATE_TEST_SUITE_P(Open3d, EveryLayout, ::testing::Values(&test::write_open3d));

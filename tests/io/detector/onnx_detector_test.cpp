@@ -11,6 +11,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/core/utility.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -183,7 +184,20 @@ INSTANTIATE_TEST_SUITE_P(Kitchen, RecordedOutput, ::testing::Values("7scenes_red
 INSTANTIATE_TEST_SUITE_P(Cabinet, RecordedOutput, ::testing::Values("tum_fr3_cabinet"));
 INSTANTIATE_TEST_SUITE_P(LivingRoom, RecordedOutput, ::testing::Values("icl_nuim_livingroom1"));
 
-TEST(OnnxDetector, TheRealNetworkGivesTheSameNumbersTwice) {
+TEST(OnnxDetector, TakesNoMoreThreadsThanItIsGiven) {
+  const TempDir dir;
+  write_text(dir / "m.onnx", tiny_network({}));
+  ClassRegistry registry;
+  OnnxDetectorOptions options = tiny_options();
+  options.num_threads = 1;
+  ASSERT_TRUE(OnnxDetector::load(dir / "m.onnx", options, registry));
+  EXPECT_EQ(cv::getNumThreads(), 1);
+  options.num_threads = 0;
+  ASSERT_TRUE(OnnxDetector::load(dir / "m.onnx", options, registry));
+  EXPECT_EQ(cv::getNumThreads(), cv::getNumberOfCPUs());
+}
+
+TEST(OnnxDetector, TheRealNetworkGivesTheSameNumbersTwiceAndOnAnyNumberOfThreads) {
   HYPERMAP_REQUIRE_SHARED_DATA("models/yolox_nano/yolox_nano.onnx");
   HYPERMAP_REQUIRE_SHARED_DATA("rgbd/7scenes_redkitchen");
   const auto image =
@@ -194,8 +208,14 @@ TEST(OnnxDetector, TheRealNetworkGivesTheSameNumbersTwice) {
   auto one = OnnxDetector::load(model, {}, registry);
   auto two = OnnxDetector::load(model, {}, registry);
   ASSERT_TRUE(one && two);
-  EXPECT_EQ(one->detect(*image).value(), two->detect(*image).value());
-  EXPECT_EQ(one->detect(*image).value(), two->detect(*image).value());
+  const auto expected = one->detect(*image).value();
+  EXPECT_EQ(two->detect(*image).value(), expected);
+  EXPECT_EQ(one->detect(*image).value(), expected);
+  for (const int num_threads : {1, 2, 3}) {
+    auto some = OnnxDetector::load(model, {.num_threads = num_threads}, registry);
+    ASSERT_TRUE(some);
+    EXPECT_EQ(some->detect(*image).value(), expected) << num_threads;
+  }
 }
 
 }  // namespace

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/mapping_job.hpp"
 
+#include "io/codec/system_faults.hpp"
 #include "support/synthetic_dataset.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <cstddef>
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace hypermap {
 namespace {
@@ -52,6 +57,29 @@ TEST(MappingJob, CorrectedPosesAndGoingOnExcludeEachOther) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(refused.error().field, "append");
+}
+
+TEST(MappingJob, FramesThatTheSystemRefusesToReadAreItsError) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  bool fails = false;
+  const test::SystemFaults faults(
+      [&](std::string_view call, int) { return fails && call == "open" ? EMFILE : 0; });
+  const auto refused =
+      run_mapping({.input = folder.path() / "recorded", .output = folder.path() / "map.hmap"},
+                  [&](std::size_t, std::size_t) { return fails = true; });  // after the first frame
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kIo) << to_string(refused.error());
+  EXPECT_NE(refused.error().what.find("Too many open files"), std::string::npos);
+}
+
+TEST(MappingJob, FramesThatAreNotThereAreTheDatasetsError) {
+  const test::TempDir folder;
+  const auto dataset = test::write_tum(folder.path() / "recorded");
+  std::filesystem::remove(dataset.folder / dataset.depth_of_1);
+  const auto refused = run_mapping({.input = dataset.folder, .output = folder.path() / "map.hmap"});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kLimit) << to_string(refused.error());
 }
 
 }  // namespace

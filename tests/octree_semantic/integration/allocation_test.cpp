@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of a known place take no memory: every allocation of this program is counted.
+// Frames of a known place take no memory, nor do moves: every allocation of this program is
+// counted.
+#include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "octree_semantic/support/labelled_frame.hpp"
 #include "support/sanitized.hpp"
 
@@ -10,6 +13,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #if !HYPERMAP_THREAD_SANITIZER
 namespace {
@@ -87,6 +91,26 @@ TEST_P(Allocations, FramesOfAKnownPlaceTakeNoMemory) {
   }
   // Whichever thread does how much from here on.
   for (int i = 0; i < 20; ++i) EXPECT_EQ(integrate_all(), 0U);
+}
+
+TEST(Allocations, MovesTakeNoMemory) {
+  auto tree = SemanticOctree::create({.resolution_m = 0.05}).value();
+  ASSERT_TRUE(tree.set_leaf({.key = {1, 2, 3}, .log_odds = 847}));
+  ObjectMap objects;
+  FrameIntegrator integrator;
+  auto mapper = SemanticMapper::create({}).value();
+  const std::size_t before = num_allocations();
+  SemanticOctree moved_tree = std::move(tree);
+  const SemanticOctree copy = moved_tree;
+  tree = std::move(moved_tree);
+  ObjectMap moved_objects = std::move(objects);
+  objects = std::move(moved_objects);
+  FrameIntegrator moved_integrator = std::move(integrator);
+  integrator = std::move(moved_integrator);
+  SemanticMapper moved_mapper = std::move(mapper);
+  mapper = std::move(moved_mapper);
+  EXPECT_EQ(num_allocations(), before);
+  EXPECT_EQ(copy.num_leaves().occupied, 1U);
 }
 
 }  // namespace

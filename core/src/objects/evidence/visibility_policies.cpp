@@ -22,10 +22,9 @@ VisibilityResult visibility_result_of(const Object& object, const Eigen::Vector3
   return result;
 }
 
-/// From above, what the frame shows and the camera.
+/// From above, what the frame shows; not the camera.
 std::vector<Eigen::Vector2d> seen_from_above(const RgbdFrame& frame, double max_range_m) {
-  const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
-  std::vector<Eigen::Vector2d> points{camera.head<2>()};
+  std::vector<Eigen::Vector2d> points;
   for (int v = 0; v < frame.depth_m.height_px(); v += kHullStridePx) {
     for (int u = 0; u < frame.depth_m.width_px(); u += kHullStridePx) {
       const auto depth = static_cast<double>(frame.depth_m.at(u, v));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_layers.hpp"
 
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/projection/grids/class_grids.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
@@ -64,19 +65,19 @@ HeightBand band_of(const LayerOptions& options) {
   return {.min_m = options.min_height_m, .max_m = options.max_height_m};
 }
 
-/// `make()`, and memory that ends is its error.
+/// `make()`, and what a library throws is its error.
 template <class Make>
-auto within_memory(const Make& make) -> decltype(make()) try {
+auto guarded(const Make& make) -> decltype(make()) try {
   return make();
-} catch (const std::exception&) {
-  return fail(ErrorCode::kOutOfMemory, "no memory for it");
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "it");
 }
 
 /// The layer is new, or, on an error, not there: one of an earlier map would be of another map.
 Result<void> put_occupancy(MapArchive& archive,
                            const LeafSource& leaves,
                            const LayerOptions& options) {
-  auto grid = within_memory([&] {
+  auto grid = guarded([&] {
     return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
   });
   if (grid) return put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(*grid)));
@@ -88,7 +89,7 @@ Result<void> put_occupancy(MapArchive& archive,
 Result<void> put_footprints(MapArchive& archive,
                             std::span<const ObjectId> confirmed,
                             const ObjectPipelineOptions& options) {
-  auto footprints = within_memory([&] {
+  auto footprints = guarded([&] {
     return project_footprints(
         objects_of(archive.objects, confirmed),
         archive.classes,
@@ -105,7 +106,7 @@ Result<void> put_class_grids(MapArchive& archive,
                              const LayerOptions& options) {
   archive.class_grids.clear();
   HYPERMAP_ASSIGN_OR_RETURN(
-      auto grids, within_memory([&] {
+      auto grids, guarded([&] {
         return project_class_grids(
             leaves, band_of(options), {.min_free_share = options.min_free_share});
       }));

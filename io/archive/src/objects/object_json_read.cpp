@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/json_fields.hpp"
 #include "object_from_json.hpp"
@@ -96,8 +97,8 @@ Result<ObjectMap> parse_objects(std::string_view bytes,
   auto objects = parse(bytes, source.file, limits);
   if (!objects) return tl::make_unexpected(with_source(std::move(objects).error(), source));
   return objects;
-} catch (const std::exception&) {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the objects");
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kMalformedFile, "the objects");
 }
 
 }  // namespace hypermap

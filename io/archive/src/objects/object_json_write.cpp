@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/json_text.hpp"
@@ -161,8 +162,8 @@ Result<std::string> write_objects(const ObjectMap& objects) try {
                   "object " + std::to_string(object.id.value));
   }
   return text;
-} catch (const std::exception&) {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the objects");
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the objects");
 }
 
 }  // namespace hypermap

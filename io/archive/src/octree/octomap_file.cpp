@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/octomap_file.hpp"
 
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "octomap_header.hpp"
 #include "octomap_nodes_reader.hpp"
@@ -100,8 +101,10 @@ std::string with_header(const OctomapTree& tree, const OctomapNodeBytes& nodes, 
          nodes.bytes;
 }
 
-Unexpected no_memory_for_tree() {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the tree", "octree");
+Unexpected thrown(const std::exception& exception, ErrorCode otherwise) {
+  Unexpected error = caught(exception, otherwise, "the tree");
+  error.value().field = "octree";
+  return error;
 }
 
 }  // namespace
@@ -114,8 +117,8 @@ Result<Loaded<OctomapTree>> parse_octomap(std::string_view bytes,
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), source);
   return loaded;
-} catch (const std::exception&) {
-  return no_memory_for_tree();
+} catch (const std::exception& exception) {
+  return thrown(exception, ErrorCode::kMalformedFile);
 }
 
 Result<Loaded<OctomapTree>> read_octomap(const std::filesystem::path& path,
@@ -127,8 +130,8 @@ Result<Loaded<OctomapTree>> read_octomap(const std::filesystem::path& path,
 Result<std::string> write_octomap(const OctomapTree& tree) try {
   HYPERMAP_TRY(validate(tree));
   return with_header(tree, write_full_nodes(tree), false);
-} catch (const std::exception&) {
-  return no_memory_for_tree();
+} catch (const std::exception& exception) {
+  return thrown(exception, ErrorCode::kInvalidArgument);
 }
 
 Result<std::string> write_octomap_binary(const OctomapTree& tree) try {
@@ -139,8 +142,8 @@ Result<std::string> write_octomap_binary(const OctomapTree& tree) try {
   if (!plain.leaves.empty() && plain.leaves.front().depth == 0)
     return fail(ErrorCode::kInvalidArgument, "a tree of one leaf has no .bt form", "octree");
   return with_header(plain, write_binary_nodes(plain), true);
-} catch (const std::exception&) {
-  return no_memory_for_tree();
+} catch (const std::exception& exception) {
+  return thrown(exception, ErrorCode::kInvalidArgument);
 }
 
 }  // namespace hypermap

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deflate.hpp"
 
+#include "hypermap/core/base/caught.hpp"
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -114,16 +116,16 @@ Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes)
 Result<std::string> pack(std::string_view content, Packing packing) {
   try {
     return try_pack(content, packing);
-  } catch (const std::exception&) {
-    return no_memory();
+  } catch (const std::exception& exception) {
+    return caught(exception, ErrorCode::kInvalidArgument, "deflated bytes");
   }
 }
 
 Result<std::string> unpack(std::string_view packed, std::uint64_t num_bytes) {
   try {
     return try_unpack(packed, num_bytes);
-  } catch (const std::exception&) {
-    return no_memory();
+  } catch (const std::exception& exception) {
+    return caught(exception, ErrorCode::kMalformedFile, "inflated bytes");
   }
 }
 

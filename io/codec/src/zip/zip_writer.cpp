@@ -2,6 +2,7 @@
 #include "hypermap/io/codec/zip_writer.hpp"
 
 #include "deflate.hpp"
+#include "hypermap/core/base/caught.hpp"
 #include "zip_directory.hpp"
 #include "zip_format.hpp"
 #include "zip_names.hpp"
@@ -83,10 +84,6 @@ Result<std::optional<std::string>> pack_member(ZipMember member,
   return std::optional<std::string>(std::move(packed));
 }
 
-Unexpected no_memory_for_archive() {
-  return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
-}
-
 }  // namespace
 
 Result<void> ZipWriter::add(std::string_view name, std::string_view content) try {
@@ -117,8 +114,8 @@ Result<void> ZipWriter::add(std::string_view name, std::string_view content) try
   archive_ += data;
   members_.push_back(std::move(member));
   return {};
-} catch (const std::exception&) {
-  return no_memory_for_archive();
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the archive");
 }
 
 Result<std::string> ZipWriter::finish() try {
@@ -135,8 +132,8 @@ Result<std::string> ZipWriter::finish() try {
                 "archive of " + std::to_string(archive.size()) + " bytes, the limit is " +
                     std::to_string(limits_.max_archive_bytes));
   return archive;
-} catch (const std::exception&) {
-  return no_memory_for_archive();
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the archive");
 }
 
 }  // namespace hypermap

@@ -55,7 +55,8 @@ enum class AssociationPolicy {
   /// [hypermap] 3.4.5: same class and Jaccard index of the shapes above a threshold; several
   /// matches are combined.
   kOverlap,
-  /// [hypermap] 3.4.5: same class and centroid within a square; several matches are combined.
+  /// [hypermap] 3.4.5: same class and bounds that meet a square around the observation's centroid,
+  /// from above; several matches are combined.
   kRadius,
   /// [smap] 3.5.4: same label, in the active cone, nearer than o_e o_t; the nearest.
   kSmap,

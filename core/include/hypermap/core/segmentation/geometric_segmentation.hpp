@@ -156,7 +156,7 @@ using MayBegin = std::function<bool()>;
 /// `frame.detections`; the same result with any number of threads. With one, on the caller's.
 ///
 /// They are begun in the order of their scores, the highest first, equal ones as they stand; where
-/// `may_begin` says no, this one and all that follow have the error kLimit.
+/// `may_begin` says no, this one and all that follow have the error kInterrupted.
 /// Requires: threads >= 1.
 [[nodiscard]] std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
                                                        std::span<const Detection> detections,

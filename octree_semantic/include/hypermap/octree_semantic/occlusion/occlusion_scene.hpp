@@ -45,8 +45,8 @@ class OcclusionScene {
   /// Brings the scene up to the tree's present state. Only bricks that changed since the last call
   /// are copied, only the regions that they lie in built again. Returns how many bricks.
   /// Requires: always the same tree (or a later state of it); another one wants another scene.
-  /// Errors: kOutOfMemory.
-  [[nodiscard]] Result<std::size_t> update(const SemanticOctree& tree);
+  /// Errors: kOutOfMemory, kUnavailable. The scene is empty then, and the next call fills it anew.
+  [[nodiscard]] Result<std::size_t> update(const SemanticOctree& tree, int num_threads = 1);
 
   /// Whether an occupied voxel lies on the way from `from` to `to` less the margin.
   ///

@@ -38,7 +38,8 @@ struct OctomapExtension {
   friend bool operator==(const OctomapExtension&, const OctomapExtension&) = default;
 };
 
-/// A grid of how much of a cell objects of one class cover, in per cent; -1 where nothing is known.
+/// Where objects of one class are: 100 where one is, 0 where the space is free or holds other
+/// objects, -1 where nothing is known.
 struct ClassGrid {
   std::string class_name;
   std::string frame_id = "map";

@@ -28,6 +28,9 @@ struct OnnxDetectorOptions {
   int input_side_px = 416;    ///< The image is fitted into this square. A multiple of 32, 32..2048
   std::size_t max_detections = 1000;  ///< The best of an image are kept. Range: 1 .. 1000
   DetectorId detector{0};             ///< Written into the detections.
+  /// 0: one for each core. Range: 0 .. 256. OpenCV has one such number for the whole process, and
+  /// it is that of the detector loaded last.
+  int num_threads = 0;
   /// What the network's class outputs mean, in order. Empty: `coco_class_names()`.
   std::vector<std::string> class_names = {};
 };
@@ -55,7 +58,8 @@ class OnnxDetector {
   ///
   /// Errors: kInvalidArgument for an empty image; kMalformedFile when the network fails on it or
   /// gives numbers that are not finite. Cost: about 45 ms for YOLOX-nano on one core.
-  /// Threads: not safe to call concurrently on one detector. Same image, same bytes.
+  /// Threads: not safe to call concurrently on one detector. Same image, same bytes, at any
+  /// number of threads.
   [[nodiscard]] Result<std::vector<Detection>> detect(const ColorImage& image);
 
   /// Ids of the classes in the network's order.
