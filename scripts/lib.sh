@@ -55,18 +55,24 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build PRESET [TARGET...]: configures and builds.
-build() {
-  local preset=$1 log
-  shift
+# configure PRESET: quiet unless it fails.
+configure() {
+  local log
   log=$(mktemp)
-  say "configuring $preset"
-  (cd "$root" && cmake --preset "$preset" >"$log" 2>&1) || {
+  say "configuring $1"
+  (cd "$root" && cmake --preset "$1" >"$log" 2>&1) || {
     cat "$log"
     rm -f "$log"
     return 1
   }
   rm -f "$log"
+}
+
+# build PRESET [TARGET...]: configures and builds.
+build() {
+  local preset=$1
+  shift
+  configure "$preset"
   say "building $preset with $jobs jobs"
   local targets=()
   if [ $# -gt 0 ]; then targets=(--target "$@"); fi

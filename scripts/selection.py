@@ -1,0 +1,25 @@
+"""Which files a run of scripts/verify looks at: those changed since the commit named in scripts/lint-base, and a third
+of the rest that changes with each commit, so that three commits see everything."""
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+
+def git(*arguments):
+    done = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
+    return done.stdout.split() if done.returncode == 0 else None
+
+
+def changed_files():
+    """Relative paths, new ones too; None when the base is unknown here."""
+    base = (ROOT / "scripts" / "lint-base").read_text().split()[0]
+    changed = git("diff", "--name-only", base)
+    new = git("ls-files", "--others", "--exclude-standard")
+    return None if changed is None or new is None else set(changed + new)
+
+
+def third(names):
+    """Every third of the names in their order, beginning at the number of commits."""
+    count = int((git("rev-list", "--count", "HEAD") or ["0"])[0])
+    return {name for index, name in enumerate(sorted(names)) if index % 3 == count % 3}
