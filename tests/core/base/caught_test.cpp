@@ -19,7 +19,7 @@ TEST(Caught, OnlyMemoryIsCalledMemory) {
   EXPECT_EQ(error_of(std::bad_array_new_length()).code, ErrorCode::kOutOfMemory);
   EXPECT_EQ(error_of(std::length_error("basic_string::_M_create")).code, ErrorCode::kOutOfMemory);
   EXPECT_EQ(error_of(std::runtime_error("a\nb")).code, ErrorCode::kMalformedFile);
-  EXPECT_EQ(error_of(std::runtime_error("a\nb")).what, "the map: a\\nb");
+  EXPECT_EQ(error_of(std::runtime_error("a\nb")).what, "the map: a\\x0ab");
   EXPECT_EQ(error_of(std::out_of_range("at")).code, ErrorCode::kMalformedFile);
 }
 
