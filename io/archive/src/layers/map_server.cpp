@@ -118,11 +118,13 @@ GridGeometry geometry_of(const DecodedImage& image, const MapMetadata& metadata)
 
 Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
                                               const MapMetadata& metadata,
-                                              MapDialect dialect) {
+                                              MapDialect dialect,
+                                              const LoadBudget& budget) {
   const GridGeometry geometry = geometry_of(image, metadata);
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid, OccupancyGrid::create(geometry));
   const auto cell_of = dialect == MapDialect::kHypermap ? hypermap_cell : map_server_cell;
   for (int row = 0; row < geometry.rows; ++row) {
+    HYPERMAP_TRY(budget.check_stop());
     const auto top_row = static_cast<std::size_t>(geometry.rows - 1 - row);
     for (int col = 0; col < geometry.cols; ++col) {
       const std::size_t pixel =

@@ -8,6 +8,7 @@
 /// Source: OctoMap 1.9, AbstractOcTree.h and OccupancyOcTreeBase.hxx (layout of the two formats).
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/codec/source_name.hpp"
@@ -32,12 +33,14 @@ struct OctomapLimits {
 /// saved before its inner nodes were brought up to date), which are computed anew.
 /// Errors: kMalformedFile naming header field or node (counted from 0 in file order): cut, longer
 /// than the tree, deeper than 16, size or resolution that are wrong or absurd, log-odds that are
-/// not finite or beyond +-32.767; kUnsupported for other types of trees; kLimit; kOutOfMemory.
+/// not finite or beyond +-32.767; kUnsupported for other types of trees; kLimit; kOutOfMemory;
+/// those of LoadBudget::draw_octree_nodes.
 /// Cost: linear; memory 16 bytes a leaf (plus colour or label), nothing is taken on the word of the
-/// header.
+/// header. The nodes that it says are drawn from `budget` first.
 [[nodiscard]] Result<Loaded<OctomapTree>> parse_octomap(std::string_view bytes,
                                                         const SourceName& source,
-                                                        const OctomapLimits& limits = {});
+                                                        const OctomapLimits& limits = {},
+                                                        const LoadBudget& budget = {});
 /// A file on disk. Errors: those of parse_octomap and kIo.
 [[nodiscard]] Result<Loaded<OctomapTree>> read_octomap(const std::filesystem::path& path,
                                                        const OctomapLimits& limits = {});
