@@ -103,8 +103,8 @@ struct ArchiveLimits {
                                                        const StopCheck& stop = {});
 
 /// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
-/// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse; whether it
-/// is within `limits.sums` is only known by reading, which `save_archive` does to verify.
+/// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse; whether
+/// it is within `limits.sums` is only known by reading, which `save_archive` does to verify.
 [[nodiscard]] Result<std::string> write_archive(const MapArchive& archive,
                                                 const ArchiveLimits& limits = {});
 
