@@ -22,6 +22,18 @@ TEST(PolygonBudget, TheSearchForHolesIsDrawn) {
   EXPECT_TRUE(make_polygon(outer, {}, LoadBudget({.max_edge_tests = 0})));
 }
 
+TEST(PolygonBudget, TheSearchForRingsThatTouchIsDrawn) {
+  const Ring outer{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const std::vector<Ring> holes{{{0, 0}, {1, 3}, {3, 1}}};
+  // 21 pairs of seven edges, then the hole against one box and the four edges of the outer ring.
+  EXPECT_TRUE(make_polygon(outer, holes, LoadBudget({.max_edge_tests = 26})));
+  for (const std::uint64_t limit : {25U, 20U, 0U}) {
+    const auto refused = make_polygon(outer, holes, LoadBudget({.max_edge_tests = limit}));
+    ASSERT_FALSE(refused) << limit;
+    EXPECT_EQ(refused.error().code, ErrorCode::kLimit);
+  }
+}
+
 TEST(PolygonBudget, PairsOfEdgesAndCrossingsAreDrawn) {
   // A pentagram has 10 pairs of edges and 5 crossings of 500 tests each.
   Ring star;

@@ -201,7 +201,7 @@ TEST(ArchiveBudget, ASemanticLayerByItselfHasABudgetOfItsOwn) {
 
 TEST(ArchiveBudget, DefaultsAdmitWhatTheLimitsOfSingleThingsAdmit) {
   const BudgetLimits sums;
-  EXPECT_GE(sums.max_pixels, 2 * ImageLimits().max_pixels);
+  EXPECT_GE(sums.max_pixels, 5 * ImageLimits().max_pixels);
   // 449 * 222 = 99,678 crossings of the 100,000 that one ring may have.
   EXPECT_TRUE(read_wkt(star_text(449, 223), {}, LoadBudget(sums)));
   // A node of our own octree has 25 bytes.

@@ -15,18 +15,21 @@
 
 namespace hypermap {
 
-/// Sums over everything that one load reads. A single image, shape or octree at its own limit
-/// passes.
+/// Sums over everything that one load reads. A single image or octree at its own limit passes.
+///
+/// Measured: of each default, 22 archives of two programs use at most a sixth (see the numbers).
 struct BudgetLimits {
-  /// Of all images, decoded; a grid keeps a byte for each. Default: twice the largest image.
-  std::uint64_t max_pixels = std::uint64_t{1} << 29U;
+  /// Of all images, decoded; a grid keeps a byte for each. Default: what a map can derive, one
+  /// grid of 2^28 cells and class grids of 2^30. Used: 16 million.
+  std::uint64_t max_pixels = std::uint64_t{5} << 28U;
   /// Pairs of edges, or of an edge and a point, that are held against each other because a shape
-  /// crosses itself, has holes or has parts; a crossing counts as 500. A second or two.
-  std::uint64_t max_edge_tests = std::uint64_t{1} << 28U;
-  /// Of members that are kept as they are because nothing here reads them.
+  /// crosses itself, touches itself, has holes or has parts; a crossing counts as 500.
+  /// Default: about a second. Used: 1 million.
+  std::uint64_t max_edge_tests = std::uint64_t{1} << 27U;
+  /// Of members that are kept as they are because nothing here reads them. Used: none.
   std::uint64_t max_opaque_bytes = std::uint64_t{1} << 28U;
   /// Of all octrees, inner nodes included; a leaf takes 16 bytes. Default: more than 2 GiB of our
-  /// own octree hold.
+  /// own octree hold. Used: 1 million.
   std::uint64_t max_octree_nodes = std::uint64_t{1} << 27U;
 };
 
