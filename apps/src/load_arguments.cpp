@@ -3,12 +3,17 @@
 
 #include "interruption.hpp"
 
+#include <CLI/Validators.hpp>
+
 namespace hypermap::app {
 
 void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
   const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {
-    command.add_option(flag, limit, what)->capture_default_str()->group("Limits of what is read");
+    command.add_option(flag, limit, what)
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str()
+        ->group("Limits of what is read");
   };
   add("--max-pixels", sums.max_pixels, "of all images of an archive");
   add("--max-edge-tests", sums.max_edge_tests, "of edges, for shapes that cross themselves");

@@ -64,8 +64,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
                             .against = std::nullopt};
   HYPERMAP_TRY(check_classes(outcome.report, job.options));
   if (job.against) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other,
-                              load_in_frame(*job.against, job, truth.frame_id));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
     HYPERMAP_ASSIGN_OR_RETURN(outcome.against,
                               compare(outcome.report, evaluate(other, truth.objects, job.options)));
   }
