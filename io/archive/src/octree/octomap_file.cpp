@@ -76,6 +76,7 @@ Result<Loaded<OctomapTree>> parse(std::string_view bytes,
                 std::to_string(bytes.size()) + " bytes, the limit is " +
                     std::to_string(limits.max_file_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(OctomapHeader header, parse_octomap_header(bytes));
+  HYPERMAP_TRY(check_octomap_checksum(bytes, header));
   HYPERMAP_TRY(check_extension(source, header.binary));
   HYPERMAP_ASSIGN_OR_RETURN(const OctomapKind kind, kind_of(header.id));
   if (header.num_nodes > limits.max_nodes)
@@ -95,12 +96,12 @@ Result<Loaded<OctomapTree>> parse(std::string_view bytes,
 }
 
 std::string with_header(const OctomapTree& tree, const OctomapNodeBytes& nodes, bool binary) {
-  return write_octomap_header({.binary = binary,
-                               .id = std::string(id_of(tree.kind)),
-                               .num_nodes = nodes.num_nodes,
-                               .resolution_m = tree.resolution_m,
-                               .findings = {}}) +
-         nodes.bytes;
+  return write_octomap_file({.binary = binary,
+                             .id = std::string(id_of(tree.kind)),
+                             .num_nodes = nodes.num_nodes,
+                             .resolution_m = tree.resolution_m,
+                             .findings = {}},
+                            nodes.bytes);
 }
 
 Unexpected no_memory_for_tree() {

@@ -147,14 +147,4 @@ Result<std::string> unpack_start(std::string_view packed, std::size_t max_bytes)
   return content;
 }
 
-std::uint32_t crc32_of(std::string_view content) {
-  uLong crc = crc32(0, nullptr, 0);
-  while (!content.empty()) {
-    const uInt part = part_of(content.size());
-    crc = crc32(crc, input_of(content), part);
-    content.remove_prefix(part);
-  }
-  return static_cast<std::uint32_t>(crc);
-}
-
 }  // namespace hypermap

@@ -29,6 +29,4 @@ enum class Packing : std::uint8_t { kBest, kHuffmanOnly };
 /// Errors: kMalformedFile, kOutOfMemory.
 [[nodiscard]] Result<std::string> unpack_start(std::string_view packed, std::size_t max_bytes);
 
-[[nodiscard]] std::uint32_t crc32_of(std::string_view content);
-
 }  // namespace hypermap

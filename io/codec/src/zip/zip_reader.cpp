@@ -2,6 +2,7 @@
 #include "hypermap/io/codec/zip_reader.hpp"
 
 #include "deflate.hpp"
+#include "hypermap/io/codec/checksum.hpp"
 #include "zip_directory.hpp"
 
 #include <algorithm>

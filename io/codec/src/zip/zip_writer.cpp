@@ -2,6 +2,7 @@
 #include "hypermap/io/codec/zip_writer.hpp"
 
 #include "deflate.hpp"
+#include "hypermap/io/codec/checksum.hpp"
 #include "zip_directory.hpp"
 #include "zip_format.hpp"
 #include "zip_names.hpp"
