@@ -69,6 +69,7 @@ struct MapMetadata {
                                                             const LoadBudget& budget = {});
 
 /// A map on disk; the image is looked for beside the YAML file.
+/// Findings: also an image whose name says that it is another (hashed_image_name).
 /// Errors: those above, of read_image_file, and kIo. Nothing is half loaded.
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
                                                       MapDialect dialect = MapDialect::kMapServer);
