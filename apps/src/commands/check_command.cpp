@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "hypermap/io/check/file_check.hpp"
 #include "interruption.hpp"
+#include "load_arguments.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -17,6 +18,7 @@ struct CheckArguments {
   std::optional<std::string> kind;
   std::optional<std::string> size;
   bool strict = false;
+  LoadArguments load;
 };
 
 /// "32x24". Errors: kInvalidArgument.
@@ -62,9 +64,12 @@ void add_check_command(CLI::App& program, Action& action) {
       ->check(CLI::IsMember(kinds));
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT that images must have");
   command.add_flag("--strict", arguments->strict, "findings are errors");
+  arguments->load.add_to(command);
   command.callback([arguments, &action] {
     FileCheckOptions options;
     options.strict = arguments->strict;
+    options.limits = arguments->load.limits;
+    options.stop = stop_when_interrupted();
     if (arguments->kind) options.as = file_kind(*arguments->kind).value();
     if (arguments->size) {
       const auto size = parse_size(*arguments->size);

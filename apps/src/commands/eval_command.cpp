@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 #include "hypermap/io/jobs/evaluation_job.hpp"
+#include "load_arguments.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,12 +25,15 @@ struct EvalArguments {
   std::string layer = "semantic";
   std::vector<std::string> classes;
   bool json = false;
+  LoadArguments load;
 };
 
 EvaluationJob job_of(const EvalArguments& arguments) {
   EvaluationJob job{.map = arguments.map, .truth = arguments.truth, .layer = arguments.layer};
   if (arguments.against) job.against = *arguments.against;
   job.options.classes = arguments.classes;
+  job.limits = arguments.load.limits;
+  job.stop = stop_when_interrupted();
   return job;
 }
 
@@ -132,6 +136,7 @@ void add_eval_command(CLI::App& program, Action& action) {
   command.add_option("--classes", arguments->classes, "only these, separated by commas")
       ->delimiter(',');
   command.add_flag("--json", arguments->json, "one JSON document");
+  arguments->load.add_to(command);
   command.callback([arguments, &action] {
     action = [arguments] {
       auto outcome = run_evaluation(job_of(*arguments));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
+#include "load_arguments.hpp"
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
@@ -15,10 +16,13 @@ struct ExportArguments {
   std::string file;
   std::string format;
   ExportRequest request;
+  LoadArguments load;
 };
 
 Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto loaded,
+      load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
   auto written = export_map(loaded.value, arguments.request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   return written;
@@ -47,6 +51,7 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_option("--class", arguments->request.classes, "only this class; may be repeated");
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
+  arguments->load.add_to(command);
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));

@@ -3,6 +3,7 @@
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
+#include "load_arguments.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ using Json = nlohmann::ordered_json;
 struct InfoArguments {
   std::string file;
   bool json = false;
+  LoadArguments load;
 };
 
 std::string size_text(const LayerSummary& layer) {
@@ -138,7 +140,8 @@ ExitCode report_all(const std::vector<Finding>& findings) {
 }
 
 ExitCode run(const InfoArguments& arguments) {
-  const auto described = describe_file(arguments.file);
+  const auto described =
+      describe_file(arguments.file, arguments.load.limits, stop_when_interrupted());
   if (!described) return report(described.error());
   const auto show = [&](const auto& info) {
     if (arguments.json) {
@@ -159,6 +162,7 @@ void add_info_command(CLI::App& program, Action& action) {
       *program.add_subcommand("info", "What is in an archive, octree, map_server YAML or dataset");
   command.add_option("file", arguments->file, "file, or folder of a dataset")->required();
   command.add_flag("--json", arguments->json, "one JSON document");
+  arguments->load.add_to(command);
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -3,6 +3,7 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
+#include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -31,12 +32,15 @@ struct MapArguments {
   std::optional<std::string> max_range_m;
   std::optional<std::string> stats;
   int num_threads = 0;
+  LoadArguments load;
 };
 
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
   job.input = arguments.dataset.input;
+  job.limits = arguments.load.limits;
+  job.stop = stop_when_interrupted();
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
@@ -162,6 +166,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   command.add_option("--stats", arguments.stats, "JSON file for counts and times");
+  arguments.load.add_to(command);
 }
 
 void keep_outputs_apart(const MapArguments& arguments) {

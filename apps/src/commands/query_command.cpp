@@ -3,6 +3,7 @@
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
+#include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "tables.hpp"
 
@@ -31,6 +32,7 @@ struct QueryArguments {
   std::optional<std::string> nearest;
   std::string frame;
   bool json = false;
+  LoadArguments load;
 };
 
 /// The arguments as the library takes them.
@@ -158,7 +160,8 @@ void print_hint(const MapArchive& archive, const std::string& text) {
 }
 
 ExitCode run(const QueryRequest& request) {
-  const auto loaded = load_archive(request.arguments.file);
+  const auto loaded = load_archive(
+      request.arguments.file, request.arguments.load.limits, {}, stop_when_interrupted());
   if (!loaded) return report(loaded.error());
   auto answers = run_query(loaded->value, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
@@ -186,6 +189,7 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--json", arguments->json, "one JSON document");
+  arguments->load.add_to(command);
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

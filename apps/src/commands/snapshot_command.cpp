@@ -6,6 +6,7 @@
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/viewer_offscreen/snapshot/map_scene.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
+#include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "outputs.hpp"
 
@@ -28,6 +29,7 @@ struct SnapshotArguments {
   std::optional<std::string> layers;
   std::optional<std::string> title;
   std::optional<double> cut_above_m;
+  LoadArguments load;
 };
 
 Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
@@ -47,7 +49,9 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
 /// Writes the image; gives what of the map it leaves out.
 Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
                                      const SnapshotOptions& options) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto loaded,
+      load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
   const MapArchive& archive = loaded.value;
   SnapshotScene scene = map_scene(archive.hypermap,
                                   archive.classes,
@@ -78,6 +82,7 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command
       .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")
       ->check(number_in(-10000.0, 10000.0));
+  arguments->load.add_to(command);
   command.callback([arguments, &action] {
     keep_apart("--output", arguments->output, {arguments->file});
     auto options = options_of(*arguments);

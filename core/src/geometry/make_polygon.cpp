@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/geometry/polygon_budget.hpp"
 #include "ring_check.hpp"
 #include "ring_sweep.hpp"
 #include "touching_rings.hpp"
@@ -31,27 +31,34 @@ struct RingArea {
   Rect box;
 
   explicit RingArea(const Ring& ring) : area{ring, {}}, box(bounds(area)) {}
-  [[nodiscard]] bool holds(const Eigen::Vector2d& point) const {
+  [[nodiscard]] Result<bool> holds(const Eigen::Vector2d& point, const LoadBudget& budget) const {
     const bool may =
         (point.array() >= box.min.array()).all() && (point.array() <= box.max.array()).all();
-    return may && contains(area, point);
+    if (!may) return false;
+    HYPERMAP_TRY(budget.draw_edge_tests(area.outer.size()));
+    return contains(area, point);
   }
 };
 
 /// No two rings cross, so one point of a hole decides for all of it. Those that touch have each
 /// other on the right side.
-Result<void> check_holes(const Polygon& polygon, const RingPairs& touching) {
+Result<void> check_holes(const Polygon& polygon,
+                         const RingPairs& touching,
+                         const LoadBudget& budget) {
   const RingArea outer(polygon.outer);
   const std::vector<RingArea> holes(polygon.holes.begin(), polygon.holes.end());
   for (std::size_t i = 0; i < holes.size(); ++i) {
     const Eigen::Vector2d& point = polygon.holes[i].front();
-    if (!touching.contains({0, i + 1}) && !outer.holds(point)) {
+    HYPERMAP_TRY(budget.draw_edge_tests(holes.size()));
+    HYPERMAP_ASSIGN_OR_RETURN(const bool is_within, outer.holds(point, budget));
+    if (!is_within && !touching.contains({0, i + 1})) {
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies outside the outer ring");
     }
     for (std::size_t k = 0; k < holes.size(); ++k) {
-      const bool touches = touching.contains(std::minmax(i + 1, k + 1));
-      if (k == i || touches || !holes[k].holds(point)) continue;
+      if (k == i || touching.contains(std::minmax(i + 1, k + 1))) continue;
+      HYPERMAP_ASSIGN_OR_RETURN(const bool is_nested, holes[k].holds(point, budget));
+      if (!is_nested) continue;
       return fail(ErrorCode::kInvalidArgument,
                   "hole " + std::to_string(i + 1) + " lies inside hole " + std::to_string(k + 1));
     }
@@ -75,11 +82,14 @@ void orient(Ring& ring, bool counter_clockwise) {
 }
 
 /// The pairs of rings that touch in common corners. Errors: they meet in another way.
-Result<RingPairs> check_intersections(const std::vector<Ring>& rings) {
+Result<RingPairs> check_intersections(const std::vector<Ring>& rings, const LoadBudget& budget) {
   const auto place = first_intersection(rings);
   if (!place) return RingPairs{};
   const bool is_one = rings.size() == 1;
-  if (auto touching = is_one ? std::nullopt : touching_pairs(rings)) return *touching;
+  if (!is_one) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto touching, touching_pairs(rings, budget));
+    if (touching) return *std::move(touching);
+  }
   return fail(
       ErrorCode::kInvalidArgument,
       std::string(is_one ? "the ring crosses or touches itself" : "the rings cross or touch") +
@@ -88,7 +98,7 @@ Result<RingPairs> check_intersections(const std::vector<Ring>& rings) {
 
 }  // namespace
 
-Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
+Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes, const LoadBudget& budget) {
   HYPERMAP_TRY(check_limits(outer, holes));
   std::vector<Ring> rings;
   HYPERMAP_ASSIGN_OR_RETURN(Ring first, checked_ring(std::move(outer), "ring 1"));
@@ -100,15 +110,19 @@ Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
   }
   orient(rings.front(), true);
   for (std::size_t i = 1; i < rings.size(); ++i) orient(rings[i], false);
-  HYPERMAP_ASSIGN_OR_RETURN(const RingPairs touching, check_intersections(rings));
+  HYPERMAP_ASSIGN_OR_RETURN(const RingPairs touching, check_intersections(rings, budget));
   if (signed_area_m2(rings.front()) <= 0.0) {
     return fail(ErrorCode::kInvalidArgument, "ring 1 has no area");
   }
   Polygon polygon{std::move(rings.front()), {}};
   polygon.holes.assign(std::make_move_iterator(rings.begin() + 1),
                        std::make_move_iterator(rings.end()));
-  HYPERMAP_TRY(check_holes(polygon, touching));
+  HYPERMAP_TRY(check_holes(polygon, touching, budget));
   return polygon;
+}
+
+Result<Polygon> make_polygon(Ring outer, std::vector<Ring> holes) {
+  return make_polygon(std::move(outer), std::move(holes), LoadBudget());
 }
 
 }  // namespace hypermap

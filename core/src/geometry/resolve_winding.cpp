@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/geometry/polygon_budget.hpp"
 #include "ring_arrangement.hpp"
 #include "ring_check.hpp"
 #include "ring_sweep.hpp"
@@ -79,13 +79,16 @@ std::vector<Ring> simple_rings(const RingArrangement& plane, std::span<const std
   return rings;
 }
 
-bool holds(const Polygon& outer, const Ring& ring) {
-  return std::all_of(
-      ring.begin(), ring.end(), [&](const Eigen::Vector2d& p) { return contains(outer, p); });
+Result<bool> holds(const Polygon& outer, const Ring& ring, const LoadBudget& budget) {
+  for (const Eigen::Vector2d& point : ring) {
+    HYPERMAP_TRY(budget.draw_edge_tests(outer.outer.size()));
+    if (!contains(outer, point)) return false;
+  }
+  return true;
 }
 
 /// Outer rings become polygons, each hole goes to the smallest polygon around it.
-std::vector<Polygon> assemble(const std::vector<Ring>& rings) {
+Result<std::vector<Polygon>> assemble(const std::vector<Ring>& rings, const LoadBudget& budget) {
   std::vector<Polygon> parts;
   for (const Ring& ring : rings) {
     if (ring.size() >= 3 && signed_area_m2(ring) > 0.0) parts.push_back({ring, {}});
@@ -95,8 +98,11 @@ std::vector<Polygon> assemble(const std::vector<Ring>& rings) {
     if (ring.size() < 3 || signed_area_m2(ring) >= 0.0) continue;
     Polygon* owner = nullptr;
     for (std::size_t i = 0; i < solid.size(); ++i) {
+      HYPERMAP_TRY(budget.draw_edge_tests(solid[i].outer.size()));
       const bool is_nearer = owner == nullptr || area_m2(solid[i]) < area_m2({owner->outer, {}});
-      if (is_nearer && holds(solid[i], ring)) owner = &parts[i];
+      if (!is_nearer) continue;
+      HYPERMAP_ASSIGN_OR_RETURN(const bool is_around, holds(solid[i], ring, budget));
+      if (is_around) owner = &parts[i];
     }
     if (owner != nullptr) owner->holes.push_back(ring);
   }
@@ -120,7 +126,7 @@ void sort_by_place(std::vector<Polygon>& parts) {
 
 }  // namespace
 
-Result<WindingFill> resolve_winding(Ring ring) {
+Result<WindingFill> resolve_winding(Ring ring, const LoadBudget& budget) {
   if (ring.size() > kMaxPolygonPoints) {
     return fail(ErrorCode::kLimit,
                 "has " + std::to_string(ring.size()) + " points, the limit is " +
@@ -129,7 +135,7 @@ Result<WindingFill> resolve_winding(Ring ring) {
   HYPERMAP_ASSIGN_OR_RETURN(auto spike_free, without_spikes(std::move(ring)));
   Ring& clean = spike_free.ring;
   if (!first_intersection(std::span(&clean, 1))) {
-    HYPERMAP_ASSIGN_OR_RETURN(Polygon simple, make_polygon(std::move(clean)));
+    HYPERMAP_ASSIGN_OR_RETURN(Polygon simple, make_polygon(std::move(clean), {}, budget));
     return WindingFill{{std::move(simple)}, spike_free.had_spikes};
   }
   if (clean.size() > kMaxCrossingPoints) {
@@ -137,7 +143,7 @@ Result<WindingFill> resolve_winding(Ring ring) {
                 "the ring crosses itself and has " + std::to_string(clean.size()) +
                     " points, the limit for such rings is " + std::to_string(kMaxCrossingPoints));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const RingArrangement plane, RingArrangement::create(clean));
+  HYPERMAP_ASSIGN_OR_RETURN(const RingArrangement plane, RingArrangement::create(clean, budget));
   HYPERMAP_TRY(check_signs(plane));
   std::vector<bool> is_boundary = boundary_of(plane);
   std::vector<Ring> rings;
@@ -147,10 +153,14 @@ Result<WindingFill> resolve_winding(Ring ring) {
       rings.push_back(std::move(part));
     }
   }
-  std::vector<Polygon> parts = assemble(rings);
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<Polygon> parts, assemble(rings, budget));
   if (parts.empty()) return fail(ErrorCode::kInvalidArgument, "the ring has no area");
   sort_by_place(parts);
   return WindingFill{std::move(parts), spike_free.had_spikes || has_lines(plane)};
+}
+
+Result<WindingFill> resolve_winding(Ring ring) {
+  return resolve_winding(std::move(ring), LoadBudget());
 }
 
 }  // namespace hypermap

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kUnset = std::numeric_limits<std::size_t>::max();
 constexpr double kRoundingM = 1e-9;
 constexpr std::size_t kMaxCrossings = 100'000;
+/// A crossing costs as much as this many pairs of edges whose boxes lie apart.
+constexpr std::uint64_t kTestsOfCrossing = 500;
 
 /// Gives equal points, after rounding, the same number.
 class NodeTable {
@@ -62,13 +64,14 @@ bool boxes_apart(const Eigen::Vector2d& a,
 }
 
 /// For each edge of the ring its ends and all places where another edge meets it, in their order.
-Result<std::vector<Ring>> divided_edges(const Ring& ring) {
+Result<std::vector<Ring>> divided_edges(const Ring& ring, const LoadBudget& budget) {
   const std::size_t n = ring.size();
   const auto end_of = [&](std::size_t i) -> const Eigen::Vector2d& { return ring[(i + 1) % n]; };
   std::vector<Ring> edges(n);
   std::size_t num_crossings = 0;
   for (std::size_t i = 0; i < n; ++i) {
     edges[i].insert(edges[i].end(), {ring[i], end_of(i)});
+    const std::size_t before = num_crossings;
     for (std::size_t k = 0; k < i; ++k) {
       if (boxes_apart(ring[i], end_of(i), ring[k], end_of(k))) continue;
       const auto common = common_points(ring[i], end_of(i), ring[k], end_of(k));
@@ -81,6 +84,7 @@ Result<std::vector<Ring>> divided_edges(const Ring& ring) {
             "the ring crosses itself more than " + std::to_string(kMaxCrossings) + " times");
       }
     }
+    HYPERMAP_TRY(budget.draw_edge_tests(i + kTestsOfCrossing * (num_crossings - before)));
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Vector2d& start = ring[i];
@@ -102,8 +106,8 @@ double heading(const std::vector<Eigen::Vector2d>& nodes,
 
 }  // namespace
 
-Result<RingArrangement> RingArrangement::create(const Ring& ring) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<Ring> edges, divided_edges(ring));
+Result<RingArrangement> RingArrangement::create(const Ring& ring, const LoadBudget& budget) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<Ring> edges, divided_edges(ring, budget));
   NodeTable table;
   std::map<std::pair<std::size_t, std::size_t>, int> net_of_piece;
   for (const Ring& points : edges) {

@@ -4,6 +4,7 @@
 /// part.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 
 #include <cstddef>
@@ -23,9 +24,9 @@ struct HalfEdge {
 /// Nodes, pieces and faces. Crossings are rounded to 1e-9 m.
 class RingArrangement {
  public:
-  /// Errors: kLimit when there are more than 100,000 crossings.
-  /// Requires: cleaned_ring, at most 4,096 points. Cost: O(n^2).
-  [[nodiscard]] static Result<RingArrangement> create(const Ring& ring);
+  /// Errors: kLimit when there are more than 100,000 crossings; those of
+  /// LoadBudget::draw_edge_tests. Requires: cleaned_ring, at most 4,096 points. Cost: O(n^2).
+  [[nodiscard]] static Result<RingArrangement> create(const Ring& ring, const LoadBudget& budget);
 
   [[nodiscard]] const std::vector<Eigen::Vector2d>& nodes() const noexcept { return nodes_; }
   [[nodiscard]] const std::vector<HalfEdge>& half_edges() const noexcept { return half_edges_; }

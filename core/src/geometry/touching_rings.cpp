@@ -56,11 +56,13 @@ bool edges_intersect(const Passage& a, const Passage& b) {
 
 }  // namespace
 
-std::optional<RingPairs> touching_pairs(std::span<const Ring> rings) {
+Result<std::optional<RingPairs>> touching_pairs(std::span<const Ring> rings,
+                                                const LoadBudget& budget) {
   const std::vector<Passage> passages = passages_of(rings);
   if (passages.size() > kMaxCrossingPoints) return std::nullopt;
   RingPairs pairs;
   for (std::size_t i = 0; i < passages.size(); ++i) {
+    HYPERMAP_TRY(budget.draw_edge_tests(i));
     for (std::size_t k = 0; k < i; ++k) {
       const Passage& a = passages[k];
       const Passage& b = passages[i];

@@ -5,6 +5,8 @@
 /// Source: OGC 06-103r4, 6.1.11.1 (rings of a polygon may intersect in points, as tangents).
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
+#include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 
 #include <cstddef>
@@ -23,7 +25,8 @@ using RingPairs = std::set<std::pair<std::size_t, std::size_t>>;
 ///
 /// Boundary: decided exactly. More than 4,096 points in all are not looked at: none.
 /// Requires: the first ring counter-clockwise, the others clockwise, as cleaned_ring gives them.
-/// Cost: O(n^2).
-[[nodiscard]] std::optional<RingPairs> touching_pairs(std::span<const Ring> rings);
+/// Errors: those of LoadBudget::draw_edge_tests. Cost: O(n^2), drawn from `budget`.
+[[nodiscard]] Result<std::optional<RingPairs>> touching_pairs(std::span<const Ring> rings,
+                                                              const LoadBudget& budget);
 
 }  // namespace hypermap

@@ -88,15 +88,15 @@ class ExtensionReader {
   Result<std::vector<Finding>> read_octree() {
     HYPERMAP_ASSIGN_OR_RETURN(std::string bytes,
                               members_.take(entry_.file, owner_, limits_.max_octree_bytes));
-    HYPERMAP_ASSIGN_OR_RETURN(auto tree, parse_octomap(bytes, source()));
+    HYPERMAP_ASSIGN_OR_RETURN(auto tree, parse_octomap(bytes, source(), {}, members_.budget()));
     if (tree.value.kind != OctomapKind::kSemantic || archive_.octree) {
       archive_.octomaps.push_back(
           {.entry = entry_, .bytes = std::move(bytes), .tree = std::move(tree.value)});
       return std::move(tree.findings);
     }
     HYPERMAP_ASSIGN_OR_RETURN(const OctreeOptions options, octree_options(entry_.extra));
-    auto octree =
-        to_semantic_octree(tree.value, options, {.max_voxels = limits_.max_octree_voxels});
+    auto octree = to_semantic_octree(
+        tree.value, options, {.max_voxels = limits_.max_octree_voxels}, members_.budget());
     if (!octree) return tl::make_unexpected(with_source(std::move(octree).error(), source()));
     for (Finding& finding : octree->findings) {
       finding.error = with_source(std::move(finding.error), source());
@@ -128,7 +128,8 @@ class ExtensionReader {
   Result<std::vector<Finding>> read_objects() {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                               members_.take(entry_.file, owner_, limits_.max_objects_bytes));
-    HYPERMAP_ASSIGN_OR_RETURN(archive_.objects, parse_objects(bytes, source()));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.objects,
+                              parse_objects(bytes, source(), {}, members_.budget()));
     keep_entry(archive_, entry_);
     return std::vector<Finding>{};
   }

@@ -3,6 +3,7 @@
 #include "archive_extensions.hpp"
 #include "archive_members.hpp"
 #include "hypermap/core/base/caught.hpp"
+#include "declared_sizes.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
@@ -35,6 +36,7 @@ class ArchiveReader {
 
   Result<Loaded<MapArchive>> read(const std::string& config_name) {
     HYPERMAP_ASSIGN_OR_RETURN(HypermapConfig config, read_config(config_name));
+    HYPERMAP_TRY(check_declared_sizes(members_, config, limits_.sums, layers_));
     HYPERMAP_TRY(read_layers(config));
     HYPERMAP_TRY(read_extensions(config));
     HYPERMAP_TRY(check_classes(archive_));
@@ -131,10 +133,11 @@ Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
 Result<Loaded<MapArchive>> read_zip(std::shared_ptr<const ByteSource> source,
                                     const std::string& file,
                                     const ArchiveLimits& limits,
-                                    const LayerRegistry& layers) {
+                                    const LayerRegistry& layers,
+                                    const StopCheck& stop) {
   auto zip = ZipReader::create(std::move(source), limits.zip);
   if (!zip) return tl::make_unexpected(with_source(std::move(zip).error(), {.file = file}));
-  ZipMembers members(std::move(*zip), file);
+  ZipMembers members(std::move(*zip), file, LoadBudget(limits.sums, stop));
   return read_all(members, std::string(kConfigName), file, limits, layers);
 }
 
@@ -161,21 +164,23 @@ Result<void> expect_configuration(const std::filesystem::path& path) {
 
 Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                         const ArchiveLimits& limits,
-                                        const LayerRegistry& layers) {
+                                        const LayerRegistry& layers,
+                                        const StopCheck& stop) {
   HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
                             open_file(path, limits.zip.max_archive_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
-  if (is_zip) return read_zip(std::move(source), path.string(), limits, layers);
+  if (is_zip) return read_zip(std::move(source), path.string(), limits, layers, stop);
   HYPERMAP_TRY(expect_configuration(path));
-  FolderMembers members(path);
+  FolderMembers members(path, LoadBudget(limits.sums, stop));
   return read_all(members, path.filename().string(), path.string(), limits, layers);
 }
 
 Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                          const SourceName& source,
                                          const ArchiveLimits& limits,
-                                         const LayerRegistry& layers) {
-  return read_zip(view_bytes(bytes), source.file, limits, layers);
+                                         const LayerRegistry& layers,
+                                         const StopCheck& stop) {
+  return read_zip(view_bytes(bytes), source.file, limits, layers, stop);
 }
 
 }  // namespace hypermap

@@ -13,8 +13,9 @@
 
 namespace hypermap {
 
-Result<FileSummary> check_archive(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path));
+Result<FileSummary> check_archive(const std::filesystem::path& path,
+                                  const FileCheckOptions& options) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, options.limits, {}, options.stop));
   return FileSummary{"archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
                          " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)",
                      std::move(loaded.findings)};
@@ -64,8 +65,10 @@ Result<FileSummary> check_map(const std::filesystem::path& path) {
       std::move(loaded.findings)};
 }
 
-Result<FileSummary> check_semantic(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_semantic_layer(path));
+Result<FileSummary> check_semantic(const std::filesystem::path& path,
+                                   const FileCheckOptions& options) {
+  const LoadBudget budget(options.limits.sums, options.stop);
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_semantic_layer(path, {}, budget));
   return FileSummary{std::to_string(loaded.value.objects().size()) + " object(s)",
                      std::move(loaded.findings)};
 }

@@ -16,13 +16,13 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
                                   const FileCheckOptions& options) {
   switch (kind) {
     case FileKind::kArchive:
-      return check_archive(path);
+      return check_archive(path, options);
     case FileKind::kOctree:
       return check_octree(path);
     case FileKind::kMap:
       return check_map(path);
     case FileKind::kSemantic:
-      return check_semantic(path);
+      return check_semantic(path, options);
     case FileKind::kImage:
       return check_image(path, options.size);
     case FileKind::kDepth:

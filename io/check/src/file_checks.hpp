@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/check/file_check.hpp"
 #include "hypermap/io/dataset/depth_file.hpp"
 
 #include <filesystem>
@@ -18,11 +19,13 @@ struct FileSummary {
 };
 
 /// Errors of all: those of the kind's reader.
-[[nodiscard]] Result<FileSummary> check_archive(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_archive(const std::filesystem::path& path,
+                                                const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_octree(const std::filesystem::path& path);
 /// The description, and the image that it names; one that is absent is a finding.
 [[nodiscard]] Result<FileSummary> check_map(const std::filesystem::path& path);
-[[nodiscard]] Result<FileSummary> check_semantic(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_semantic(const std::filesystem::path& path,
+                                                 const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_image(const std::filesystem::path& path,
                                               ImageSize expected);
 [[nodiscard]] Result<FileSummary> check_depth(const std::filesystem::path& path,

@@ -13,8 +13,10 @@ namespace {
 
 using DescribedFile = Result<Loaded<FileInfo>>;
 
-DescribedFile describe_archive(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path));
+DescribedFile describe_archive(const std::filesystem::path& path,
+                               const ArchiveLimits& limits,
+                               const StopCheck& stop) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, limits, {}, stop));
   return Loaded<FileInfo>{describe(loaded.value), std::move(loaded.findings)};
 }
 
@@ -42,7 +44,9 @@ DescribedFile describe_dataset(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path) {
+Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
+                                       const ArchiveLimits& limits,
+                                       const StopCheck& stop) {
   HYPERMAP_ASSIGN_OR_RETURN(const FileKind kind, find_file_kind(path));
   switch (kind) {
     case FileKind::kDataset:
@@ -52,7 +56,7 @@ Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path) {
     case FileKind::kMap:
       return describe_map(path);
     default:
-      return describe_archive(path);
+      return describe_archive(path, limits, stop);
   }
 }
 

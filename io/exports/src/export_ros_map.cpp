@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
+#include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/archive/map_server.hpp"
-#include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "map_file_pair.hpp"
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -15,24 +15,7 @@ namespace hypermap {
 
 namespace {
 
-constexpr std::size_t kHashDigits = 16;
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20U;
-
-/// `<stem>-<hash of the image>.pgm`: a YAML never finds the image of another map under the name.
-std::string image_name(const std::filesystem::path& stem, std::string_view image) {
-  InputHash hash;
-  hash.add(image);
-  const std::string text = hash.text();
-  return stem.filename().string() + "-" + text.substr(text.size() - kHashDigits) + ".pgm";
-}
-
-/// Whether `image_name` gives such names for that stem.
-bool is_image_name(const std::filesystem::path& stem, std::string_view name) {
-  const std::string start = stem.filename().string() + "-";
-  const std::size_t end = start.size() + kHashDigits;
-  return name.starts_with(start) && name.size() > end && name.substr(end) == ".pgm" &&
-         name.find_first_not_of("0123456789abcdef", start.size()) == end;
-}
 
 /// The image that a YAML names, as written there; empty when there is no such YAML.
 std::string image_named_by(const std::filesystem::path& metadata) {
@@ -54,7 +37,8 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   std::filesystem::path metadata = stem;
   metadata += ".yaml";
   HYPERMAP_ASSIGN_OR_RETURN(const MapFiles unnamed, write_trinary_map(written, ""));
-  const std::string name = image_name(stem, unnamed.image);
+  const std::string stem_name = stem.filename().string();
+  const std::string name = hashed_image_name(stem_name, unnamed.image);
   HYPERMAP_ASSIGN_OR_RETURN(const MapFiles files, write_trinary_map(written, name));
   const std::string old_name = image_named_by(metadata);
 
@@ -63,7 +47,7 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   HYPERMAP_TRY(write_file_atomically(image, files.image));
   HYPERMAP_TRY(write_file_atomically(metadata, files.yaml));
   std::error_code stays;
-  if (is_image_name(stem, old_name) && image_named_by(metadata) != old_name)
+  if (stem_of_hashed_name(old_name) == stem_name && image_named_by(metadata) != old_name)
     std::filesystem::remove(stem.parent_path() / old_name, stays);
   return WrittenFiles{metadata, image};
 }

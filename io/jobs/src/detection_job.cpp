@@ -27,7 +27,7 @@ Result<std::string> as_text(std::span<const FrameDetections> frames, const Detec
   }
   std::string lines;
   for (const FrameDetections& frame : frames) lines += to_json_line(frame);
-  return lines;
+  return to_json_lines(lines);
 }
 
 }  // namespace

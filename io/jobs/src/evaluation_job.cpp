@@ -19,28 +19,29 @@ struct EvaluatedLayer {
   std::string frame_id;
 };
 
-Result<EvaluatedLayer> load_evaluated(const std::filesystem::path& path, const std::string& layer) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(path));
-  const auto found = loaded.value.hypermap.at(layer);
+Result<EvaluatedLayer> load_evaluated(const std::filesystem::path& path, const EvaluationJob& job) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(path, job.limits, {}, job.stop));
+  const auto found = loaded.value.hypermap.at(job.layer);
   if (!found) return Unexpected(with_source(found.error(), {path.string()}));
   const auto* semantic = (*found)->content.as<SemanticLayer>();
   if (semantic == nullptr) {
-    return Unexpected(Error{ErrorCode::kUnsupported, "is no semantic layer", path.string(), layer});
+    return Unexpected(
+        Error{ErrorCode::kUnsupported, "is no semantic layer", path.string(), job.layer});
   }
   return EvaluatedLayer{evaluated_objects(*semantic), (*found)->info.frame_id};
 }
 
 /// The objects of a map's layer. Errors: kUnsupported when its frame is not that of the truth.
 Result<std::vector<EvaluatedObject>> load_in_frame(const std::filesystem::path& path,
-                                                   const std::string& layer,
+                                                   const EvaluationJob& job,
                                                    const std::string& frame_id) {
-  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedLayer loaded, load_evaluated(path, layer));
+  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedLayer loaded, load_evaluated(path, job));
   if (loaded.frame_id == frame_id) return std::move(loaded.objects);
   return Unexpected(Error{.code = ErrorCode::kUnsupported,
                           .what = "is in frame " + printable(loaded.frame_id) +
                                   ", must be in that of the truth: " + printable(frame_id),
                           .file = path.string(),
-                          .field = layer});
+                          .field = job.layer});
 }
 
 Result<void> check_classes(const EvaluationReport& report, const EvaluationOptions& options) {
@@ -57,14 +58,13 @@ Result<void> check_classes(const EvaluationReport& report, const EvaluationOptio
 
 Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   HYPERMAP_TRY(validate(job.options));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, job.layer));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, job.layer, truth.frame_id));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, job));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, job, truth.frame_id));
   EvaluationOutcome outcome{.report = evaluate(map, truth.objects, job.options),
                             .against = std::nullopt};
   HYPERMAP_TRY(check_classes(outcome.report, job.options));
   if (job.against) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other,
-                              load_in_frame(*job.against, job.layer, truth.frame_id));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
     HYPERMAP_ASSIGN_OR_RETURN(outcome.against,
                               compare(outcome.report, evaluate(other, truth.objects, job.options)));
   }

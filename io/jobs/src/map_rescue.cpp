@@ -34,15 +34,17 @@ struct Content {
 };
 
 /// kIo: another place may do.
-Result<void> save_content(const Content& content, const fs::path& path) try {
+Result<void> save_content(const Content& content,
+                          const fs::path& path,
+                          const ArchiveLimits& limits) try {
   HYPERMAP_TRY(check_target(path));
-  return save_archive(content.archive, path, {.verify = content.verify});
+  return save_archive(content.archive, path, {.limits = limits, .verify = content.verify});
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kInvalidArgument, "the map");
 }
 
 /// In a folder of its own, so that nobody else can have put a file or a link there.
-Result<fs::path> save_among_temporaries(const Content& content) {
+Result<fs::path> save_among_temporaries(const Content& content, const ArchiveLimits& limits) {
   std::error_code failed;
   const fs::path all = fs::temp_directory_path(failed);
   std::string folder = (all / "hypermap-rescue-XXXXXX").string();
@@ -50,30 +52,35 @@ Result<fs::path> save_among_temporaries(const Content& content) {
     return fail(ErrorCode::kIo, "no folder for temporary files");
   }
   const fs::path path = fs::path(folder) / "map.hmap";
-  auto saved = save_content(content, path);
+  auto saved = save_content(content, path, limits);
   if (saved) return path;
   fs::remove(folder, failed);
   return Unexpected(std::move(saved).error());
 }
 
 /// Where it is now. Errors: those of the last place.
-Result<fs::path> save_somewhere(const Content& content, const fs::path& output) {
+Result<fs::path> save_somewhere(const Content& content,
+                                const fs::path& output,
+                                const ArchiveLimits& limits) {
   const fs::path beside = rescue_path(output);
-  auto saved = save_content(content, beside);
+  auto saved = save_content(content, beside, limits);
   if (saved) return beside;
   if (saved.error().code != ErrorCode::kIo) return Unexpected(std::move(saved).error());
   std::error_code failed;
   const fs::path here = fs::current_path(failed) / beside.filename();
   if (!failed && !fs::exists(here, failed) && !failed) {
-    saved = save_content(content, here);
+    saved = save_content(content, here, limits);
     if (saved) return here;
   }
-  return save_among_temporaries(content);
+  return save_among_temporaries(content, limits);
 }
 
 }  // namespace
 
-Error with_rescue(Error error, const MapArchive& archive, const fs::path& output) {
+Error with_rescue(Error error,
+                  const MapArchive& archive,
+                  const fs::path& output,
+                  const ArchiveLimits& limits) {
   const MapArchive essence = without_layers(archive);
   const std::array contents{
       Content{.archive = archive, .name = "the map is", .verify = true},
@@ -81,7 +88,7 @@ Error with_rescue(Error error, const MapArchive& archive, const fs::path& output
       // Without the memory that a second look takes.
       Content{.archive = essence, .name = "its octree and objects are", .verify = false}};
   for (const Content& content : contents) {
-    const auto path = save_somewhere(content, output);
+    const auto path = save_somewhere(content, output, limits);
     if (!path) continue;
     error.what += std::string("; ") + content.name + " saved in " + printable(path->string(), 500);
     return error;

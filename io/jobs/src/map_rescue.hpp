@@ -15,9 +15,10 @@ namespace hypermap {
 /// it is or is too large for each place, octree, objects, classes and provenance alone.
 ///
 /// Returns `error` with what was saved where, or that nothing could be. An older rescue of the same
-/// output is replaced, another file in the working folder never.
+/// output is replaced, another file in the working folder never. What is saved is within `limits`.
 [[nodiscard]] Error with_rescue(Error error,
                                 const MapArchive& archive,
-                                const std::filesystem::path& output);
+                                const std::filesystem::path& output,
+                                const ArchiveLimits& limits = {});
 
 }  // namespace hypermap

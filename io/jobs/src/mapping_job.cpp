@@ -103,7 +103,7 @@ Result<std::vector<Finding>> save_map(MapArchive& archive,
                             derive_layers(archive, job.mapper.objects, job.layers));
   auto findings = findings_of(derived, run.places, *run.dataset, job.output);
   seconds.project += watch.lap();
-  HYPERMAP_TRY(save_archive(archive, path));
+  HYPERMAP_TRY(save_archive(archive, path, {.limits = job.limits}));
   seconds.write += watch.lap();
   return findings;
 }
@@ -178,7 +178,7 @@ Error ended_early(Error error,
                   const MappingJob& job,
                   const MappingReport& report) {
   if (!spares_other_frames(error) && report.num_frames > 0) {
-    error = with_rescue(std::move(error), map_of(run, job), job.output);
+    error = with_rescue(std::move(error), map_of(run, job), job.output, job.limits);
   }
   return naming_checkpoint(std::move(error), run, job);
 }
@@ -225,7 +225,7 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
   auto findings =
       within_memory([&] { return save_map(archive, job.output, run, job, report.seconds); });
   if (!findings) {
-    Error error = with_rescue(std::move(findings).error(), archive, job.output);
+    Error error = with_rescue(std::move(findings).error(), archive, job.output, job.limits);
     return Unexpected(naming_checkpoint(std::move(error), run, job));
   }
   std::move(findings->begin(), findings->end(), std::back_inserter(report.findings));

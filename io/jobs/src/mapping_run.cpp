@@ -125,7 +125,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   run.input_name =
       printable(std::filesystem::absolute(job.input).lexically_normal().filename().string());
   if (job.append) {
-    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output));
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output, job.limits, {}, job.stop));
     run.classes = loaded.value.classes;
     run.previous = std::move(loaded.value);
   }

@@ -158,7 +158,7 @@ class FramePipeline {
     HYPERMAP_TRY(folder_.write("rgb.txt", lists_.color));
     HYPERMAP_TRY(folder_.write("depth.txt", lists_.depth));
     HYPERMAP_TRY(folder_.write("groundtruth.txt", lists_.poses));
-    return folder_.write("detections.jsonl", lists_.detections);
+    return folder_.write("detections.jsonl", to_json_lines(lists_.detections));
   }
 
   const Simulator& simulator_;

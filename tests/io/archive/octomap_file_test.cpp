@@ -133,10 +133,19 @@ TEST(OctomapFile, TheBitsOfABinaryNodeAreThoseOfOctomap) {
   EXPECT_GT(tree->value.leaves[1].log_odds, 0.0F);
 }
 
+/// A file of ours as one without the line of its checksum.
+std::string without_checksum(std::string file) {
+  const std::size_t start = file.find("# crc32 ");
+  return file.erase(start, file.find('\n', start) + 1 - start);
+}
+
 TEST(OctomapFile, ACutAnywhereIsAnErrorThatNamesTheNode) {
-  const std::string bytes = write_octomap(random_tree(1, OctomapKind::kOccupancy)).value();
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    EXPECT_FALSE(parse_octomap(bytes.substr(0, length), kOctomapSource)) << length;
+  const std::string checked = write_octomap(random_tree(1, OctomapKind::kOccupancy)).value();
+  const std::string unchecked = without_checksum(checked);
+  ASSERT_TRUE(parse_octomap(unchecked, kOctomapSource));
+  for (const std::string& bytes : {checked, unchecked})
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+      EXPECT_FALSE(parse_octomap(bytes.substr(0, length), kOctomapSource)) << length;
   EXPECT_THAT(octomap_error(header("OcTree", 2) + node(1.0F, 1) + "ab"),
               HasSubstr("octree: unexpected end of data at node 1"));
 }
@@ -144,7 +153,7 @@ TEST(OctomapFile, ACutAnywhereIsAnErrorThatNamesTheNode) {
 TEST(OctomapFile, AFlippedBitNeverCrashesAndNeverGivesInvalidLeaves) {
   for (const OctomapKind kind :
        {OctomapKind::kOccupancy, OctomapKind::kColor, OctomapKind::kSemantic}) {
-    const std::string bytes = write_octomap(random_tree(2, kind)).value();
+    const std::string bytes = without_checksum(write_octomap(random_tree(2, kind)).value());
     for (std::size_t bit = 0; bit < 8 * bytes.size(); bit += 29) {
       std::string flipped = bytes;
       flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << (bit % 8));
@@ -154,6 +163,32 @@ TEST(OctomapFile, AFlippedBitNeverCrashesAndNeverGivesInvalidLeaves) {
       }
     }
   }
+}
+
+TEST(OctomapFile, NoBitOfAFileOfOursChangesUnnoticed) {
+  const OctomapTree tree = random_tree(3, OctomapKind::kOccupancy);
+  for (const std::string& bytes :
+       {write_octomap(tree).value(), write_octomap_binary(tree).value()}) {
+    const std::size_t word = bytes.find("crc32");
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+      // Without this word the line is any comment; the tree is what it was.
+      if (bit / 8 >= word && bit / 8 < word + 5) continue;
+      std::string changed = bytes;
+      changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ 1 << (bit % 8));
+      EXPECT_FALSE(parse_octomap(changed, kOctomapSource)) << bit;
+    }
+  }
+}
+
+TEST(OctomapFile, AChecksumIsThatOfAllOtherBytes) {
+  // CRC-32 of "# Octomap OcTree file\nid OcTree\nsize 0\nres 0.05\ndata\n", by Python's zlib.
+  const std::string keys = "id OcTree\nsize 0\nres 0.05\ndata\n";
+  const std::string first = "# Octomap OcTree file\n";
+  EXPECT_EQ(octomap_error(first + "# crc32 2171fade\n" + keys), "no error");
+  EXPECT_THAT(octomap_error(first + "# crc32 00000000\n" + keys),
+              HasSubstr("map: crc32: is '# crc32 00000000', that of the file is 2171fade"));
+  EXPECT_THAT(octomap_error(first + "# crc32 2171fade\n# crc32 2171fade\n" + keys),
+              HasSubstr("crc32: is given twice"));
 }
 
 TEST(OctomapFile, BytesAfterTheTreeAndWrongSizesAreErrors) {

@@ -247,5 +247,23 @@ TEST(Wkt, TheVertexThatClosesARingIsNoFurtherOne) {
   EXPECT_FALSE(read_wkt("POLYGON((0 0,1 0,1 1,0 1,0 .5))", {.max_vertices = 4}));
 }
 
+TEST(Wkt, PartsAreHeldAgainstEachOtherOnTheBudget) {
+  // The boxes of the two triangles overlap, they themselves do not: one pair of boxes and nine of
+  // edges.
+  const std::string parts = "MULTIPOLYGON(((0 0,4 0,0 4,0 0)),((5 1,5 5,1 5,5 1)))";
+  EXPECT_TRUE(read_wkt(parts, {}, LoadBudget({.max_edge_tests = 10})));
+  const auto refused = read_wkt(parts, {}, LoadBudget({.max_edge_tests = 9}));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kLimit);
+}
+
+TEST(Wkt, AStopIsNoReasonToMendAShape) {
+  int num_checks = 0;
+  const LoadBudget budget(BudgetLimits{}, [&num_checks] { return ++num_checks == 1; });
+  const auto stopped = read_wkt("POLYGON((0 0,9 0,9 9,0 9),(1 1,2 1,1 2))", {}, budget);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kInterrupted);
+}
+
 }  // namespace
 }  // namespace hypermap

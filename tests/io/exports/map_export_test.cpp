@@ -22,6 +22,7 @@ namespace hypermap {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
@@ -123,6 +124,22 @@ TEST(ExportRosMap, IsAYamlAndAnImageNamedAfterItsContent) {
   EXPECT_EQ(written->size(), 2U);
   for (const auto& path : *written) EXPECT_TRUE(std::filesystem::exists(path)) << path;
   EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
+}
+
+TEST(ExportRosMap, AnImageThatIsNotTheOneItsNameSaysIsNamed) {
+  const test::TempDir dir;
+  const auto written = exported(map_of(100), ExportFormat::kRosMap, dir / "lab");
+  ASSERT_TRUE(written);
+  EXPECT_THAT(read_map(dir / "lab.yaml")->findings, IsEmpty());
+  std::fstream image(written->back(), std::ios::in | std::ios::out | std::ios::binary);
+  image.seekp(-1, std::ios::end);
+  image.put('\xfe');
+  image.close();
+  const auto map = read_map(dir / "lab.yaml");
+  ASSERT_TRUE(map) << to_string(map.error());
+  ASSERT_EQ(map->findings.size(), 1U);
+  EXPECT_EQ(map->findings[0].error.file, written->back().string());
+  EXPECT_THAT(map->findings[0].error.what, HasSubstr("is not the image that its name says"));
 }
 
 TEST(ExportRosMap, TheImageThatIsNoLongerNamedGoesOthersStay) {

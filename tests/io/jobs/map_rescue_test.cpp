@@ -91,6 +91,18 @@ TEST(MapRescue, OfAMapWithALayerThatCannotBeSavedHasOctreeAndObjects) {
   EXPECT_EQ(rescued.classes, map.classes);
 }
 
+TEST(MapRescue, IsWithinTheLimitsOfTheRun) {
+  const TempDir folder;
+  MapArchive map = small_map();
+  map.opaque_files.push_back({.name = "notes", .bytes = "abc"});
+  const ArchiveLimits none{.sums = {.max_opaque_bytes = 0}};
+  const Error bare = with_rescue(failed_save(), map, folder / "a.hmap", none);
+  EXPECT_THAT(bare.what, HasSubstr("; its octree and objects are saved in "));
+  const ArchiveLimits enough{.sums = {.max_opaque_bytes = 3}};
+  const Error whole = with_rescue(failed_save(), map, folder / "a.hmap", enough);
+  EXPECT_THAT(whole.what, HasSubstr("; the map is saved in "));
+}
+
 TEST(MapRescue, GoesToTheWorkingFolderWhenTheOutputsIsGone) {
   const TempDir folder;
   const WorkingFolder elsewhere(folder / "working", folder / "temporaries");

@@ -94,6 +94,29 @@ TEST(UnfinishedMapping, AnOutlyingPoseIsNamedAndItsVoxelsStayInTheOctree) {
   }
 }
 
+TEST(UnfinishedMapping, LimitsHoldForWhatIsSavedAndForWhatIsGoneOnFrom) {
+  const TempDir folder;
+  MappingJob job = small_job(folder);
+  job.limits.sums.max_pixels = 1;
+  const auto unsaved = run_mapping(job);
+  ASSERT_FALSE(unsaved);
+  EXPECT_EQ(unsaved.error().code, ErrorCode::kLimit);
+  EXPECT_THAT(unsaved.error().what, HasSubstr("(max_pixels)"));
+  EXPECT_THAT(names_in(job.output.parent_path()), ::testing::ElementsAre("a.hmap.rescue"));
+
+  job.limits = {};
+  ASSERT_TRUE(run_mapping(job));
+  job.append = true;
+  job.stop = [] { return true; };
+  EXPECT_EQ(run_mapping(job).error().code, ErrorCode::kInterrupted);
+  job.stop = {};
+  job.limits.sums.max_pixels = 1;
+  const auto unread = run_mapping(job);
+  ASSERT_FALSE(unread);
+  EXPECT_EQ(unread.error().file, job.output.string());
+  EXPECT_EQ(unread.error().code, ErrorCode::kLimit);
+}
+
 TEST(UnfinishedMapping, ManyOutlyingPosesAreNamedBriefly) {
   const TempDir folder;
   const MappingJob job = small_job(folder);

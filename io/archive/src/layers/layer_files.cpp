@@ -24,15 +24,6 @@ constexpr std::array<std::pair<std::string_view, Flag>, 3> kFlags{
 constexpr std::array<std::string_view, 3> kFlagKeys{
     kFlags[0].first, kFlags[1].first, kFlags[2].first};
 
-std::string file_of(const LayerInfo& info) {
-  return info.file.value_or(info.name);
-}
-
-/// The member that `image:` names: beside its metadata.
-std::string image_member(const std::string& metadata_member, const std::string& image) {
-  return (std::filesystem::path(metadata_member).parent_path() / image).string();
-}
-
 /// Runs the loader of a class; what it finds wrong is told of the member read last.
 Result<Loaded<LayerContent>> load_content(const LayerType& type, MemberFileReader& reader) {
   auto content = type.load(reader);
@@ -50,9 +41,9 @@ Result<Loaded<LayerContent>> read_opaque_layer(ArchiveMembers& members,
                                                const std::string& owner,
                                                const ArchiveLimits& limits) {
   std::optional<std::string> bytes;
-  const std::string file = file_of(entry.info);
+  const std::string file = stem_of(entry.info);
   if (entry.info.load_file && members.contains(file)) {
-    HYPERMAP_ASSIGN_OR_RETURN(bytes, members.take(file, owner, limits.zip.max_entry_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(bytes, members.take_opaque(file, owner, limits.zip.max_entry_bytes));
   }
   Loaded<LayerContent> loaded{.value = OpaqueLayer(entry.class_name, std::move(bytes)),
                               .findings = {}};
@@ -92,6 +83,14 @@ Result<LayerInfo> info_of(const ExtensionEntry& entry) {
 
 }  // namespace
 
+std::string stem_of(const LayerInfo& info) {
+  return info.file.value_or(info.name);
+}
+
+std::string image_member(const std::string& metadata_member, const std::string& image) {
+  return (std::filesystem::path(metadata_member).parent_path() / image).string();
+}
+
 Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
                                               const std::string& stem,
                                               const std::string& owner,
@@ -106,8 +105,8 @@ Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,
       const std::string bytes,
       members.take(image, metadata_member + ": image", limits.zip.max_entry_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage decoded,
-                            decode_image(bytes, members.source_of(image)));
-  auto grid = grid_from_image(decoded, metadata.value, MapDialect::kHypermap);
+                            decode_image(bytes, members.source_of(image), {}, members.budget()));
+  auto grid = grid_from_image(decoded, metadata.value, MapDialect::kHypermap, members.budget());
   if (!grid) return tl::make_unexpected(with_source(std::move(grid).error(), source));
   Loaded<OccupancyLayer> loaded{
       .value = OccupancyLayer(std::move(grid->value), std::move(metadata.value.extra)),
@@ -134,11 +133,11 @@ Result<Loaded<LayerContent>> read_layer(ArchiveMembers& members,
                                         const ArchiveLimits& limits,
                                         const LayerRegistry& types) {
   const std::string owner = "layers[" + std::to_string(index) + "].file";
-  HYPERMAP_TRY(members.check(file_of(entry.info), owner));
+  HYPERMAP_TRY(members.check(stem_of(entry.info), owner));
   const LayerType* type = types.find(entry.class_name);
   if (type == nullptr) return read_opaque_layer(members, entry, owner, limits);
   if (!entry.info.load_file) return Loaded<LayerContent>{.value = type->empty, .findings = {}};
-  MemberFileReader reader(members, {.stem = file_of(entry.info), .owner = owner}, limits);
+  MemberFileReader reader(members, {.stem = stem_of(entry.info), .owner = owner}, limits);
   return load_content(*type, reader);
 }
 
@@ -161,7 +160,7 @@ Result<std::vector<OpaqueFile>> write_layer(const Layer& layer) {
   HYPERMAP_TRY(check_nothing_is_lost(layer));
   if (!layer.info.load_file && layer.content.as<OpaqueLayer>() == nullptr)
     return std::vector<OpaqueFile>{};
-  MemberFileWriter writer(file_of(layer.info));
+  MemberFileWriter writer(stem_of(layer.info));
   if (auto saved = layer.content->save(writer); !saved) {
     return tl::make_unexpected(with_source(
         std::move(saved).error(), {.file = {}, .entry = "layer " + printable(layer.info.name)}));
@@ -174,7 +173,7 @@ ExtensionEntry extension_of(const Layer& layer) {
                        .version = layer.content->version(),
                        .name = layer.info.name,
                        .frame_id = layer.info.frame_id,
-                       .file = file_of(layer.info)};
+                       .file = stem_of(layer.info)};
   std::vector<ValueTree::Entry> keys;
   for (const auto& [key, flag] : kFlags) {
     if (const auto& set = layer.info.*flag) keys.emplace_back(std::string(key), make_bool(*set));

@@ -16,6 +16,12 @@
 
 namespace hypermap {
 
+/// The member of a layer, or what the names of its members begin with.
+[[nodiscard]] std::string stem_of(const LayerInfo& info);
+/// The member that `image:` names: beside its metadata.
+[[nodiscard]] std::string image_member(const std::string& metadata_member,
+                                       const std::string& image);
+
 /// An occupancy grid from `<stem>.yaml` and the image that it names; `owner` is how errors call
 /// whoever names the stem ("layers[0].file").
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_occupancy(ArchiveMembers& members,

@@ -48,7 +48,8 @@ Result<OccupancyLayer> MemberFileReader::grid(std::string_view suffix) {
 
 Result<SemanticLayer> MemberFileReader::shapes(std::string_view suffix) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, take(suffix, limits_.max_text_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto layer, parse_semantic_layer(text, last_source_));
+  HYPERMAP_ASSIGN_OR_RETURN(auto layer,
+                            parse_semantic_layer(text, last_source_, {}, members_.budget()));
   keep(std::move(layer.findings));
   return std::move(layer.value);
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_server.hpp"
 
+#include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace hypermap {
 namespace {
@@ -114,15 +118,30 @@ GridGeometry geometry_of(const DecodedImage& image, const MapMetadata& metadata)
           .rows = image.height_px};
 }
 
+/// A name that says what is in the image, yet of another content.
+std::optional<Finding> other_content(const std::filesystem::path& path, std::string_view image) {
+  const std::string name = path.filename().string();
+  const auto stem = stem_of_hashed_name(name);
+  if (!stem) return std::nullopt;
+  const std::string real = hashed_image_name(*stem, image);
+  if (real == name) return std::nullopt;
+  return Finding{.error = {.code = ErrorCode::kMalformedFile,
+                           .what = "is not the image that its name says, that would be " +
+                                   printable(real) + ": it was damaged, or changed and not renamed",
+                           .file = path.string()}};
+}
+
 }  // namespace
 
 Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
                                               const MapMetadata& metadata,
-                                              MapDialect dialect) {
+                                              MapDialect dialect,
+                                              const LoadBudget& budget) {
   const GridGeometry geometry = geometry_of(image, metadata);
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid, OccupancyGrid::create(geometry));
   const auto cell_of = dialect == MapDialect::kHypermap ? hypermap_cell : map_server_cell;
   for (int row = 0; row < geometry.rows; ++row) {
+    HYPERMAP_TRY(budget.check_stop());
     const auto top_row = static_cast<std::size_t>(geometry.rows - 1 - row);
     for (int col = 0; col < geometry.cols; ++col) {
       const std::size_t pixel =
@@ -138,11 +157,15 @@ Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
   const SourceName source{.file = yaml_path.string()};
   HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(yaml_path, YamlLimits{}.max_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(Loaded<MapMetadata> metadata, parse_map_metadata(yaml, source));
+  const std::filesystem::path image_path = yaml_path.parent_path() / metadata.value.image;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                            read_file(image_path, ImageLimits().max_file_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image,
-                            read_image_file(yaml_path.parent_path() / metadata.value.image));
+                            decode_image(bytes, {.file = image_path.string()}));
   auto grid = grid_from_image(image, metadata.value, dialect);
   if (!grid) return tl::make_unexpected(with_source(grid.error(), source));
   std::vector<Finding> findings = std::move(metadata.findings);
+  if (auto other = other_content(image_path, bytes)) findings.push_back(std::move(*other));
   for (Finding& finding : grid->findings) {
     findings.push_back({finding.severity, with_source(finding.error, source)});
   }

@@ -46,10 +46,13 @@ Result<std::string> name_at(const YamlNode& node) {
   return name;
 }
 
-Result<WktShape> shape_at(const YamlNode& node, std::string& text, const WktLimits& limits) {
+Result<WktShape> shape_at(const YamlNode& node,
+                          std::string& text,
+                          const WktLimits& limits,
+                          const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode field, node.at("shape"));
   HYPERMAP_ASSIGN_OR_RETURN(text, field.as_string());
-  auto shape = read_wkt(text, limits);
+  auto shape = read_wkt(text, limits, budget);
   if (!shape) return tl::make_unexpected(field.error(shape.error().what, shape.error().code));
   return shape;
 }
@@ -90,11 +93,14 @@ Result<std::vector<double>> confidence_at(const YamlNode& node, std::size_t num_
   return confidences;
 }
 
-Result<Entry> parse_object_entry(const YamlNode& node, const WktLimits& limits, Repairs& repairs) {
+Result<Entry> parse_object_entry(const YamlNode& node,
+                                 const WktLimits& limits,
+                                 const LoadBudget& budget,
+                                 Repairs& repairs) {
   Entry entry;
   SemanticObject& object = entry.object;
   HYPERMAP_ASSIGN_OR_RETURN(object.name, name_at(node));
-  HYPERMAP_ASSIGN_OR_RETURN(WktShape shape, shape_at(node, object.shape_text, limits));
+  HYPERMAP_ASSIGN_OR_RETURN(WktShape shape, shape_at(node, object.shape_text, limits, budget));
   HYPERMAP_ASSIGN_OR_RETURN(object.tags, tags_at(node));
   HYPERMAP_ASSIGN_OR_RETURN(object.confidence, confidence_at(node, object.tags.size()));
   if (const auto id = node.find("id")) {
@@ -166,14 +172,17 @@ struct Collected {
 
 Result<Collected> collect(const std::vector<YamlNode>& items,
                           const SemanticReadOptions& options,
+                          const LoadBudget& budget,
                           const SourceName& source) {
   Collected out;
   Repairs repairs;
   for (const YamlNode& node : items) {
-    auto entry = parse_object_entry(node, options.wkt, repairs);
+    HYPERMAP_TRY(budget.check_stop());
+    auto entry = parse_object_entry(node, options.wkt, budget, repairs);
     if (!entry) {
       Error error = with_name(std::move(entry).error(), node);
-      if (!options.skip_bad) return tl::make_unexpected(std::move(error));
+      const bool may_skip = options.skip_bad && error.code != ErrorCode::kInterrupted;
+      if (!may_skip) return tl::make_unexpected(std::move(error));
       out.findings.push_back({Severity::kError, std::move(error)});
       continue;
     }
@@ -189,12 +198,13 @@ Result<Collected> collect(const std::vector<YamlNode>& items,
 
 Result<Loaded<SemanticLayer>> read_entries(const YamlNode& root,
                                            const SemanticReadOptions& options,
+                                           const LoadBudget& budget,
                                            const SourceName& source) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> items, root.as_list());
   if (items.size() > SemanticLayer::kMaxObjects) {
     return tl::make_unexpected(root.error("has more than 10^6 objects", ErrorCode::kLimit));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(Collected collected, collect(items, options, source));
+  HYPERMAP_ASSIGN_OR_RETURN(Collected collected, collect(items, options, budget, source));
   HYPERMAP_TRY(assign_ids(collected.entries, collected.nodes));
   std::vector<SemanticObject> objects;
   for (Entry& entry : collected.entries) objects.push_back(std::move(entry.object));
@@ -241,15 +251,17 @@ bool needs_ids(const SemanticLayer& layer) {
 
 Result<Loaded<SemanticLayer>> parse_semantic_layer(std::string_view yaml,
                                                    const SourceName& source,
-                                                   const SemanticReadOptions& options) {
+                                                   const SemanticReadOptions& options,
+                                                   const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(yaml, source, options.yaml));
-  return read_entries(document.root(), options, source);
+  return read_entries(document.root(), options, budget, source);
 }
 
 Result<Loaded<SemanticLayer>> read_semantic_layer(const std::filesystem::path& path,
-                                                  const SemanticReadOptions& options) {
+                                                  const SemanticReadOptions& options,
+                                                  const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, read_file(path, options.yaml.max_bytes));
-  return parse_semantic_layer(bytes, {.file = path.string()}, options);
+  return parse_semantic_layer(bytes, {.file = path.string()}, options, budget);
 }
 
 std::string write_semantic_layer(const SemanticLayer& layer) {

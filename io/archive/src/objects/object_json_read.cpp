@@ -71,12 +71,14 @@ Result<JsonDocument> next_document(Lines& lines,
 
 Result<ObjectMap> parse(std::string_view bytes,
                         const std::string& name,
-                        const ObjectFileLimits& limits) {
+                        const ObjectFileLimits& limits,
+                        const LoadBudget& budget) {
   Lines lines(bytes);
   HYPERMAP_ASSIGN_OR_RETURN(const JsonDocument first, next_document(lines, name, limits));
   HYPERMAP_ASSIGN_OR_RETURN(const Head head, parse_head(first.root(), limits));
   std::vector<Object> objects;
   while (!lines.done() && objects.size() < head.num_objects) {
+    HYPERMAP_TRY(budget.check_stop());
     HYPERMAP_ASSIGN_OR_RETURN(const JsonDocument document, next_document(lines, name, limits));
     HYPERMAP_ASSIGN_OR_RETURN(Object object, object_from_json(document.root(), limits));
     objects.push_back(std::move(object));
@@ -93,8 +95,9 @@ Result<ObjectMap> parse(std::string_view bytes,
 
 Result<ObjectMap> parse_objects(std::string_view bytes,
                                 const SourceName& source,
-                                const ObjectFileLimits& limits) try {
-  auto objects = parse(bytes, source.file, limits);
+                                const ObjectFileLimits& limits,
+                                const LoadBudget& budget) try {
+  auto objects = parse(bytes, source.file, limits, budget);
   if (!objects) return tl::make_unexpected(with_source(std::move(objects).error(), source));
   return objects;
 } catch (const std::exception& exception) {

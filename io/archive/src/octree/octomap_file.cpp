@@ -59,22 +59,25 @@ Finding stale(std::uint64_t count) {
 
 Result<OctomapNodes> read_nodes(const OctomapHeader& header,
                                 OctomapKind kind,
-                                std::string_view bytes) {
+                                std::string_view bytes,
+                                const LoadBudget& budget) {
   if (header.num_nodes == 0 && bytes.empty()) return OctomapNodes{};
   if (header.num_nodes == 0)
     return fail(ErrorCode::kMalformedFile, "is 0, yet data follow", "size");
-  return header.binary ? read_binary_nodes(bytes, header.num_nodes)
-                       : read_full_nodes(bytes, kind, header.num_nodes);
+  return header.binary ? read_binary_nodes(bytes, header.num_nodes, budget)
+                       : read_full_nodes(bytes, kind, header.num_nodes, budget);
 }
 
 Result<Loaded<OctomapTree>> parse(std::string_view bytes,
                                   const SourceName& source,
-                                  const OctomapLimits& limits) {
+                                  const OctomapLimits& limits,
+                                  const LoadBudget& budget) {
   if (bytes.size() > limits.max_file_bytes)
     return fail(ErrorCode::kLimit,
                 std::to_string(bytes.size()) + " bytes, the limit is " +
                     std::to_string(limits.max_file_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(OctomapHeader header, parse_octomap_header(bytes));
+  HYPERMAP_TRY(check_octomap_checksum(bytes, header));
   HYPERMAP_TRY(check_extension(source, header.binary));
   HYPERMAP_ASSIGN_OR_RETURN(const OctomapKind kind, kind_of(header.id));
   if (header.num_nodes > limits.max_nodes)
@@ -82,8 +85,9 @@ Result<Loaded<OctomapTree>> parse(std::string_view bytes,
                 std::to_string(header.num_nodes) + " nodes, the limit is " +
                     std::to_string(limits.max_nodes),
                 "size");
+  HYPERMAP_TRY(budget.draw_octree_nodes(header.num_nodes));
   HYPERMAP_ASSIGN_OR_RETURN(OctomapNodes nodes,
-                            read_nodes(header, kind, bytes.substr(header.num_bytes)));
+                            read_nodes(header, kind, bytes.substr(header.num_bytes), budget));
   nodes.tree.kind = header.binary ? OctomapKind::kOccupancy : kind;
   nodes.tree.resolution_m = header.resolution_m;
   if (nodes.num_stale_inner_nodes > 0)
@@ -93,12 +97,12 @@ Result<Loaded<OctomapTree>> parse(std::string_view bytes,
 }
 
 std::string with_header(const OctomapTree& tree, const OctomapNodeBytes& nodes, bool binary) {
-  return write_octomap_header({.binary = binary,
-                               .id = std::string(id_of(tree.kind)),
-                               .num_nodes = nodes.num_nodes,
-                               .resolution_m = tree.resolution_m,
-                               .findings = {}}) +
-         nodes.bytes;
+  return write_octomap_file({.binary = binary,
+                             .id = std::string(id_of(tree.kind)),
+                             .num_nodes = nodes.num_nodes,
+                             .resolution_m = tree.resolution_m,
+                             .findings = {}},
+                            nodes.bytes);
 }
 
 Unexpected thrown(const std::exception& exception, ErrorCode otherwise) {
@@ -111,8 +115,9 @@ Unexpected thrown(const std::exception& exception, ErrorCode otherwise) {
 
 Result<Loaded<OctomapTree>> parse_octomap(std::string_view bytes,
                                           const SourceName& source,
-                                          const OctomapLimits& limits) try {
-  auto loaded = parse(bytes, source, limits);
+                                          const OctomapLimits& limits,
+                                          const LoadBudget& budget) try {
+  auto loaded = parse(bytes, source, limits, budget);
   if (!loaded) return tl::make_unexpected(with_source(std::move(loaded).error(), source));
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), source);

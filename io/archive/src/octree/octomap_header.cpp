@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "octomap_header.hpp"
 
+#include "hypermap/io/codec/checksum.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 
 #include <array>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "# Octomap OcTree file";
 constexpr std::string_view kFirstLineBinary = "# Octomap OcTree binary file";
+constexpr std::string_view kChecksumWord = "crc32";
 constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 17;
 constexpr std::size_t kMaxIdBytes = 256;
 constexpr double kMinResolution = 1e-6;
@@ -37,6 +39,10 @@ Result<double> parse_resolution(std::string_view text) {
                 "is '" + printable(text) + "', expected metres between 1e-6 and 1000",
                 "res");
   return resolution;
+}
+
+std::string checksum_line(std::uint32_t crc) {
+  return "# " + std::string(kChecksumWord) + " " + checksum_text(crc) + "\n";
 }
 
 /// Reads the header line by line.
@@ -82,11 +88,22 @@ class HeaderParser {
       return fail(ErrorCode::kMalformedFile, "ends before the line 'data'", "header");
     const std::string_view line = bytes_.substr(at_, end - at_);
     at_ = end + 1;
+    HYPERMAP_TRY(note_checksum(line));
     if (line.find('\r') != std::string_view::npos)
       return fail(ErrorCode::kMalformedFile,
                   "has CRLF line ends: the file was damaged by a transfer as text",
                   "header");
     return line;
+  }
+
+  /// Any line with the word, so that one whose ends were damaged does not pass for a comment.
+  /// `line` is the one that was taken last.
+  Result<void> note_checksum(std::string_view line) {
+    if (line.find(kChecksumWord) == std::string_view::npos) return {};
+    if (!header_.checksum_line.empty())
+      return fail(ErrorCode::kMalformedFile, "is given twice", "crc32");
+    header_.checksum_line = bytes_.substr(at_ - line.size() - 1, line.size() + 1);
+    return {};
   }
 
   Result<void> take_key(std::string_view text) {
@@ -127,14 +144,29 @@ Result<OctomapHeader> parse_octomap_header(std::string_view bytes) {
   return HeaderParser(bytes).parse();
 }
 
-std::string write_octomap_header(const OctomapHeader& header) {
+Result<void> check_octomap_checksum(std::string_view bytes, const OctomapHeader& header) {
+  const std::string_view said = header.checksum_line;
+  if (said.empty()) return {};
+  const auto at = static_cast<std::size_t>(said.data() - bytes.data());
+  const std::uint32_t crc = crc32_of(bytes.substr(at + said.size()), crc32_of(bytes.substr(0, at)));
+  if (said == checksum_line(crc)) return {};
+  return fail(ErrorCode::kMalformedFile,
+              "is '" + printable(said.substr(0, said.size() - 1), 40) + "', that of the file is " +
+                  checksum_text(crc) +
+                  ": the file was damaged, or changed without taking the line out",
+              "crc32");
+}
+
+std::string write_octomap_file(const OctomapHeader& header, std::string_view nodes) {
   std::array<char, 32> resolution{};
   const auto [end, error] =
       std::to_chars(resolution.data(), resolution.data() + resolution.size(), header.resolution_m);
   std::string text(header.binary ? kFirstLineBinary : kFirstLine);
-  text += "\nid " + header.id + "\nsize " + std::to_string(header.num_nodes) + "\nres ";
-  text.append(resolution.data(), end);
-  return text + "\ndata\n";
+  text += "\n";
+  std::string keys = "id " + header.id + "\nsize " + std::to_string(header.num_nodes) + "\nres ";
+  keys.append(resolution.data(), end).append("\ndata\n");
+  text += checksum_line(crc32_of(nodes, crc32_of(keys, crc32_of(text))));
+  return text.append(keys).append(nodes);
 }
 
 }  // namespace hypermap

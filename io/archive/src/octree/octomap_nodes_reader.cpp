@@ -17,8 +17,8 @@ namespace {
 /// Hands out bytes and counts nodes, so that every error can name one.
 class NodeCursor {
  public:
-  NodeCursor(std::string_view bytes, std::uint64_t num_nodes)
-      : bytes_(bytes), num_nodes_(num_nodes) {}
+  NodeCursor(std::string_view bytes, std::uint64_t num_nodes, const LoadBudget& budget)
+      : bytes_(bytes), num_nodes_(num_nodes), budget_(budget) {}
 
   [[nodiscard]] Unexpected error(std::string what) const {
     return fail(ErrorCode::kMalformedFile,
@@ -26,8 +26,10 @@ class NodeCursor {
                 "octree");
   }
 
-  /// Errors: there are more nodes than the header said.
+  /// Errors: there are more nodes than the header said; kInterrupted.
   Result<void> count_node() {
+    constexpr std::uint64_t kNodesBetweenChecks = std::uint64_t{1} << 16U;
+    if (num_counted_ % kNodesBetweenChecks == 0) HYPERMAP_TRY(budget_.check_stop());
     if (++num_counted_ > num_nodes_)
       return fail(ErrorCode::kMalformedFile,
                   "says " + std::to_string(num_nodes_) + " nodes, the tree has more",
@@ -61,6 +63,7 @@ class NodeCursor {
   std::size_t at_ = 0;
   std::uint64_t num_nodes_;
   std::uint64_t num_counted_ = 0;
+  const LoadBudget& budget_;
 };
 
 /// An inner node whose children are being read.
@@ -74,8 +77,11 @@ struct OpenNode {
 /// Reads `.ot` nodes in their order, depth first, with a stack of at most sixteen open nodes.
 class FullReader {
  public:
-  FullReader(std::string_view bytes, OctomapKind kind, std::uint64_t num_nodes)
-      : cursor_(bytes, num_nodes), kind_(kind) {
+  FullReader(std::string_view bytes,
+             OctomapKind kind,
+             std::uint64_t num_nodes,
+             const LoadBudget& budget)
+      : cursor_(bytes, num_nodes, budget), kind_(kind) {
     open_.reserve(kOctomapDepth);
   }
 
@@ -173,7 +179,8 @@ constexpr float kBinaryOccupied = 3.511F;  // and of 0.971
 
 class BinaryReader {
  public:
-  BinaryReader(std::string_view bytes, std::uint64_t num_nodes) : cursor_(bytes, num_nodes) {
+  BinaryReader(std::string_view bytes, std::uint64_t num_nodes, const LoadBudget& budget)
+      : cursor_(bytes, num_nodes, budget) {
     open_.reserve(kOctomapDepth);
   }
 
@@ -230,12 +237,15 @@ class BinaryReader {
 
 Result<OctomapNodes> read_full_nodes(std::string_view bytes,
                                      OctomapKind kind,
-                                     std::uint64_t num_nodes) {
-  return FullReader(bytes, kind, num_nodes).read();
+                                     std::uint64_t num_nodes,
+                                     const LoadBudget& budget) {
+  return FullReader(bytes, kind, num_nodes, budget).read();
 }
 
-Result<OctomapNodes> read_binary_nodes(std::string_view bytes, std::uint64_t num_nodes) {
-  return BinaryReader(bytes, num_nodes).read();
+Result<OctomapNodes> read_binary_nodes(std::string_view bytes,
+                                       std::uint64_t num_nodes,
+                                       const LoadBudget& budget) {
+  return BinaryReader(bytes, num_nodes, budget).read();
 }
 
 }  // namespace hypermap

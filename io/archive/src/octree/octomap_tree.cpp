@@ -190,7 +190,8 @@ OctomapTree with_class_colors(const OctomapTree& tree) {
 
 Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
                                                   const OctreeOptions& options,
-                                                  const OctreeConversionOptions& conversion) {
+                                                  const OctreeConversionOptions& conversion,
+                                                  const LoadBudget& budget) {
   HYPERMAP_TRY(validate(tree));
   const std::uint64_t voxels = num_voxels(tree);
   const std::uint64_t limit = max_voxels(tree, conversion);
@@ -203,11 +204,14 @@ Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
   own.resolution_m = tree.resolution_m;
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(own));
   Changes changes;
+  std::uint64_t num_set = 0;
   for (const OctomapLeaf& leaf : tree.leaves) {
     StoredLeaf stored;
     stored.log_odds = converted(leaf.log_odds, octree.sensor_model(), changes);
     if (leaf.label != OctomapLeaf::kNoLabel) stored.label = tree.labels[leaf.label];
     for (std::uint64_t i = 0; i < leaf.num_voxels(); ++i) {
+      constexpr std::uint64_t kVoxelsBetweenChecks = std::uint64_t{1} << 16U;
+      if (num_set++ % kVoxelsBetweenChecks == 0) HYPERMAP_TRY(budget.check_stop());
       stored.key = VoxelKey::from_morton(leaf.key.morton() + i);
       HYPERMAP_TRY(octree.set_leaf(stored));
     }

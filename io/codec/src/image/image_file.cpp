@@ -141,11 +141,15 @@ Result<ImageHeader> read_header(std::string_view bytes, ImageFormat format) {
 
 Result<DecodedImage> decode(std::string_view bytes,
                             const SourceName& source,
-                            const ImageLimits& limits) {
+                            const ImageLimits& limits,
+                            const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const ImageFormat format, format_of(bytes, source));
+  HYPERMAP_ASSIGN_OR_RETURN(const ImageHeader header, read_header(bytes, format));
+  HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
+  HYPERMAP_TRY(budget.draw_pixels(header.num_pixels()));
   switch (format) {
     case ImageFormat::kPng:
-      return decode_png(bytes, source, limits);
+      return decode_png(bytes, source, limits, budget);
     case ImageFormat::kPgm:
       return decode_pgm(bytes, source, limits);
     case ImageFormat::kJpeg:
@@ -216,8 +220,9 @@ Result<ImageHeader> read_image_header(std::string_view bytes,
 
 Result<DecodedImage> decode_image(std::string_view bytes,
                                   const SourceName& source,
-                                  const ImageLimits& limits) {
-  auto decoded = decode(bytes, source, limits);
+                                  const ImageLimits& limits,
+                                  const LoadBudget& budget) {
+  auto decoded = decode(bytes, source, limits, budget);
   if (!decoded) return tl::make_unexpected(with_source(decoded.error(), source));
   return decoded;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The only file that knows libpng. Its errors end in stop(), which jumps back to the setjmp of
-// feed(): between the two no object with a destructor lives. Its progressive reader is used because
-// that one alone insists on the end of the compressed stream.
+// begin() or feed(): between the two no object with a destructor lives. Its progressive reader is
+// used because that one alone insists on the end of the compressed stream.
 #include "png_decompression.hpp"
 
 #include "image_limits.hpp"
@@ -98,20 +98,44 @@ bool create(PngStream& stream) {
   return stream.info != nullptr;
 }
 
-/// False when libpng complains of the parts.
-bool feed(PngStream& stream, std::span<const std::string_view> parts) {
+/// False when libpng complains of the settings.
+bool begin(PngStream& stream) {
   if (setjmp(png_jmpbuf(stream.png)) != 0) return false;  // NOLINT(cert-err52-cpp)
   png_set_progressive_read_fn(stream.png, &stream, choose_form, take_row, take_end);
   // Sides, CRCs and the size of the file were checked already.
   png_set_user_limits(stream.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_chunk_malloc_max(stream.png, 0);
   png_set_crc_action(stream.png, PNG_CRC_QUIET_USE, PNG_CRC_QUIET_USE);
-  for (const std::string_view part : parts) {
-    // libpng does not write through it; its type is older than const.
-    auto* const bytes = reinterpret_cast<png_bytep>(const_cast<char*>(part.data()));  // NOLINT
-    png_process_data(stream.png, stream.info, bytes, part.size());
-  }
   return true;
+}
+
+/// False when libpng complains of the bytes.
+bool feed(PngStream& stream, std::string_view bytes) {
+  if (setjmp(png_jmpbuf(stream.png)) != 0) return false;  // NOLINT(cert-err52-cpp)
+  // libpng does not write through it; its type is older than const.
+  auto* const data = reinterpret_cast<png_bytep>(const_cast<char*>(bytes.data()));  // NOLINT
+  png_process_data(stream.png, stream.info, data, bytes.size());
+  return true;
+}
+
+Result<void> feed_all(PngStream& stream,
+                      std::span<const std::string_view> chunks,
+                      const LoadBudget& budget) {
+  constexpr std::size_t kPieceBytes = std::size_t{1} << 14U;
+  bool is_fed = begin(stream);
+  for (std::string_view rest : chunks) {
+    while (is_fed && !rest.empty()) {
+      HYPERMAP_TRY(budget.check_stop());
+      const std::string_view piece = rest.substr(0, kPieceBytes);
+      rest.remove_prefix(piece.size());
+      is_fed = feed(stream, piece);
+    }
+  }
+  if (stream.is_out_of_memory) throw std::bad_alloc();
+  if (is_fed) return {};
+  return fail(ErrorCode::kMalformedFile,
+              std::string("cannot be decoded: ") + stream.message.data(),
+              "IDAT");
 }
 
 /// An image of the layout's size, its samples still 0.
@@ -139,20 +163,14 @@ std::span<std::uint8_t> bytes_of(DecodedImage& image) {
 
 }  // namespace
 
-Result<DecodedImage> decompress_png(const PngLayout& layout) {
+Result<DecodedImage> decompress_png(const PngLayout& layout, const LoadBudget& budget) {
   DecodedImage image = blank_image(layout);
   PngStream stream;
   stream.pixels = bytes_of(image);
   stream.row_bytes = stream.pixels.size() / static_cast<std::size_t>(image.height_px);
   stream.is_interlaced = layout.header.interlaced;
   if (!create(stream)) throw std::bad_alloc();
-  const bool is_fed = feed(stream, layout.chunks);
-  if (stream.is_out_of_memory) throw std::bad_alloc();
-  if (!is_fed) {
-    return fail(ErrorCode::kMalformedFile,
-                std::string("cannot be decoded: ") + stream.message.data(),
-                "IDAT");
-  }
+  HYPERMAP_TRY(feed_all(stream, layout.chunks, budget));
   if (!stream.is_whole) return fail(ErrorCode::kMalformedFile, "holds too few pixels", "IDAT");
   return image;
 }

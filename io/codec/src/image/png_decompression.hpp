@@ -3,6 +3,7 @@
 /// The samples of a checked PNG, by libpng.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 #include "png_chunks.hpp"
@@ -14,7 +15,8 @@ namespace hypermap {
 ///
 /// What libpng only warns of is an error.
 /// Errors: kMalformedFile when the compressed rows are damaged, too few, too many or do not end
-/// with their checksum; kOutOfMemory.
-[[nodiscard]] Result<DecodedImage> decompress_png(const PngLayout& layout);
+/// with their checksum; kOutOfMemory; kInterrupted when `budget` is told to stop.
+[[nodiscard]] Result<DecodedImage> decompress_png(const PngLayout& layout,
+                                                  const LoadBudget& budget);
 
 }  // namespace hypermap

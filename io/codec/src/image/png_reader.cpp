@@ -85,12 +85,14 @@ Result<DecodedImage> resolve_palette(const DecodedImage& indices, const PngLayou
   return out;
 }
 
-Result<DecodedImage> decode(std::string_view bytes, const ImageLimits& limits) {
+Result<DecodedImage> decode(std::string_view bytes,
+                            const ImageLimits& limits,
+                            const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const PngHeader header, read_png_header(bytes));
   HYPERMAP_TRY(check_size(header.width_px, header.height_px, limits));
   HYPERMAP_ASSIGN_OR_RETURN(const PngLayout layout, read_png_layout(bytes));
   HYPERMAP_TRY(check_declared_size(layout));
-  HYPERMAP_ASSIGN_OR_RETURN(DecodedImage samples, decompress_png(layout));
+  HYPERMAP_ASSIGN_OR_RETURN(DecodedImage samples, decompress_png(layout, budget));
   if (header.color == PngColor::kPalette) return resolve_palette(samples, layout);
   return samples;
 }
@@ -99,9 +101,10 @@ Result<DecodedImage> decode(std::string_view bytes, const ImageLimits& limits) {
 
 Result<DecodedImage> decode_png(std::string_view bytes,
                                 const SourceName& source,
-                                const ImageLimits& limits) {
+                                const ImageLimits& limits,
+                                const LoadBudget& budget) {
   try {
-    auto image = decode(bytes, limits);
+    auto image = decode(bytes, limits, budget);
     if (!image) return tl::make_unexpected(with_source(image.error(), source));
     return image;
   } catch (const std::bad_alloc&) {

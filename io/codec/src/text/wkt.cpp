@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/wkt.hpp"
 
+#include "hypermap/core/geometry/polygon_budget.hpp"
 #include "wkt_text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <new>
 #include <utility>
 
@@ -22,10 +21,10 @@ bool is_unclosed(const RingText& ring) {
   return ring.points.size() > 1 && !ring.is_closed;
 }
 
-Result<Polygon> polygon_of(const PolygonText& rings) {
+Result<Polygon> polygon_of(const PolygonText& rings, const LoadBudget& budget) {
   std::vector<Ring> holes;
   for (std::size_t i = 1; i < rings.size(); ++i) holes.push_back(rings[i].points);
-  return make_polygon(rings.front().points, std::move(holes));
+  return make_polygon(rings.front().points, std::move(holes), budget);
 }
 
 /// The same rings without spikes; counts those that had some.
@@ -41,11 +40,11 @@ Result<PolygonText> spike_free(PolygonText rings, std::size_t& num_spiked) {
 
 /// Parts are in the form in which they are read when they are written; rounded crossings may leave
 /// one that is no polygon.
-Result<void> append_winding_fill(WktShape& shape, const RingText& ring) {
-  auto fill = resolve_winding(ring.points);
+Result<void> append_winding_fill(WktShape& shape, const RingText& ring, const LoadBudget& budget) {
+  auto fill = resolve_winding(ring.points, budget);
   if (!fill) return bad_shape(fill.error(), ring.column);
   for (Polygon& part : fill->parts) {
-    auto polygon = make_polygon(std::move(part.outer), std::move(part.holes));
+    auto polygon = make_polygon(std::move(part.outer), std::move(part.holes), budget);
     if (!polygon) return bad_shape(polygon.error(), ring.column);
     shape.parts.push_back(*std::move(polygon));
   }
@@ -56,34 +55,47 @@ Result<void> append_winding_fill(WktShape& shape, const RingText& ring) {
 
 /// A polygon is what it says, spikes apart; a single ring that is none by itself may stand for its
 /// winding fill.
-Result<void> append_parts(WktShape& shape, const PolygonText& rings) {
+Result<void> append_parts(WktShape& shape, const PolygonText& rings, const LoadBudget& budget) {
   const auto unclosed = std::count_if(rings.begin(), rings.end(), is_unclosed);
   shape.unclosed_rings += static_cast<std::size_t>(unclosed);
   for (const RingText& ring : rings) shape.missing_commas += ring.missing_commas;
-  auto polygon = polygon_of(rings);
-  if (!polygon) {
+  auto polygon = polygon_of(rings, budget);
+  if (!polygon && polygon.error().code == ErrorCode::kInvalidArgument) {
     HYPERMAP_ASSIGN_OR_RETURN(const PolygonText mended, spike_free(rings, shape.spiked_rings));
-    polygon = polygon_of(mended);
-    if (!polygon && rings.size() == 1) return append_winding_fill(shape, mended.front());
+    polygon = polygon_of(mended, budget);
+    if (!polygon && rings.size() == 1) return append_winding_fill(shape, mended.front(), budget);
   }
   if (!polygon) return bad_shape(polygon.error(), rings.front().column);
   shape.parts.push_back(*std::move(polygon));
   return {};
 }
 
-bool overlap(const Polygon& a, const Polygon& b) {
-  constexpr double kRounding = 1e-12;
-  const Rect box_a = bounds(a);
-  const Rect box_b = bounds(b);
-  const bool may = (box_a.min.array() < box_b.max.array()).all() &&
-                   (box_b.min.array() < box_a.max.array()).all();
-  return may && jaccard(a, b) > kRounding;
+std::size_t num_vertices(const Polygon& polygon) {
+  std::size_t count = polygon.outer.size();
+  for (const Ring& hole : polygon.holes) count += hole.size();
+  return count;
 }
 
-Result<void> check_disjoint(const std::vector<Polygon>& parts) {
+bool boxes_overlap(const Rect& a, const Rect& b) {
+  return (a.min.array() < b.max.array()).all() && (b.min.array() < a.max.array()).all();
+}
+
+Result<bool> areas_overlap(const Polygon& a, const Polygon& b, const LoadBudget& budget) {
+  constexpr double kRounding = 1e-12;
+  HYPERMAP_TRY(budget.draw_edge_tests(num_vertices(a) * num_vertices(b)));
+  return jaccard(a, b) > kRounding;
+}
+
+Result<void> check_disjoint(const std::vector<Polygon>& parts, const LoadBudget& budget) {
+  std::vector<Rect> boxes;
+  boxes.reserve(parts.size());
+  for (const Polygon& part : parts) boxes.push_back(bounds(part));
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    HYPERMAP_TRY(budget.draw_edge_tests(i));
     for (std::size_t j = 0; j < i; ++j) {
-      if (!overlap(parts[i], parts[j])) continue;
+      if (!boxes_overlap(boxes[i], boxes[j])) continue;
+      HYPERMAP_ASSIGN_OR_RETURN(const bool overlap, areas_overlap(parts[i], parts[j], budget));
+      if (!overlap) continue;
       return fail(ErrorCode::kMalformedFile,
                   "column 1: parts " + std::to_string(j) + " and " + std::to_string(i) +
                       " of the shape overlap");
@@ -112,51 +124,21 @@ Result<void> check_limits(const std::vector<Polygon>& parts, const WktLimits& li
   return check(num_vertices, limits.max_vertices, " vertices");
 }
 
-std::string number(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return std::string(digits.data(), end.ptr);
-}
-
-void append_ring(std::string& out, const Ring& ring) {
-  out += "(";
-  for (const Eigen::Vector2d& point : ring)
-    out += number(point.x()) + " " + number(point.y()) + ",";
-  out += number(ring.front().x()) + " " + number(ring.front().y()) + ")";
-}
-
-void append_polygon(std::string& out, const Polygon& polygon) {
-  out += "(";
-  append_ring(out, polygon.outer);
-  for (const Ring& hole : polygon.holes) {
-    out += ",";
-    append_ring(out, hole);
-  }
-  out += ")";
-}
-
 }  // namespace
 
-Result<WktShape> read_wkt(std::string_view text, const WktLimits& limits) {
+Result<WktShape> read_wkt(std::string_view text,
+                          const WktLimits& limits,
+                          const LoadBudget& budget) {
   try {
     HYPERMAP_ASSIGN_OR_RETURN(const auto polygons, parse_wkt(text, limits));
     WktShape shape;
-    for (const PolygonText& rings : polygons) HYPERMAP_TRY(append_parts(shape, rings));
+    for (const PolygonText& rings : polygons) HYPERMAP_TRY(append_parts(shape, rings, budget));
     HYPERMAP_TRY(check_limits(shape.parts, limits));
-    if (shape.parts.size() > 1) HYPERMAP_TRY(check_disjoint(shape.parts));
+    if (shape.parts.size() > 1) HYPERMAP_TRY(check_disjoint(shape.parts, budget));
     return shape;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the shape");
   }
-}
-
-std::string write_wkt(std::span<const Polygon> parts) {
-  std::string out = parts.size() == 1 ? "POLYGON" : "MULTIPOLYGON(";
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) out += ",";
-    append_polygon(out, parts[i]);
-  }
-  return parts.size() == 1 ? out : out + ")";
 }
 
 }  // namespace hypermap

@@ -77,7 +77,9 @@ Result<std::string> try_pack(std::string_view content, Packing packing) {
   return packed;
 }
 
-Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes) {
+Result<std::string> try_unpack(std::string_view packed,
+                               std::uint64_t num_bytes,
+                               const LoadBudget& budget) {
   const auto wrong_size = [&](const char* relation) {
     return fail(ErrorCode::kMalformedFile,
                 std::string("inflates to ") + relation + " than its declared size of " +
@@ -89,6 +91,7 @@ Result<std::string> try_unpack(std::string_view packed, std::uint64_t num_bytes)
   std::string content;
   int state = Z_OK;
   while (state != Z_STREAM_END) {
+    HYPERMAP_TRY(budget.check_stop());
     offer_input(stream.z, packed);
     // One byte more than declared, so that a stream that is longer shows itself.
     const auto room =
@@ -121,22 +124,29 @@ Result<std::string> pack(std::string_view content, Packing packing) {
   }
 }
 
-Result<std::string> unpack(std::string_view packed, std::uint64_t num_bytes) {
+Result<std::string> unpack(std::string_view packed,
+                           std::uint64_t num_bytes,
+                           const LoadBudget& budget) {
   try {
-    return try_unpack(packed, num_bytes);
+    return try_unpack(packed, num_bytes, budget);
   } catch (const std::exception& exception) {
     return caught(exception, ErrorCode::kMalformedFile, "inflated bytes");
   }
 }
 
-std::uint32_t crc32_of(std::string_view content) {
-  uLong crc = crc32(0, nullptr, 0);
-  while (!content.empty()) {
-    const uInt part = part_of(content.size());
-    crc = crc32(crc, input_of(content), part);
-    content.remove_prefix(part);
-  }
-  return static_cast<std::uint32_t>(crc);
+Result<std::string> unpack_start(std::string_view packed, std::size_t max_bytes) {
+  DeflateStream<inflateEnd> stream;
+  if (inflateInit2(&stream.z, kRawWindowBits) != Z_OK) return no_memory();
+  stream.open = true;
+  std::string content;
+  offer_input(stream.z, packed);
+  offer_room(stream.z, content, max_bytes);
+  const int state = inflate(&stream.z, Z_SYNC_FLUSH);
+  if (state == Z_MEM_ERROR) return no_memory();
+  if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
+    return fail(ErrorCode::kMalformedFile, "damaged deflate stream");
+  content.resize(content.size() - stream.z.avail_out);
+  return content;
 }
 
 }  // namespace hypermap

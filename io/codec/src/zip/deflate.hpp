@@ -3,8 +3,10 @@
 /// Packing and unpacking of members; zlib stops here.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,9 +19,14 @@ enum class Packing : std::uint8_t { kBest, kHuffmanOnly };
 [[nodiscard]] Result<std::string> pack(std::string_view content, Packing packing);
 
 /// The content of a raw deflate stream, which must use all of `packed` and give exactly
-/// `num_bytes`. Memory grows with what was really inflated. Errors: kMalformedFile, kOutOfMemory.
-[[nodiscard]] Result<std::string> unpack(std::string_view packed, std::uint64_t num_bytes);
+/// `num_bytes`. Memory grows with what was really inflated. Errors: kMalformedFile, kOutOfMemory,
+/// kInterrupted when `budget` is told to stop.
+[[nodiscard]] Result<std::string> unpack(std::string_view packed,
+                                         std::uint64_t num_bytes,
+                                         const LoadBudget& budget);
 
-[[nodiscard]] std::uint32_t crc32_of(std::string_view content);
+/// At most the first `max_bytes` bytes that a raw deflate stream, which may be cut, stands for.
+/// Errors: kMalformedFile, kOutOfMemory.
+[[nodiscard]] Result<std::string> unpack_start(std::string_view packed, std::size_t max_bytes);
 
 }  // namespace hypermap

@@ -2,8 +2,10 @@
 #include "hypermap/io/codec/zip_reader.hpp"
 
 #include "deflate.hpp"
+#include "hypermap/io/codec/checksum.hpp"
 #include "zip_directory.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace hypermap {
@@ -14,13 +16,15 @@ Error in_member(Error error, const ZipMember& member) {
   return error;
 }
 
-Result<std::string> content_of(const ByteSource& source, const ZipMember& member) {
+Result<std::string> content_of(const ByteSource& source,
+                               const ZipMember& member,
+                               const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(
       std::string packed,
       source.read_at(member.data_offset, static_cast<std::size_t>(member.num_packed_bytes)));
   std::string content;
   if (member.deflated) {
-    HYPERMAP_ASSIGN_OR_RETURN(content, unpack(packed, member.num_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(content, unpack(packed, member.num_bytes, budget));
   } else {
     content = std::move(packed);
   }
@@ -48,18 +52,40 @@ Result<ZipReader> ZipReader::create(std::shared_ptr<const ByteSource> source,
   return ZipReader(std::move(source), std::move(members));
 }
 
-Result<std::string> ZipReader::read(std::string_view name, std::uint64_t max_bytes) const {
+const ZipMember* ZipReader::find(std::string_view name) const {
   const auto found = index_of_.find(name);
-  if (found == index_of_.end())
+  return found == index_of_.end() ? nullptr : &members_[found->second];
+}
+
+Result<std::string> ZipReader::read_start(std::string_view name, std::size_t max_bytes) const {
+  // Packed bytes are hardly more than the content where it does not shrink.
+  constexpr std::size_t kPackingBytes = 1024;
+  const ZipMember* const member = find(name);
+  if (member == nullptr)
     return fail(ErrorCode::kNotFound, "no member '" + printable(name) + "' in the archive");
-  const ZipMember& member = members_[found->second];
+  const std::size_t wanted = member->deflated ? max_bytes + kPackingBytes : max_bytes;
+  const auto num_bytes = std::min<std::uint64_t>(member->num_packed_bytes, wanted);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      std::string packed,
+      source_->read_at(member->data_offset, static_cast<std::size_t>(num_bytes)));
+  if (member->deflated) return unpack_start(packed, max_bytes);
+  return packed;
+}
+
+Result<std::string> ZipReader::read(std::string_view name,
+                                    std::uint64_t max_bytes,
+                                    const LoadBudget& budget) const {
+  const ZipMember* const found = find(name);
+  if (found == nullptr)
+    return fail(ErrorCode::kNotFound, "no member '" + printable(name) + "' in the archive");
+  const ZipMember& member = *found;
   if (member.num_bytes > max_bytes)
     return tl::make_unexpected(in_member(
         {.code = ErrorCode::kLimit,
          .what = std::to_string(member.num_bytes) +
                  " bytes, the limit for an entry of its kind is " + std::to_string(max_bytes)},
         member));
-  auto content = content_of(*source_, member);
+  auto content = content_of(*source_, member, budget);
   if (!content) return tl::make_unexpected(in_member(std::move(content).error(), member));
   return content;
 }

@@ -3,6 +3,7 @@
 
 #include "deflate.hpp"
 #include "hypermap/core/base/caught.hpp"
+#include "hypermap/io/codec/checksum.hpp"
 #include "zip_directory.hpp"
 #include "zip_format.hpp"
 #include "zip_names.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/detections_file.hpp"
 
+#include "detections_head.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/detections_parsing.hpp"
@@ -102,13 +103,27 @@ bool is_json_lines(const FirstLine& first, const DetectionReadOptions& options) 
   return document && document->root().is(JsonKind::kObject);
 }
 
-Result<void> parse_json_lines(const std::vector<TextLine>& lines, DetectionSetBuilder& builder) {
+/// What follows on a line of `text`.
+std::string_view text_behind(std::string_view line, std::string_view text) {
+  const std::size_t end =
+      text.find('\n', static_cast<std::size_t>(line.data() - text.data()) + line.size());
+  return end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+}
+
+Result<void> parse_json_lines(std::string_view text,
+                              const std::vector<TextLine>& lines,
+                              DetectionSetBuilder& builder) {
+  bool is_first = true;
   for (const TextLine& line : lines) {
     if (trimmed(line.text).empty()) continue;
     HYPERMAP_ASSIGN_OR_RETURN(
         const JsonDocument document,
         JsonDocument::parse(
             line.text, builder.file(), json_limits(builder.options()), line.number));
+    if (std::exchange(is_first, false) && is_detections_head(document.root())) {
+      HYPERMAP_TRY(check_detections_head(document.root(), text_behind(line.text, text)));
+      continue;
+    }
     HYPERMAP_TRY(parse_frame_json(document.root(), builder));
   }
   return {};
@@ -118,11 +133,14 @@ Result<void> parse_json(std::string_view text,
                         const std::filesystem::path& folder,
                         DetectionSetBuilder& builder) {
   const std::vector<TextLine> lines = split_lines(text);
-  if (is_json_lines(first_line(lines), builder.options())) return parse_json_lines(lines, builder);
+  if (is_json_lines(first_line(lines), builder.options())) {
+    return parse_json_lines(text, lines, builder);
+  }
   HYPERMAP_ASSIGN_OR_RETURN(
       const JsonDocument document,
       JsonDocument::parse(text, builder.file(), json_limits(builder.options())));
   const JsonNode root = document.root();
+  if (is_detections_head(root)) return check_detections_head(root, {});
   const bool is_coco =
       root.is(JsonKind::kArray) || root.find("annotations") || root.find("results");
   return is_coco ? parse_coco_json(root, folder, builder) : parse_frame_json(root, builder);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
@@ -77,6 +78,7 @@ struct ArchiveLimits {
   std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;  ///< Of the objects, a line each.
   std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;   ///< Of an octree.
   std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;  ///< Of our own octree.
+  BudgetLimits sums = {};                                    ///< Of all members together.
 };
 
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
@@ -88,18 +90,22 @@ struct ArchiveLimits {
 /// Errors: those of ZipReader and of the readers of the parts; kMalformedFile for a missing
 /// configuration or member, a file that leads out of the archive, a file that two layers share, a
 /// label without a class; kUnsupported for a newer version and for a file of another kind; kIo;
-/// kOutOfMemory. Each names archive and member.
+/// kOutOfMemory; kInterrupted when `stop` says so. Each names archive and member; where many small
+/// members meet a limit together, the one that crosses it.
 [[nodiscard]] Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                                       const ArchiveLimits& limits = {},
-                                                      const LayerRegistry& layers = {});
+                                                      const LayerRegistry& layers = {},
+                                                      const StopCheck& stop = {});
 /// The same from an archive's bytes, which errors call `source.file`.
 [[nodiscard]] Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                                        const SourceName& source,
                                                        const ArchiveLimits& limits = {},
-                                                       const LayerRegistry& layers = {});
+                                                       const LayerRegistry& layers = {},
+                                                       const StopCheck& stop = {});
 
 /// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
-/// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse.
+/// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse; whether
+/// it is within `limits.sums` is only known by reading, which `save_archive` does to verify.
 [[nodiscard]] Result<std::string> write_archive(const MapArchive& archive,
                                                 const ArchiveLimits& limits = {});
 

@@ -8,6 +8,7 @@
 /// free_thresh.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/value_tree.hpp"
 #include "hypermap/io/codec/image_file.hpp"
@@ -58,14 +59,17 @@ struct MapMetadata {
 [[nodiscard]] Result<Loaded<MapMetadata>> parse_map_metadata(std::string_view yaml,
                                                              const SourceName& source);
 
-/// Turns an image into occupancies. Errors: kLimit.
+/// Turns an image into occupancies. Errors: kLimit; kInterrupted when `budget` is told to stop, of
+/// which nothing is drawn: the image was.
 /// Deviation: a PGM of another maxval and 16-bit images are scaled to 0..255 (their full
 /// precision counts in p), where the first implementation reads 8 bit only.
 [[nodiscard]] Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
                                                             const MapMetadata& metadata,
-                                                            MapDialect dialect);
+                                                            MapDialect dialect,
+                                                            const LoadBudget& budget = {});
 
 /// A map on disk; the image is looked for beside the YAML file.
+/// Findings: also an image whose name says that it is another (hashed_image_name).
 /// Errors: those above, of read_image_file, and kIo. Nothing is half loaded.
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
                                                       MapDialect dialect = MapDialect::kMapServer);

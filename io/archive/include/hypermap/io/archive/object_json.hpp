@@ -4,6 +4,7 @@
 /// so that what is read equals what was written bit by bit.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/io/codec/source_name.hpp"
@@ -29,11 +30,12 @@ struct ObjectFileLimits {
 
 /// Errors: kMalformedFile with line and path for a missing or unknown key, a wrong type, a value
 /// that an object cannot have, a number of lines that is not the one said; kUnsupported "written by
-/// a newer version N"; kLimit.
+/// a newer version N"; kLimit; kInterrupted when `budget` is told to stop; nothing is drawn of it.
 /// Boundary: polygons must have rings of three points and more within 1e6 m; whether they cross
 /// themselves is not checked again.
 [[nodiscard]] Result<ObjectMap> parse_objects(std::string_view bytes,
                                               const SourceName& source,
-                                              const ObjectFileLimits& limits = {});
+                                              const ObjectFileLimits& limits = {},
+                                              const LoadBudget& budget = {});
 
 }  // namespace hypermap

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
@@ -83,10 +84,12 @@ struct OctreeConversionOptions {
 /// A map of our own: large leaves are split into voxels, log-odds rounded to steps of 0.001 and
 /// clamped to the sensor model's bounds; findings count both where they changed something. Colours
 /// are dropped. The resolution is that of the tree, whatever `options` says.
-/// Errors: kLimit when the leaves cover more voxels than that allows; those of SemanticOctree.
+/// Errors: kLimit when the leaves cover more voxels than that allows; those of SemanticOctree;
+/// kInterrupted when `budget` is told to stop, of which nothing is drawn.
 [[nodiscard]] Result<Loaded<SemanticOctree>> to_semantic_octree(
     const OctomapTree& tree,
     const OctreeOptions& options = {},
-    const OctreeConversionOptions& conversion = {});
+    const OctreeConversionOptions& conversion = {},
+    const LoadBudget& budget = {});
 
 }  // namespace hypermap

@@ -7,6 +7,7 @@
 /// are kept.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/source_name.hpp"
@@ -30,12 +31,18 @@ struct SemanticReadOptions {
 /// Entries without an id get the smallest free ones in file order, from 0 on. Findings: rings that
 /// were closed or stood for their winding fill (counted), unknown keys. Errors: those of
 /// parse_yaml; kMalformedFile, kUnsupported or kLimit naming the entry by index and name, the
-/// field, the line, and in a shape the column. Nothing is half loaded.
+/// field, the line, and in a shape the column; those of LoadBudget. Nothing is half loaded.
+/// Unless a load gives its own `budget`, a layer has one by itself.
 [[nodiscard]] Result<Loaded<SemanticLayer>> parse_semantic_layer(
-    std::string_view yaml, const SourceName& source, const SemanticReadOptions& options = {});
+    std::string_view yaml,
+    const SourceName& source,
+    const SemanticReadOptions& options = {},
+    const LoadBudget& budget = LoadBudget(BudgetLimits()));
 /// A file on disk. Errors: those above and kIo.
 [[nodiscard]] Result<Loaded<SemanticLayer>> read_semantic_layer(
-    const std::filesystem::path& path, const SemanticReadOptions& options = {});
+    const std::filesystem::path& path,
+    const SemanticReadOptions& options = {},
+    const LoadBudget& budget = LoadBudget(BudgetLimits()));
 
 /// The layer as YAML in the order of ids, the same bytes for the same layer; a shape that nobody
 /// edited stands as its file wrote it. Ids are written when they are not 0, 1, 2, ... Reading it

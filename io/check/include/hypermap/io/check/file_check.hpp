@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
 #include "hypermap/io/dataset/depth_file.hpp"
 
@@ -18,6 +19,8 @@ struct FileCheckOptions {
   std::optional<FileKind> as = std::nullopt;  ///< Insisted on; none: found by content.
   ImageSize size = {};                        ///< What an image must measure; 0: any.
   bool strict = false;                        ///< Findings become errors.
+  ArchiveLimits limits = {};                  ///< Of archives; the sums also of a semantic layer.
+  StopCheck stop = {};                        ///< Ends the reading of either with kInterrupted.
 };
 
 struct FileCheckResult {

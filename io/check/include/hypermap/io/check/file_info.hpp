@@ -18,8 +18,11 @@ using FileInfo = std::variant<ArchiveInfo, DatasetSummary>;
 /// Archives, bare configurations, octrees, map_server maps and datasets, told apart by content
 /// (`find_file_kind`). An octree or a map by itself is told of as an archive with this one part.
 ///
+/// `limits` are those of archives, whose reading `stop` ends.
 /// Errors: those of find_file_kind and of the kind's reader; what is of another kind is read, and
 /// refused, as an archive.
-[[nodiscard]] Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path);
+[[nodiscard]] Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
+                                                     const ArchiveLimits& limits = {},
+                                                     const StopCheck& stop = {});
 
 }  // namespace hypermap

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 
@@ -55,6 +56,11 @@ struct ImageHeader {
   int height_px = 0;
   int channels = 1;
   int bits = 8;  ///< As stored: 1, 2, 4, 8, 16.
+
+  /// Requires: sides that are not negative.
+  [[nodiscard]] std::uint64_t num_pixels() const noexcept {
+    return static_cast<std::uint64_t>(width_px) * static_cast<std::uint64_t>(height_px);
+  }
 };
 
 /// Errors: kMalformedFile when it is none of the formats or its header is cut or absurd; kLimit;
@@ -65,11 +71,13 @@ struct ImageHeader {
 
 /// Errors: those of read_image_header; kMalformedFile when the content contradicts the extension
 /// of the name, a checksum, or the declared size, or is cut: half an image is never returned;
-/// kOutOfMemory. Cost: memory for the pixels is taken once, after the header was checked against
-/// the limits and against what the compressed bytes can at most hold.
+/// kOutOfMemory; those of LoadBudget::draw_pixels. Cost: memory for the pixels is taken once, after
+/// the header was checked against the limits and against what the compressed bytes can at most
+/// hold, and the pixels were drawn from `budget`.
 [[nodiscard]] Result<DecodedImage> decode_image(std::string_view bytes,
                                                 const SourceName& source,
-                                                const ImageLimits& limits = {});
+                                                const ImageLimits& limits = {},
+                                                const LoadBudget& budget = {});
 /// A file on disk. Errors: those of decode_image and kIo.
 [[nodiscard]] Result<DecodedImage> read_image_file(const std::filesystem::path& path,
                                                    const ImageLimits& limits = {});

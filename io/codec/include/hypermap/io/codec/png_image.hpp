@@ -16,11 +16,13 @@ namespace hypermap {
 
 /// Errors: kMalformedFile for a missing or repeated signature, IHDR, PLTE (where needed), IDAT or
 /// IEND, a wrong chunk length or CRC, a forbidden depth, filter or palette index, too few or too
-/// many pixels, bytes after IEND; kLimit for the size; kOutOfMemory.
+/// many pixels, bytes after IEND; kLimit for the size; kOutOfMemory;
+/// kInterrupted when `budget` is told to stop.
 /// Cost: text and other ancillary chunks are checked by CRC and never inflated.
 [[nodiscard]] Result<DecodedImage> decode_png(std::string_view bytes,
                                               const SourceName& source,
-                                              const ImageLimits& limits = {});
+                                              const ImageLimits& limits = {},
+                                              const LoadBudget& budget = {});
 
 /// Grey and alpha of one pixel.
 struct GrayAlpha8 {

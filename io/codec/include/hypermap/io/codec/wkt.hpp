@@ -7,6 +7,7 @@
 /// SRID, no other geometry: each is refused by name.
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 
@@ -38,8 +39,11 @@ struct WktShape {
 /// and for a shape that is none: fewer than three distinct points, zero area, a ring that
 /// crosses itself with windings of both signs, rings of a polygon that meet elsewhere than in
 /// common corners, holes outside or overlapping, parts that overlap, a coordinate that is not
-/// finite or beyond 1e6 m; kUnsupported for other geometries; kLimit, named.
-[[nodiscard]] Result<WktShape> read_wkt(std::string_view text, const WktLimits& limits = {});
+/// finite or beyond 1e6 m; kUnsupported for other geometries; kLimit, named; those of
+/// LoadBudget::draw_edge_tests.
+[[nodiscard]] Result<WktShape> read_wkt(std::string_view text,
+                                        const WktLimits& limits = {},
+                                        const LoadBudget& budget = {});
 
 /// POLYGON, or MULTIPOLYGON for several parts, rings closed, numbers in their shortest form that
 /// reads back to the same value: what read_wkt gave is read again as it was. Requires: parts not

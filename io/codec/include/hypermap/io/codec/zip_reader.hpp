@@ -12,6 +12,7 @@
 /// below needs none).
 #pragma once
 
+#include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 
@@ -60,12 +61,21 @@ class ZipReader {
   /// Members, folder entries left out, in the order of the central directory.
   [[nodiscard]] const std::vector<ZipMember>& members() const noexcept { return members_; }
   [[nodiscard]] bool contains(std::string_view name) const { return index_of_.contains(name); }
+  /// Null when there is no such member.
+  [[nodiscard]] const ZipMember* find(std::string_view name) const;
 
   /// The content of a member, read to its last byte and checked against size and CRC-32.
   /// Errors: kNotFound; kLimit when it is larger than `max_bytes`, checked before anything is
-  /// inflated; kMalformedFile when data, size and CRC-32 do not fit each other; kIo; kOutOfMemory.
+  /// inflated; kMalformedFile when data, size and CRC-32 do not fit each other; kIo; kOutOfMemory;
+  /// kInterrupted when `budget` is told to stop, of which nothing is drawn.
   [[nodiscard]] Result<std::string> read(std::string_view name,
-                                         std::uint64_t max_bytes = std::uint64_t{2} << 30) const;
+                                         std::uint64_t max_bytes = std::uint64_t{2} << 30,
+                                         const LoadBudget& budget = {}) const;
+
+  /// At most the first `max_bytes` bytes of a member, not checked against its CRC-32: enough for a
+  /// header, not for content.
+  /// Errors: kNotFound; kMalformedFile; kIo; kOutOfMemory.
+  [[nodiscard]] Result<std::string> read_start(std::string_view name, std::size_t max_bytes) const;
 
  private:
   ZipReader(std::shared_ptr<const ByteSource> source, std::vector<ZipMember> members);

@@ -96,7 +96,9 @@ struct DetectionSet {
 /// the only name of `class_names`).
 /// Errors: kIo; kLimit; kMalformedFile naming line and JSON path: no UTF-8, duplicate keys,
 /// literals that are no JSON, text after the end; score outside [0, 1]; box swapped, without area,
-/// not finite or wholly outside; mask whose runs do not fill its size; empty label or NUL in it.
+/// not finite or wholly outside; mask whose runs do not fill its size; empty label or NUL in it;
+/// JSON lines that are not those of which their head (see to_json_lines), if they have one, was
+/// written.
 /// Findings: boxes clipped, keys unknown (each once).
 [[nodiscard]] Result<Loaded<DetectionSet>> read_detections(
     const std::filesystem::path& path, const DetectionReadOptions& options = {});
@@ -139,6 +141,10 @@ struct ResolvedDetections {
 /// One line of JSON, newline included: image, timestamp, size, and per detection label, score,
 /// bbox, the full class vector and the mask. Numbers in shortest form that reads back the same.
 [[nodiscard]] std::string to_json_line(const FrameDetections& frame);
+
+/// A file of such lines, one an image, behind a head that holds their number and their CRC-32:
+/// `{"format": "hypermap-detections", "version": 1, "num_images": 2, "crc32": "8 digits"}`.
+[[nodiscard]] std::string to_json_lines(std::string_view lines);
 
 /// COCO results: a list of {image_id, file_name, category_id, category, bbox [x, y, w, h], score,
 /// scores, segmentation}. `image_id` counts frames from 0, `category_id` counts `class_names` from

@@ -6,6 +6,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/evaluation/map_comparison.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +20,8 @@ struct EvaluationJob {
   std::optional<std::filesystem::path> against = std::nullopt;  ///< Another map of the same place.
   std::string layer = "semantic";                               ///< Semantic layer in each archive.
   EvaluationOptions options = {};
+  ArchiveLimits limits = {};  ///< Of each archive.
+  StopCheck stop = {};        ///< Ends the loading of any with kInterrupted.
 };
 
 struct EvaluationOutcome {

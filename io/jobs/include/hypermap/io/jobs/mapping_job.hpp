@@ -41,6 +41,10 @@ struct MappingJob {
   /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
   /// archive that a later run may go on from. It goes when the map itself is saved. 0: never.
   std::size_t checkpoint_every = 0;
+  /// Of that archive, and of what is written in its place.
+  ArchiveLimits limits = {};
+  /// Ends the loading of that archive with kInterrupted.
+  StopCheck stop = {};
 };
 
 /// `<output>.checkpoint`: the map as it was some frames ago, while it is made.

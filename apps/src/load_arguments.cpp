@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "load_arguments.hpp"
+
+#include "interruption.hpp"
+
+#include <CLI/Validators.hpp>
+
+namespace hypermap::app {
+
+void LoadArguments::add_to(CLI::App& command) {
+  BudgetLimits& sums = limits.sums;
+  const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {
+    command.add_option(flag, limit, what)
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str()
+        ->group("Limits of what is read");
+  };
+  add("--max-pixels", sums.max_pixels, "of all images of an archive");
+  add("--max-edge-tests", sums.max_edge_tests, "of edges, for shapes that cross themselves");
+  add("--max-opaque-bytes", sums.max_opaque_bytes, "of members that nothing here reads");
+  add("--max-octree-nodes", sums.max_octree_nodes, "of all octrees of an archive");
+}
+
+StopCheck stop_when_interrupted() {
+  return [] { return interrupting_signal() != 0; };
+}
+
+}  // namespace hypermap::app

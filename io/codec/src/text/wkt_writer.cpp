@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/codec/wkt.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+std::string number(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return std::string(digits.data(), end.ptr);
+}
+
+void append_ring(std::string& out, const Ring& ring) {
+  out += "(";
+  for (const Eigen::Vector2d& point : ring)
+    out += number(point.x()) + " " + number(point.y()) + ",";
+  out += number(ring.front().x()) + " " + number(ring.front().y()) + ")";
+}
+
+void append_polygon(std::string& out, const Polygon& polygon) {
+  out += "(";
+  append_ring(out, polygon.outer);
+  for (const Ring& hole : polygon.holes) {
+    out += ",";
+    append_ring(out, hole);
+  }
+  out += ")";
+}
+
+}  // namespace
+
+std::string write_wkt(std::span<const Polygon> parts) {
+  std::string out = parts.size() == 1 ? "POLYGON" : "MULTIPOLYGON(";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) out += ",";
+    append_polygon(out, parts[i]);
+  }
+  return parts.size() == 1 ? out : out + ")";
+}
+
+}  // namespace hypermap
