@@ -132,6 +132,7 @@ void add_eval_command(CLI::App& program, Action& action) {
   command.add_option("--classes", arguments->classes, "only these, separated by commas")
       ->delimiter(',');
   command.add_flag("--json", arguments->json, "one JSON document");
+  show_examples(command, {"hypermap eval --map lab.hmap --truth lab/truth.hmap"});
   command.callback([arguments, &action] {
     action = [arguments] {
       auto outcome = run_evaluation(job_of(*arguments));

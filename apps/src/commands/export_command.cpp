@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
+#include "hypermap/io/options/palette_file.hpp"
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
@@ -14,12 +15,17 @@ namespace {
 struct ExportArguments {
   std::string file;
   std::string format;
+  std::string palette;
   ExportRequest request;
 };
 
 Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
+  ExportRequest request = arguments.request;
+  if (!arguments.palette.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.palette, read_palette(arguments.palette));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(arguments.file));
-  auto written = export_map(loaded.value, arguments.request);
+  auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   return written;
 }
@@ -47,12 +53,18 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_option("--class", arguments->request.classes, "only this class; may be repeated");
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
+  command.add_option("--palette", arguments->palette, kPaletteHelp);
+  show_examples(command,
+                {"hypermap export lab.hmap --format ros-map --output lab_map",
+                 "hypermap export lab.hmap --format ply --class chair --output chairs.ply"});
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
     const auto& output = arguments->request.output;
     const bool is_ros_map = *format == ExportFormat::kRosMap;
-    keep_apart("--output", is_ros_map ? ros_map_yaml(output) : output, {arguments->file});
+    keep_apart("--output",
+               is_ros_map ? ros_map_yaml(output) : output,
+               {arguments->file, arguments->palette});
     if (*format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",
