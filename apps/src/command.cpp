@@ -34,4 +34,10 @@ ExitCode report(const Finding& finding) {
   return is_error ? ExitCode::kRefused : ExitCode::kFindings;
 }
 
+void show_examples(CLI::App& command, std::initializer_list<const char*> lines) {
+  std::string text = "Examples:";
+  for (const char* line : lines) text.append("\n  ").append(line);
+  command.footer(text);
+}
+
 }  // namespace hypermap::app

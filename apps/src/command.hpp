@@ -9,6 +9,7 @@
 #include <CLI/App.hpp>
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 namespace hypermap::app {
@@ -36,6 +37,12 @@ ExitCode report(const Finding& finding);
 struct CommonOptions {
   std::string progress = "auto";  ///< auto | always | never
 };
+
+/// Of a flag that takes a palette's file.
+inline constexpr const char* kPaletteHelp = "YAML file with colours, class: \"#rrggbb\" a line";
+
+/// Gives the help of a command its examples, a line each.
+void show_examples(CLI::App& command, std::initializer_list<const char*> lines);
 
 /// What a parsed command does. Returned value becomes the exit code.
 using Action = std::function<ExitCode()>;

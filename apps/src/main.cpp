@@ -6,6 +6,8 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <poll.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -18,9 +20,17 @@
 namespace hypermap::app {
 namespace {
 
-/// Output that could not be written (a full disk, a closed pipe) is a loss, never success.
+/// Whether standard output is a pipe whose reader has gone.
+bool is_reader_gone() {
+  pollfd standard_output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return ::poll(&standard_output, 1, 0) == 1 && (standard_output.revents & POLLERR) != 0;
+}
+
+/// Output that could not be written (a full disk, a closed pipe) is a loss, never success. A reader
+/// that has gone knows of its loss: to it nothing is said.
 ExitCode flushed(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  if (is_reader_gone()) return ExitCode::kSystem;
   std::fprintf(stderr, "hypermap: standard output: could not be written\n");
   return ExitCode::kSystem;
 }
@@ -59,10 +69,12 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   program.name("hypermap");
   program.set_version_flag("--version", std::string("hypermap ") + kVersion);
   program.require_subcommand(1);
+  program.ignore_case();
+  program.option_defaults()->ignore_case();
   program.fallthrough();
   CommonOptions common;
   program.add_option("--progress", common.progress, "when to show progress on stderr")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->transform(CLI::IsMember({"auto", "always", "never"}, CLI::ignore_case))
       ->capture_default_str();
 
   Action action;

@@ -3,6 +3,7 @@
 
 #include "tables.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -67,10 +68,22 @@ Result<std::vector<double>> parse_numbers(const std::string& text,
 }
 
 Result<Ring> parse_points(const std::string& text, const std::string& field) {
+  const auto by_blanks = split(text, " ");
+  const bool has_comma_in_points =
+      std::all_of(by_blanks.begin(), by_blanks.end(), [](std::string_view part) {
+        const std::size_t comma = part.find(',');
+        return comma != std::string_view::npos && comma > 0 && comma + 1 < part.size();
+      });
   Ring ring;
-  for (const std::string_view pair : split(text, ",")) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto point, parse_numbers(std::string(pair), 2, 2, field));
-    ring.emplace_back(point[0], point[1]);
+  for (const std::string_view pair : has_comma_in_points ? by_blanks : split(text, ",")) {
+    const auto point = parse_numbers(std::string(pair), 2, 2, field);
+    if (!point) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "must be points \"x y,x y,...\" or \"x,y x,y ...\", has '" +
+                      printable(std::string(pair)) + "'",
+                  field);
+    }
+    ring.emplace_back((*point)[0], (*point)[1]);
   }
   return ring;
 }

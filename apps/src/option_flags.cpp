@@ -64,7 +64,7 @@ CLI::Validator value_of_field(const OptionTable& table, std::string_view name) {
 
 CLI::Validator name_of_preset() {
   const auto names = preset_names();
-  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()), CLI::ignore_case);
 }
 
 Result<MapOptions> with_flags(MapOptions options, std::initializer_list<OptionFlag> flags) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.hpp"
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 
 #include <CLI/App.hpp>
@@ -33,11 +34,22 @@ void keep_apart(const std::string& option,
                 const fs::path& output,
                 const std::vector<fs::path>& inputs) {
   if (output.empty()) return;
+  if (output == "-") {
+    throw CLI::ValidationError(
+        option, "'-' names no file, and files are not written to standard output (./- is a file)");
+  }
   for (const fs::path& input : inputs) {
     if (input.empty() || !(is_same(output, input) || is_part_of(output, input))) continue;
     throw CLI::ValidationError(option,
                                "would write over what is read: " + printable(output.string()));
   }
+}
+
+void keep_suffix(const std::string& option, const fs::path& output, const std::string& suffix) {
+  const std::string is = output.extension().string();
+  if (is.empty() || is_spelling_of(is, suffix)) return;
+  throw CLI::ValidationError(option,
+                             "must end in " + suffix + ", is '" + printable(output.string()) + "'");
 }
 
 }  // namespace hypermap::app

@@ -9,11 +9,17 @@
 
 namespace hypermap::app {
 
-/// Throws CLI::ValidationError naming `option` when `output` is one of the `inputs`, by whatever
-/// name, or, when an input is a folder, a file of it that is there and bears no archive's name.
-/// Empty names stand for nothing.
+/// Throws CLI::ValidationError naming `option` when `output` is "-", which names no file here, or
+/// one of the `inputs`, by whatever name, or, when an input is a folder, a file of it that is there
+/// and bears no archive's name. Empty names stand for nothing.
 void keep_apart(const std::string& option,
                 const std::filesystem::path& output,
                 const std::vector<std::filesystem::path>& inputs);
+
+/// Throws CLI::ValidationError naming `option` when `output` has another suffix, upper and lower
+/// case alike. None at all is no promise.
+void keep_suffix(const std::string& option,
+                 const std::filesystem::path& output,
+                 const std::string& suffix);
 
 }  // namespace hypermap::app

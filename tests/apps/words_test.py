@@ -6,6 +6,7 @@ Usage: words_test.py PROGRAM [unittest args]"""
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import unittest
@@ -133,6 +134,92 @@ class Words(Case):
         result = run("map", "--input", self.dataset, "--output", output, "--resolution", "0.05", env=env)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(digest(output), digest(self.archive))
+
+
+class Names(Case):
+    """One rule for all names: case does not count, and a name that nobody knows is told with the nearest."""
+
+    def test_case_does_not_count(self):
+        for arguments in (["QUERY", self.archive, "--Layer", "Occupancy", "--STRING", "free"],
+                          ["info", self.archive, "--JSON"], ["config", "--preset", "SMAP"],
+                          ["export", self.archive, "--format", "OctoMap", "--output", self.folder / "a.ot"],
+                          ["check", "--as", "Archive", self.archive]):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_the_nearest_name_is_told(self):
+        output = ["--output", self.folder / "x"]
+        for arguments, status, told in ((["export", self.archive, "--format", "plyy", *output], 4, '"ply"'),
+                                        (["snapshot", self.archive, "--layers", "voxel", *output], 4, '"voxels"'),
+                                        (["query", self.archive, "--layer", "ocupancy", "--at", "0,0"], 2, '"occupancy"')):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, status)
+                self.assertIn("did you mean " + told, result.stderr)
+
+    def test_an_empty_export_says_so(self):
+        result = run("export", self.archive, "--format", "geojson", "--output", self.folder / "a.local.geojson")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("no file was written", result.stderr)
+        self.assert_names()
+
+    def test_outputs_that_are_no_such_files_are_refused(self):
+        for arguments in (["snapshot", self.archive, "--output", self.folder / "x.jpg"], ["snapshot", self.archive, "--output", "-"],
+                          ["map", "--input", self.dataset, "--output", "-"],
+                          ["export", self.archive, "--format", "octomap", "--output", "-"]):
+            with self.subTest(arguments):
+                self.assertEqual(run(*arguments).returncode, 4)
+        self.assertEqual(run("export", self.archive, "--format", "ply", "--output", self.folder / "x.jpg").returncode, 2)
+        self.assert_names()
+
+    def test_areas_are_taken_in_both_forms(self):
+        layer = ["query", self.archive, "--layer", "occupancy", "--string", "Free", "--json"]
+        texts = [run(*layer, "--area", area) for area in ("0 -1,2 -1,2 1,0 1", "0,-1 2,-1 2,1 0,1")]
+        self.assertEqual(texts[0].returncode, 0, texts[0].stderr)
+        self.assertEqual(texts[0].stdout, texts[1].stdout)
+        wrong = run(*layer, "--area", "0,-1 2,-1 2 1")
+        self.assertEqual(wrong.returncode, 4)
+        self.assertIn('must be points "x y,x y,..."', wrong.stderr)
+
+    def test_a_palette_is_read_before_the_work(self):
+        palette = self.folder / "palette.yaml"
+        palette.write_text("chair: orange\n")
+        for arguments in (["snapshot", "--output", self.folder / "x.png"],
+                          ["export", "--format", "ply", "--output", self.folder / "x.ply"]):
+            result = run(*arguments[:1], self.archive, *arguments[1:], "--palette", palette)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("palette.yaml:1: chair: must be a colour", result.stderr)
+        self.assert_names("palette.yaml")
+
+    def test_a_map_without_detections_says_what_it_lacks(self):
+        dataset = self.folder / "dataset"
+        shutil.copytree(self.dataset, dataset)
+        (dataset / "detections_other.jsonl").write_text("")
+        mapping = ["map", "--input", dataset, "--output", self.folder / "a.hmap"]
+        result = run(*mapping)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("nothing was detected", result.stderr)
+        self.assertIn("not used: detections_other.jsonl", result.stderr)
+        (self.folder / "names.txt").write_text("chair\n")
+        refused = run(*mapping, "--classes", self.folder / "names.txt")
+        self.assertEqual(refused.returncode, 4)
+        self.assertIn("--classes", refused.stderr)
+
+    def test_every_command_shows_examples(self):
+        commands = re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+        self.assertGreater(len(commands), 10)
+        for command in commands:
+            self.assertIn(f"Examples:\n  hypermap {command} ", run(command, "--help").stdout)
+        self.assertIn("trajectory", run("snapshot", "--help").stdout)
+
+    def test_a_reader_that_goes_is_told_nothing(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "w") as pipe:
+            result = run("config", stdout=pipe)
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.stderr, "")
 
 
 if __name__ == "__main__":

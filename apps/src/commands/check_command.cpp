@@ -61,10 +61,11 @@ void add_check_command(CLI::App& program, Action& action) {
                   arguments->kind,
                   "archive octree map image depth semantic trajectory intrinsics detections config "
                   "dataset (default: found by content)")
-      ->check(CLI::IsMember(kinds));
+      ->transform(CLI::IsMember(kinds, CLI::ignore_case));
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT that images must have");
   command.add_flag("--strict", arguments->strict, "findings are errors");
   arguments->load.add_to(command);
+  show_examples(command, {"hypermap check lab.hmap", "hypermap check --as config options.yaml"});
   command.callback([arguments, &action] {
     FileCheckOptions options;
     options.strict = arguments->strict;

@@ -55,10 +55,11 @@ void add_config_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand(
       "config", "Every option as a file for --config: value, unit, range, source, effect");
   command.add_option("--preset", arguments->preset, "whose values")
-      ->check(name_of_preset())
+      ->transform(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments->file, "an options file to complete");
   command.add_flag("--json", arguments->json, "one JSON document");
+  show_examples(command, {"hypermap config --preset smap"});
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

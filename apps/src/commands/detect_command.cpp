@@ -39,6 +39,8 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
   command.add_option("--model", arguments->model, "network in ONNX form")->required();
   command.add_option("--output", arguments->output, "COCO results; a line an image when .jsonl")
       ->required();
+  show_examples(command,
+                {"hypermap detect --input lab --model yolox_nano.onnx --output detections.jsonl"});
   command.callback([arguments, &common, &action] {
     keep_apart("--output",
                arguments->output,

@@ -137,6 +137,7 @@ void add_eval_command(CLI::App& program, Action& action) {
       ->delimiter(',');
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
+  show_examples(command, {"hypermap eval --map lab.hmap --truth lab/truth.hmap"});
   command.callback([arguments, &action] {
     action = [arguments] {
       auto outcome = run_evaluation(job_of(*arguments));

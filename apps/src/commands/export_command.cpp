@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "load_arguments.hpp"
+#include "hypermap/io/options/palette_file.hpp"
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
@@ -15,15 +16,20 @@ namespace {
 struct ExportArguments {
   std::string file;
   std::string format;
+  std::string palette;
   ExportRequest request;
   LoadArguments load;
 };
 
 Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
+  ExportRequest request = arguments.request;
+  if (!arguments.palette.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.palette, read_palette(arguments.palette));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto loaded,
       load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
-  auto written = export_map(loaded.value, arguments.request);
+  auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   return written;
 }
@@ -52,12 +58,18 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
   arguments->load.add_to(command);
+  command.add_option("--palette", arguments->palette, kPaletteHelp);
+  show_examples(command,
+                {"hypermap export lab.hmap --format ros-map --output lab_map",
+                 "hypermap export lab.hmap --format ply --class chair --output chairs.ply"});
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format);
     if (!format) throw CLI::ValidationError("export", to_string(format.error()));
     const auto& output = arguments->request.output;
     const bool is_ros_map = *format == ExportFormat::kRosMap;
-    keep_apart("--output", is_ros_map ? ros_map_yaml(output) : output, {arguments->file});
+    keep_apart("--output",
+               is_ros_map ? ros_map_yaml(output) : output,
+               {arguments->file, arguments->palette});
     if (*format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",

@@ -40,9 +40,12 @@ std::string size_text(const LayerSummary& layer) {
     }
     return objects;
   }
-  if (layer.leaves) {
-    return std::to_string(layer.leaves->occupied) + " occupied, " +
-           std::to_string(layer.leaves->free) + " free voxels";
+  if (layer.leaves && layer.voxels) {
+    const std::string voxels = std::to_string(layer.voxels->occupied) + " occupied, " +
+                               std::to_string(layer.voxels->free) + " free voxels";
+    if (layer.leaves == layer.voxels) return voxels;
+    return voxels + " in " + std::to_string(layer.leaves->occupied + layer.leaves->free) +
+           " leaves";
   }
   if (layer.num_values) return std::to_string(*layer.num_values) + " values";
   return "kept as it is";
@@ -163,6 +166,7 @@ void add_info_command(CLI::App& program, Action& action) {
   command.add_option("file", arguments->file, "file, or folder of a dataset")->required();
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
+  show_examples(command, {"hypermap info lab.hmap", "hypermap info lab --json"});
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

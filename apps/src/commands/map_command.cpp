@@ -11,11 +11,16 @@
 
 #include <CLI/Validators.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -88,6 +93,31 @@ void warn_of_slow_options(const MappingJob& job) {
                "hypermap: segmentation by region growing takes a second or more for each frame\n");
 }
 
+/// Files of the dataset's folder that look like detections and are not read unless named.
+std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_found = name == "detections.json" || name == "detections.jsonl";
+    if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// What a map without objects may lack.
+void print_hints(const MappingReport& report, const MapArguments& arguments) {
+  if (arguments.job.model || !arguments.detections.empty() || report.num_detections > 0) return;
+  std::fprintf(stderr,
+               "hypermap: nothing was detected: --detections FILE or --model FILE names objects\n");
+  for (const std::string& name : unused_detections(arguments.dataset.input)) {
+    std::fprintf(
+        stderr, "hypermap: not used: %s in the input; --detections names it\n", printable(name).c_str());
+  }
+}
+
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
@@ -108,6 +138,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   }
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
   print(*mapped, arguments);
+  print_hints(*mapped, arguments);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
   return written ? worst : report(written.error());
@@ -120,7 +151,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
   command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
   command.add_option("--preset", arguments.preset, "where options start from; hypermap takes a second or more a frame")
-      ->check(name_of_preset())
+      ->transform(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
   command
@@ -141,7 +172,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       ->check(value_of_option("integration.max_range_m"));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
-      ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}));
+      ->transform(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}, CLI::ignore_case));
   command
       .add_option("--transient",
                   arguments.transient,
@@ -193,7 +224,14 @@ void add_map_command(CLI::App& program, const CommonOptions& common, Action& act
   auto arguments = std::make_shared<MapArguments>();
   CLI::App& command = *program.add_subcommand("map", "The main job: a dataset becomes an archive");
   add_options(command, *arguments);
+  show_examples(command,
+                {"hypermap map --input lab --output lab.hmap --stats stats.json",
+                 "hypermap map --input lab --detections detections.jsonl --resolution 0.03 "
+                 "--output lab.hmap"});
   command.callback([arguments, &common, &action] {
+    if (arguments->dataset.classes && !arguments->job.model && arguments->detections.empty()) {
+      throw CLI::ValidationError("--classes", "names the outputs of --model or --detections");
+    }
     keep_outputs_apart(*arguments);
     action = [arguments, &common] { return run(*arguments, common.progress); };
   });

@@ -182,7 +182,8 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command.add_option("--layer", arguments->layer, "a layer as info lists it");
   command.add_option("--at", arguments->at, "point X,Y; in 3D layers also X,Y,Z");
-  command.add_option("--area", arguments->area, "polygon \"x y,x y,x y,...\"");
+  command.add_option(
+      "--area", arguments->area, "polygon \"x y,x y,x y,...\" or \"x,y x,y x,y ...\"");
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
@@ -190,6 +191,10 @@ void add_query_command(CLI::App& program, Action& action) {
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
+  show_examples(command,
+                {"hypermap query lab.hmap --layer objects --string chair",
+                 "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
+                 "hypermap query lab.hmap --nearest sofa --at 1.5,2"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

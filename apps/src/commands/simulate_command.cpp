@@ -65,7 +65,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--detector", arguments->detector, "how well it sees")
-      ->check(CLI::IsMember({"perfect", "noisy"}))
+      ->transform(CLI::IsMember({"perfect", "noisy"}, CLI::ignore_case))
       ->capture_default_str();
   command
       .add_option("--pose-noise", arguments->simulation.pose_noise, "drift of the recorded poses")
@@ -74,6 +74,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
   command.add_option("--threads", arguments->simulation.num_threads, "0: one for each core")
       ->check(value_of_field(table, "num_threads"))
       ->capture_default_str();
+  show_examples(command, {"hypermap simulate --scene laboratory --frames 200 --output lab"});
   command.callback([arguments, &common, &action] {
     action = [arguments, &common] {
       arguments->simulation.detector.noisy = arguments->detector == "noisy";

@@ -4,6 +4,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
+#include "hypermap/io/options/palette_file.hpp"
 #include "hypermap/viewer_offscreen/snapshot/map_scene.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 #include "load_arguments.hpp"
@@ -30,6 +31,7 @@ struct SnapshotArguments {
   std::optional<std::string> title;
   std::optional<double> cut_above_m;
   LoadArguments load;
+  std::string palette;
 };
 
 Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
@@ -49,15 +51,19 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
 /// Writes the image; gives what of the map it leaves out.
 Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
                                      const SnapshotOptions& options) {
+  ClassPalette palette;
+  if (!arguments.palette.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto loaded,
       load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
   const MapArchive& archive = loaded.value;
-  SnapshotScene scene = map_scene(archive.hypermap,
-                                  archive.classes,
-                                  confirmed_objects_of(archive),
-                                  shown_leaves(archive),
-                                  shown_frame_id(archive));
+  const auto confirmed = confirmed_objects_of(archive);
+  SnapshotScene scene = map_scene(
+      archive.hypermap, archive.classes, confirmed, shown_leaves(archive), shown_frame_id(archive));
+  scene.num_tentative = archive.objects.size() - confirmed.size();
+  scene.palette = palette;
   scene.title = arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
   HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image, render_snapshot(scene, options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(image));
@@ -75,16 +81,23 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command.add_option("--view", arguments->view, "iso, top, or a camera pose \"x y z qx qy qz qw\"")
       ->capture_default_str();
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command.add_option("--layers",
-                     arguments->layers,
-                     "voxels,objects,occupancy,semantic,overlay or all (default: by view)");
+  command.add_option(
+      "--layers",
+      arguments->layers,
+      "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view)");
+  command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--title", arguments->title, "text over the image (default: file name)");
   command
       .add_option("--cut-above", arguments->cut_above_m, "hide what is higher (default: ceiling)")
       ->check(number_in(-10000.0, 10000.0));
   arguments->load.add_to(command);
+  show_examples(
+      command,
+      {"hypermap snapshot lab.hmap --output lab.png",
+       "hypermap snapshot lab.hmap --view top --layers occupancy,semantic --output plan.png"});
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->output, {arguments->file});
+    keep_apart("--output", arguments->output, {arguments->file, arguments->palette});
+    keep_suffix("--output", arguments->output, ".png");
     auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("snapshot", to_string(options.error()));
     action = [arguments, options = *options] {

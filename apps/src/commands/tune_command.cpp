@@ -185,6 +185,7 @@ void add_tune_command(CLI::App& program, Action& action) {
       ->check(value_of_option(kLeafOption));
   command.add_flag("--no-outliers", arguments->no_outliers, "leave out the removal of outliers");
   command.add_flag("--no-clusters", arguments->no_clusters, "leave out the clustering");
+  show_examples(command, {"hypermap tune --input lab --frame 10 --detection 0 --output steps"});
   command.callback([arguments, &action] {
     const auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("tune", to_string(options.error()));

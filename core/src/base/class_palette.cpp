@@ -1,44 +1,100 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/class_palette.hpp"
 
+#include "hypermap/core/base/utf8.hpp"
+
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace hypermap {
 namespace {
 
-// Found by a greedy search in Oklab: each colour is the one farthest from all before it, among
-// those of medium lightness (0.44 .. 0.80) and chroma (0.09 .. 0.18); the first eight were chosen
-// by hand.
-constexpr std::array<Rgb8, kNumClassColors> kColors{
-    {Rgb8{42, 113, 214},  Rgb8{229, 96, 34},   Rgb8{60, 158, 64},   Rgb8{235, 180, 50},
-     Rgb8{125, 77, 190},  Rgb8{33, 172, 183},  Rgb8{215, 76, 130},  Rgb8{149, 92, 40},
-     Rgb8{209, 169, 251}, Rgb8{17, 98, 67},    Rgb8{33, 223, 155},  Rgb8{134, 41, 96},
-     Rgb8{253, 160, 163}, Rgb8{63, 79, 132},   Rgb8{140, 134, 195}, Rgb8{167, 142, 17},
-     Rgb8{205, 108, 214}, Rgb8{179, 34, 43},   Rgb8{120, 199, 253}, Rgb8{152, 199, 47},
-     Rgb8{18, 120, 141},  Rgb8{153, 95, 131},  Rgb8{100, 117, 32},  Rgb8{55, 159, 238},
-     Rgb8{136, 186, 135}, Rgb8{200, 129, 144}, Rgb8{250, 120, 178}, Rgb8{172, 67, 165},
-     Rgb8{160, 125, 251}, Rgb8{27, 70, 180},   Rgb8{88, 212, 208},  Rgb8{207, 146, 95},
-     Rgb8{121, 34, 145},  Rgb8{13, 146, 120},  Rgb8{129, 58, 48},   Rgb8{253, 143, 244},
-     Rgb8{190, 90, 86},   Rgb8{97, 82, 1},     Rgb8{149, 163, 252}, Rgb8{255, 133, 22},
-     Rgb8{102, 132, 251}, Rgb8{5, 121, 24},    Rgb8{253, 106, 118}, Rgb8{112, 74, 123},
-     Rgb8{89, 115, 170},  Rgb8{83, 53, 173},   Rgb8{114, 146, 88},  Rgb8{46, 191, 97},
-     Rgb8{173, 62, 104},  Rgb8{195, 137, 200}, Rgb8{185, 173, 86},  Rgb8{35, 177, 137},
-     Rgb8{190, 113, 37},  Rgb8{250, 168, 113}, Rgb8{140, 165, 7},   Rgb8{166, 107, 185},
-     Rgb8{79, 88, 177},   Rgb8{63, 144, 185},  Rgb8{239, 161, 210}, Rgb8{107, 169, 212},
-     Rgb8{114, 112, 205}, Rgb8{20, 104, 163},  Rgb8{170, 204, 116}, Rgb8{203, 102, 169},
-     Rgb8{245, 136, 107}, Rgb8{176, 70, 19},   Rgb8{146, 123, 57},  Rgb8{56, 95, 4},
-     Rgb8{204, 139, 243}, Rgb8{150, 23, 58},   Rgb8{138, 80, 156},  Rgb8{174, 185, 248},
-     Rgb8{201, 197, 16},  Rgb8{153, 85, 88},   Rgb8{27, 187, 240},  Rgb8{162, 41, 127},
-     Rgb8{161, 99, 218},  Rgb8{58, 123, 85},   Rgb8{217, 185, 121}, Rgb8{95, 61, 142},
-     Rgb8{119, 212, 168}, Rgb8{116, 205, 116}, Rgb8{221, 76, 92},   Rgb8{218, 143, 11},
-     Rgb8{201, 118, 95},  Rgb8{191, 101, 131}, Rgb8{114, 170, 95},  Rgb8{82, 134, 211},
-     Rgb8{104, 139, 26},  Rgb8{6, 90, 124},    Rgb8{129, 68, 94},   Rgb8{125, 104, 162},
-     Rgb8{20, 211, 247},  Rgb8{100, 190, 173}, Rgb8{229, 132, 207}, Rgb8{234, 137, 159}}};
+struct CommonClass {
+  std::string_view canonical_name;
+  Rgb8 color;
+};
+
+// Found by a search: the first 12 maximise the smallest difference in both visions, the others are
+// each the farthest from all before them.
+constexpr std::array<CommonClass, 24> kCommonClasses{{
+    {"chair", {215, 120, 15}},       {"diningtable", {0, 175, 255}},  {"tvmonitor", {75, 110, 215}},
+    {"pottedplant", {55, 165, 105}}, {"keyboard", {95, 60, 120}},     {"mouse", {190, 25, 25}},
+    {"laptop", {10, 0, 250}},        {"book", {255, 195, 0}},         {"cup", {250, 180, 255}},
+    {"bottle", {155, 215, 150}},     {"sofa", {175, 35, 100}},        {"person", {40, 80, 30}},
+    {"bed", {175, 100, 190}},        {"refrigerator", {0, 125, 155}}, {"sink", {155, 155, 210}},
+    {"toilet", {255, 190, 125}},     {"microwave", {245, 115, 105}},  {"oven", {125, 60, 5}},
+    {"bowl", {135, 135, 55}},        {"bench", {0, 120, 70}},         {"remote", {180, 190, 65}},
+    {"cellphone", {155, 0, 170}},    {"vase", {0, 70, 170}},          {"backpack", {160, 100, 80}},
+}};
+
+// Each the farthest from all before it for normal eyes, of lightness 30 to 82 and chroma over 30.
+constexpr std::array<Rgb8, 64> kOtherColors{{
+    {0, 220, 245},   {95, 80, 0},     {255, 35, 125},  {0, 235, 0},     {120, 55, 55},
+    {240, 65, 0},    {150, 110, 45},  {135, 70, 255},  {190, 145, 0},   {60, 140, 0},
+    {255, 100, 255}, {255, 180, 160}, {115, 105, 160}, {100, 150, 255}, {200, 140, 110},
+    {0, 165, 195},   {195, 175, 120}, {245, 10, 65},   {80, 105, 0},    {105, 180, 50},
+    {180, 85, 5},    {160, 120, 255}, {155, 200, 255}, {150, 170, 115}, {180, 80, 90},
+    {220, 0, 255},   {0, 100, 155},   {255, 125, 65},  {100, 130, 80},  {15, 135, 205},
+    {205, 195, 255}, {0, 205, 105},   {255, 155, 0},   {100, 75, 180},  {175, 0, 55},
+    {195, 140, 220}, {0, 75, 255},    {175, 140, 90},  {140, 80, 150},  {210, 0, 180},
+    {135, 35, 15},   {155, 220, 0},   {0, 90, 65},     {125, 110, 0},   {120, 45, 75},
+    {75, 80, 130},   {0, 105, 5},     {120, 85, 40},   {200, 205, 145}, {215, 105, 120},
+    {165, 155, 0},   {105, 205, 250}, {225, 205, 0},   {205, 90, 70},   {255, 25, 205},
+    {95, 30, 170},   {175, 115, 70},  {125, 155, 0},   {150, 125, 195}, {70, 75, 25},
+    {130, 75, 55},   {220, 0, 90},    {190, 120, 110}, {165, 55, 0},
+}};
+
+/// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv
+std::uint32_t hash_of(std::string_view text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+Rgb8 color_of_canonical(std::string_view name) {
+  const auto* common =
+      std::find_if(kCommonClasses.begin(), kCommonClasses.end(), [&](const CommonClass& one) {
+        return one.canonical_name == name;
+      });
+  if (common != kCommonClasses.end()) return common->color;
+  return kOtherColors[hash_of(name) % kOtherColors.size()];
+}
 
 }  // namespace
 
-Rgb8 class_color(ClassId id) {
-  return kColors[id.value % kColors.size()];
+std::vector<std::string_view> common_classes() {
+  std::vector<std::string_view> names;
+  names.reserve(kCommonClasses.size());
+  for (const CommonClass& one : kCommonClasses) names.push_back(one.canonical_name);
+  return names;
+}
+
+Rgb8 class_color(std::string_view class_name) {
+  return color_of_canonical(canonical_class_name(class_name));
+}
+
+Result<void> ClassPalette::set(std::string_view class_name, Rgb8 color) {
+  if (class_name.empty()) return fail(ErrorCode::kInvalidArgument, "must not be empty", "class");
+  if (!color_of_canonical_.emplace(canonical_class_name(class_name), color).second) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must have one colour, has another one already",
+                printable(class_name));
+  }
+  return {};
+}
+
+Rgb8 ClassPalette::color_of(std::string_view class_name) const {
+  const std::string canonical = canonical_class_name(class_name);
+  const auto own = color_of_canonical_.find(canonical);
+  return own == color_of_canonical_.end() ? color_of_canonical(canonical) : own->second;
+}
+
+std::vector<Rgb8> class_colors(const ClassRegistry& classes, const ClassPalette& palette) {
+  std::vector<Rgb8> colors;
+  colors.reserve(classes.size());
+  for (const std::string& name : classes.names()) colors.push_back(palette.color_of(name));
+  return colors;
 }
 
 }  // namespace hypermap

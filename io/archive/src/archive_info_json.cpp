@@ -27,9 +27,12 @@ std::string json_of(const LayerSummary& layer) {
                                          {"between", std::to_string(layer.cells->between)}});
   if (layer.num_objects) text += ",\"objects\":" + std::to_string(*layer.num_objects);
   if (layer.num_tentative) text += ",\"tentative\":" + std::to_string(*layer.num_tentative);
-  if (layer.leaves)
-    text += ",\"leaves\":" + json_object({{"occupied", std::to_string(layer.leaves->occupied)},
-                                          {"free", std::to_string(layer.leaves->free)}});
+  for (const auto& [key, count] : {std::pair("leaves", layer.leaves), {"voxels", layer.voxels}}) {
+    if (!count) continue;
+    text += std::string(",\"") + key + "\":" +
+            json_object({{"occupied", std::to_string(count->occupied)},
+                         {"free", std::to_string(count->free)}});
+  }
   if (layer.num_values) text += ",\"values\":" + std::to_string(*layer.num_values);
   if (layer.bounds)
     text += ",\"bounds\":" + json_object({{"min", json_of(layer.bounds->min(), layer.flat)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_query.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
@@ -49,11 +50,12 @@ std::vector<ObjectId> ids_of(const MapAnswers& answers) {
 }
 
 /// What no object fulfils, for people.
-std::string conditions_of(const MapQuery& query) {
+std::string conditions_of(const MapQuery& query, const ClassRegistry& classes) {
   std::string text;
   if (query.text) text += " of class '" + printable(*query.text) + "'";
   if (query.value) text += " with id " + std::to_string(*query.value);
   if (query.area) text += " in the area";
+  if (query.text && !classes.find(*query.text)) text += did_you_mean(*query.text, classes.names());
   return text;
 }
 
@@ -87,7 +89,8 @@ Result<MapAnswers> query_nearest(const MapArchive& archive, const MapQuery& quer
   const PlanPoint point{.xy = layer_from_query * query.at->xy, .z = query.at->z};
   const auto nearest =
       nearest_object(archive.objects, archive.classes, {.among = ids_of(answers)}, point);
-  if (!nearest) return fail(ErrorCode::kNotFound, "no object" + conditions_of(query));
+  if (!nearest)
+    return fail(ErrorCode::kNotFound, "no object" + conditions_of(query, archive.classes));
   std::erase_if(answers.found, [&](const MapAnswer& one) { return one.id != nearest->value; });
   return answers;
 }

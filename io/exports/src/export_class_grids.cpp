@@ -61,6 +61,11 @@ bool is_wanted(const ClassGrid& grid,
 Result<WrittenFiles> export_class_grids(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
   if (archive.class_grids.empty()) return fail(ErrorCode::kNotFound, "the map has no class grids");
+  const bool has_any = std::any_of(
+      archive.class_grids.begin(), archive.class_grids.end(), [&](const ClassGrid& grid) {
+        return is_wanted(grid, archive, wanted);
+      });
+  if (!has_any) return WrittenFiles{};
   std::error_code failed;
   std::filesystem::create_directories(request.output, failed);
   if (failed) {

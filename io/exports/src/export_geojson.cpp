@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,14 +39,38 @@ Json geometry_json(const std::vector<Polygon>& parts) {
   return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
 }
 
-Json feature_json(const SemanticObject& object) {
+Json numbers_json(const Eigen::Vector3d& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+/// `object3d` is what the shape stands for; null when the map does not know.
+Json feature_json(const SemanticObject& object, const Object* object3d) {
   Json properties{{"name", object.name}};
   if (const auto confidence = confidence_of(object)) properties["confidence"] = *confidence;
   if (!object.tags.empty()) properties["tags"] = object.tags;
-  return {{"type", "Feature"},
-          {"id", object.id},
-          {"properties", std::move(properties)},
-          {"geometry", geometry_json(object.parts)}};
+  Json feature{{"type", "Feature"}, {"id", object.id}};
+  if (object3d != nullptr) {
+    const Box& box = object3d->box;
+    properties["size_m"] = numbers_json(box.extent());
+    properties["height_m"] = box.extent().z();
+    const Eigen::Vector3d& low = box.min_in_map;
+    const Eigen::Vector3d& high = box.max_in_map;
+    feature["bbox"] = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+  }
+  feature["properties"] = std::move(properties);
+  feature["geometry"] = geometry_json(object.parts);
+  return feature;
+}
+
+/// The object of the 3D map under the shape's number; only the layer that shows these objects, in
+/// their frame, names them so.
+const Object* object_of(const SemanticObject& shape,
+                        const Layer& layer,
+                        const MapArchive& archive) {
+  const bool is_shown =
+      layer.info.name == kSemanticLayer && layer.info.frame_id == shown_frame_id(archive);
+  if (!is_shown || shape.id > std::numeric_limits<std::uint32_t>::max()) return nullptr;
+  return archive.objects.find(ObjectId{static_cast<std::uint32_t>(shape.id)});
 }
 
 bool is_wanted(const SemanticObject& object, const std::vector<std::string>& classes) {
@@ -81,8 +108,10 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
   Json features = Json::array();
   for (const SemanticObject& object : semantic.objects()) {
-    if (is_wanted(object, request.classes)) features.push_back(feature_json(object));
+    if (!is_wanted(object, request.classes)) continue;
+    features.push_back(feature_json(object, object_of(object, *layer, archive)));
   }
+  if (features.empty()) return WrittenFiles{};
   const Json document{{"type", "FeatureCollection"},
                       {"name", layer->info.name},
                       {"frame_id", layer->info.frame_id},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -25,6 +26,25 @@ std::string image_named_by(const std::filesystem::path& metadata) {
   return parsed ? parsed->value.image : std::string();
 }
 
+/// Six lines that lead from columns and rows of the image to the map, for programs that know no
+/// map_server: steps along a row (x, y), steps down a column (x, y), the centre of the first pixel.
+std::string world_file(const GridGeometry& geometry) {
+  const auto place = [&](double col, double row) { return from_cells(geometry, {col, row}); };
+  const double last_row = geometry.rows - 0.5;
+  const Eigen::Vector2d first = place(0.5, last_row);
+  const Eigen::Vector2d along = place(1.5, last_row) - first;
+  const Eigen::Vector2d down = place(0.5, last_row - 1.0) - first;
+  std::string text;
+  for (const Eigen::Vector2d& pair : {along, down, first}) {
+    text += number_text(pair.x()) + "\n" + number_text(pair.y()) + "\n";
+  }
+  return text;
+}
+
+std::filesystem::path world_path(std::filesystem::path image) {
+  return image.replace_extension(".pgw");
+}
+
 }  // namespace
 
 Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
@@ -45,11 +65,14 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   // Until the YAML is renamed the old pair stands, from then on the new one.
   const std::filesystem::path image = stem.parent_path() / name;
   HYPERMAP_TRY(write_file_atomically(image, files.image));
+  HYPERMAP_TRY(write_file_atomically(world_path(image), world_file(written.grid.geometry())));
   HYPERMAP_TRY(write_file_atomically(metadata, files.yaml));
   std::error_code stays;
-  if (stem_of_hashed_name(old_name) == stem_name && image_named_by(metadata) != old_name)
+  if (stem_of_hashed_name(old_name) == stem_name && image_named_by(metadata) != old_name) {
     std::filesystem::remove(stem.parent_path() / old_name, stays);
-  return WrittenFiles{metadata, image};
+    std::filesystem::remove(world_path(stem.parent_path() / old_name), stays);
+  }
+  return WrittenFiles{metadata, image, world_path(image)};
 }
 
 std::filesystem::path ros_map_yaml(std::filesystem::path output) {
@@ -60,8 +83,11 @@ std::filesystem::path ros_map_yaml(std::filesystem::path output) {
 
 Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<OccupancyLayer>(archive, request));
+  const auto& map = *layer->content.as<OccupancyLayer>();
+  const OccupancyCounts counts = map.grid.counts();
+  if (counts.occupied + counts.free + counts.between == 0) return WrittenFiles{};
   const std::filesystem::path stem = ros_map_yaml(request.output).replace_extension();
-  return write_map_pair(*layer->content.as<OccupancyLayer>(), stem, request.keep_rotation);
+  return write_map_pair(map, stem, request.keep_rotation);
 }
 
 }  // namespace hypermap

@@ -5,6 +5,7 @@
 #include "hypermap/core/base/nearest_name.hpp"
 
 #include <array>
+#include <string>
 #include <utility>
 
 namespace hypermap {
@@ -18,43 +19,71 @@ constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormat
      {"ply", ExportFormat::kPly},
      {"geojson", ExportFormat::kGeojson}}};
 
-std::string joined(std::span<const std::string> names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+/// What a format does without.
+Result<void> check_request(const ExportRequest& request) {
+  const bool is_flat =
+      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson;
+  if (request.layer && !is_flat) {
+    return fail(ErrorCode::kInvalidArgument, "goes with ros-map and geojson", "--layer");
+  }
+  if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes without ros-map, whose cells have no class; class-grids has a grid for each",
+                "--class");
+  }
+  return {};
+}
+
+/// The suffixes, upper and lower case alike, that the output of a format may have.
+Result<void> check_suffix(const ExportRequest& request) {
+  if (request.format != ExportFormat::kPly) return {};
+  const std::string suffix = request.output.extension().string();
+  if (suffix.empty() || is_spelling_of(suffix, ".ply")) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must end in .ply, is '" + printable(request.output.string()) + "'",
+              "--output");
 }
 
 }  // namespace
 
 Result<ExportFormat> parse_export_format(std::string_view name) {
   std::string known;
+  std::vector<std::string_view> names;
   for (const auto& [known_name, format] : kExportFormats) {
-    if (known_name == name) return format;
+    if (is_spelling_of(known_name, name)) return format;
     known += (known.empty() ? "" : ", ") + std::string(known_name);
+    names.push_back(known_name);
   }
-  return fail(ErrorCode::kInvalidArgument,
-              "must be one of " + known + ", is '" + std::string(name) + "'",
-              "--format");
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "must be one of " + known + ", is '" + printable(name) + "'" + did_you_mean(name, names),
+      "--format");
 }
 
 Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
                                                         const ExportRequest& request) {
   if (request.classes.empty()) return std::optional<std::set<ClassId>>();
-  std::set<ClassId> ids;
-  for (const std::string& name : request.classes) {
-    const auto id = archive.classes.find(name);
-    if (!id) {
-      return fail(ErrorCode::kNotFound,
-                  "'" + name + "' is no class of this map, which knows " +
-                      joined(archive.classes.names()) + did_you_mean(name, archive.classes.names()),
-                  "--class");
-    }
-    ids.insert(*id);
+  const auto ids = archive.classes.find_all(request.classes);
+  if (!ids) return fail(ids.error().code, ids.error().what, "--class");
+  return std::optional(std::set<ClassId>(ids->begin(), ids->end()));
+}
+
+Result<const Layer*> named_layer(const MapArchive& archive, const std::string& name) {
+  if (const Layer* layer = archive.hypermap.find(name)) return layer;
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (is_spelling_of(layer.info.name, name)) return &layer;
   }
-  return std::optional(std::move(ids));
+  Error unknown = archive.hypermap.at(name).error();
+  if (const auto id = archive.classes.find(name)) {
+    const std::string known = printable(archive.classes.name(*id));
+    unknown.what += "; " + known + " is a class: --class \"" + known + "\"";
+  }
+  return Unexpected(std::move(unknown));
 }
 
 Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& request) {
+  HYPERMAP_TRY(check_request(request));
+  HYPERMAP_TRY(check_suffix(request));
   switch (request.format) {
     case ExportFormat::kRosMap:
       return export_ros_map(archive, request);

@@ -2,6 +2,7 @@
 #include "hypermap/io/jobs/evaluation_job.hpp"
 
 #include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
@@ -47,8 +48,12 @@ Result<std::vector<EvaluatedObject>> load_in_frame(const std::filesystem::path& 
 Result<void> check_classes(const EvaluationReport& report, const EvaluationOptions& options) {
   for (const std::string& name : options.classes) {
     if (report.classes.contains(canonical_class_name(name))) continue;
+    std::vector<std::string> known;
+    known.reserve(report.classes.size());
+    for (const auto& [known_name, figures] : report.classes) known.push_back(known_name);
     return fail(ErrorCode::kNotFound,
-                "neither the map nor the truth has an object of class '" + printable(name) + "'",
+                "neither the map nor the truth has an object of class '" + printable(name) + "'" +
+                    did_you_mean(name, known),
                 "classes");
   }
   return {};

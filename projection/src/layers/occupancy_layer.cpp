@@ -10,12 +10,10 @@ namespace {
 
 LayerAnswer answer_of(const OccupancyGrid& grid, Cell cell) {
   const std::int8_t occupancy = grid.at(cell);
-  LayerAnswer answer{.id = grid.geometry().index(cell),
-                     .name = std::string(occupancy_string(occupancy)),
-                     .value = occupancy,
-                     .position = centre(grid.geometry(), cell)};
-  if (occupancy != kUnknownCell) answer.confidence = occupancy / 100.0;
-  return answer;
+  return {.id = grid.geometry().index(cell),
+          .name = std::string(occupancy_string(occupancy)),
+          .value = occupancy,
+          .position = centre(grid.geometry(), cell)};
 }
 
 bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {

@@ -73,7 +73,8 @@ Result<std::vector<LayerAnswer>> SemanticLayer::query(const LayerQuery& query) c
 std::vector<LayerPrimitive> SemanticLayer::draw() const {
   std::vector<LayerPrimitive> primitives;
   for (const SemanticObject& object : objects()) {
-    primitives.emplace_back(DrawnArea{.parts = object.parts, .class_name = object.name});
+    primitives.emplace_back(
+        DrawnArea{.parts = object.parts, .class_name = object.name, .id = object.id});
   }
   return primitives;
 }

@@ -67,6 +67,33 @@ TEST(MapQuery, AnObjectAnswersWithClassPlaceAndSize) {
   EXPECT_EQ(found[1].name, "unknown");
 }
 
+// The layer `semantic` says 0.7 of the couch; of object 3 it says nothing.
+TEST(MapQuery, AnObjectHasTheConfidenceOfTheSemanticLayer) {
+  MapArchive archive = archive_with_sofas();
+  const Polygon square = make_polygon({{2, 0}, {3, 0}, {3, 1}, {2, 1}}).value();
+  auto layer =
+      SemanticLayer::create({{.id = 2, .name = "couch", .parts = {square}, .confidence = {0.7}},
+                             {.id = 3, .name = "thing", .parts = {square}}});
+  ASSERT_TRUE(archive.hypermap.set_content("semantic", std::move(layer).value()));
+  const auto found = query_map(archive, {.layer = "objects"}).value().found;
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].confidence, 0.7);
+  EXPECT_EQ(found[1].confidence, object_confidence(archive.objects.at(ObjectId{3})).value());
+  EXPECT_EQ(query_map(archive, {.layer = "semantic", .value = 2}).value().found.at(0).confidence,
+            0.7);
+}
+
+TEST(MapQuery, CellsAndVoxelsHaveNoConfidence) {
+  const MapArchive archive = test::sample_archive();
+  for (const char* layer : {"occupancy", "octree"}) {
+    for (const char* text : {"Free", "Occupied"}) {
+      const auto found = query_map(archive, {.layer = layer, .text = text}).value().found;
+      for (const MapAnswer& one : found) EXPECT_FALSE(one.confidence) << layer;
+    }
+  }
+  EXPECT_FALSE(query_map(archive, {.layer = "occupancy", .text = "Free"}).value().found.empty());
+}
+
 TEST(MapQuery, ANumberThatIsNoIdNamesNoObject) {
   const MapArchive archive = archive_with_sofas();
   constexpr std::int64_t kTwoPlus2To32 = (std::int64_t{1} << 32) + 2;

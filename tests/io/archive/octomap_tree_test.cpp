@@ -139,8 +139,10 @@ TEST(OctomapTree, OurFilesHaveTheNodesThatOctomapWouldWrite) {
 
 TEST(OctomapTree, TheColourTwinHasTheColoursOfOctomapsTwin) {
   const SemanticOctree octree = room();
-  const OctomapTree colored = with_class_colors(to_octomap_tree(octree));
-  const auto theirs = to_color_octomap(octree);
+  std::vector<Rgb8> colors;
+  for (std::uint8_t id = 0; id < 16; ++id) colors.push_back({id, 10, 20});
+  const OctomapTree colored = with_class_colors(to_octomap_tree(octree), colors);
+  const auto theirs = to_color_octomap(octree, colors);
   std::size_t i = 0;
   for (auto leaf = theirs->begin_leafs(), end = theirs->end_leafs(); leaf != end; ++leaf, ++i) {
     ASSERT_LT(i, colored.colors.size());

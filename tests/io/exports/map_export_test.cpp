@@ -15,8 +15,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <regex>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -30,11 +34,11 @@ const std::string kActive = "../../etc/passwd\n- evil: true";
 
 /// Images are named after their content: hashes are shown as <hash>.
 std::set<std::string> names_in(const std::filesystem::path& folder) {
-  const std::regex hash("-[0-9a-f]{16}\\.pgm$");
+  const std::regex hash("-[0-9a-f]{16}\\.pg([mw])$");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();
-    names.insert(std::regex_replace(name, hash, "-<hash>.pgm"));
+    names.insert(std::regex_replace(name, hash, "-<hash>.pg$1"));
   }
   return names;
 }
@@ -68,10 +72,13 @@ TEST(ExportClassGrids, AClassNameLeadsNowhere) {
   EXPECT_THAT(names_in(dir.path()),
               UnorderedElementsAre("grids",
                                    "grids/______etc_passwd_-_evil__true-<hash>.pgm",
+                                   "grids/______etc_passwd_-_evil__true-<hash>.pgw",
                                    "grids/______etc_passwd_-_evil__true.yaml",
                                    "grids/__-<hash>.pgm",
+                                   "grids/__-<hash>.pgw",
                                    "grids/__.yaml",
                                    "grids/café-<hash>.pgm",
+                                   "grids/café-<hash>.pgw",
                                    "grids/café.yaml"));
 }
 
@@ -80,10 +87,13 @@ TEST(ExportClassGrids, NoGridTakesTheFileOfAnother) {
   ASSERT_TRUE(export_grids(archive_with_grids_of({"a/b", "a_b", "a:b"}), dir / "grids"));
   EXPECT_THAT(names_in(dir / "grids"),
               UnorderedElementsAre("a_b-2-<hash>.pgm",
+                                   "a_b-2-<hash>.pgw",
                                    "a_b-2.yaml",
                                    "a_b-3-<hash>.pgm",
+                                   "a_b-3-<hash>.pgw",
                                    "a_b-3.yaml",
                                    "a_b-<hash>.pgm",
+                                   "a_b-<hash>.pgw",
                                    "a_b.yaml"));
 }
 
@@ -92,9 +102,10 @@ TEST(ExportClassGrids, ALongNameIsCutBetweenCharacters) {
   for (int i = 0; i < 128; ++i) name += "é";  // 256 bytes
   const test::TempDir dir;
   ASSERT_TRUE(export_grids(archive_with_grids_of({name}), dir / "grids"));
-  EXPECT_THAT(
-      names_in(dir / "grids"),
-      UnorderedElementsAre(name.substr(0, 200) + "-<hash>.pgm", name.substr(0, 200) + ".yaml"));
+  EXPECT_THAT(names_in(dir / "grids"),
+              UnorderedElementsAre(name.substr(0, 200) + "-<hash>.pgm",
+                                   name.substr(0, 200) + "-<hash>.pgw",
+                                   name.substr(0, 200) + ".yaml"));
 }
 
 /// A map of one cell.
@@ -120,8 +131,9 @@ TEST(ExportRosMap, IsAYamlAndAnImageNamedAfterItsContent) {
   const test::TempDir dir;
   const auto written = exported(map_of(100), ExportFormat::kRosMap, dir / "lab.yaml");
   ASSERT_TRUE(written) << to_string(written.error());
-  EXPECT_THAT(names_in(dir.path()), UnorderedElementsAre("lab.yaml", "lab-<hash>.pgm"));
-  EXPECT_EQ(written->size(), 2U);
+  EXPECT_THAT(names_in(dir.path()),
+              UnorderedElementsAre("lab.yaml", "lab-<hash>.pgm", "lab-<hash>.pgw"));
+  EXPECT_EQ(written->size(), 3U);
   for (const auto& path : *written) EXPECT_TRUE(std::filesystem::exists(path)) << path;
   EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
 }
@@ -154,7 +166,8 @@ TEST(ExportRosMap, TheImageThatIsNoLongerNamedGoesOthersStay) {
   const auto next = exported(map_of(0), ExportFormat::kRosMap, dir / "lab");
   ASSERT_TRUE(next);
   EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "0");
-  EXPECT_FALSE(std::filesystem::exists(old->back()));
+  EXPECT_FALSE(std::filesystem::exists(old->at(1)));
+  EXPECT_FALSE(std::filesystem::exists(old->at(2)));
   EXPECT_TRUE(std::filesystem::exists(dir / "lab.pgm"));
   EXPECT_TRUE(std::filesystem::exists(dir / "lab-0123456789abcdef.pgm"));
 }
@@ -208,26 +221,32 @@ TEST(ExportRosMap, AKillBetweenTheFilesLeavesTheOldPair) {
   EXPECT_EQ(loaded_cell(dir / "lab.yaml"), "100");
 }
 
-TEST(ExportPly, AClassNameStaysInItsComment) {
+// 3 x 2 cells of 0.5 m, turned by 90 degrees: columns run along +y, rows along -x. The first pixel
+// is cell (0, 1): from the corner (10, 20) half a cell up y, one and a half down x.
+TEST(ExportRosMap, AWorldFileLeadsFromPixelsToTheMap) {
   MapArchive archive;
-  ASSERT_TRUE(archive.classes.add("chair\nend_header"));
-  archive.octree = test::sample_octree();
+  const GridGeometry geometry{.resolution_m = 0.5,
+                              .origin = {10.0, 20.0},
+                              .yaw_rad = std::numbers::pi / 2.0,
+                              .cols = 3,
+                              .rows = 2};
+  ASSERT_TRUE(archive.hypermap.add_layer(
+      {.info = {.name = "map", .file = "map"},
+       .content = OccupancyLayer(OccupancyGrid::create(geometry, {0, 0, 0, 0, 0, 100}).value())}));
   const test::TempDir dir;
-  ASSERT_TRUE(exported(archive, ExportFormat::kPly, dir / "a.ply"));
-  const std::string ply = read_file(dir / "a.ply", 1U << 20U).value();
-  EXPECT_THAT(ply, HasSubstr("comment label 0 chair\\x0aend_header\n"));
-  EXPECT_THAT(ply, Not(HasSubstr("chair\nend_header")));
-}
-
-TEST(ExportGeojson, ANameIsOneText) {
-  MapArchive archive = test::sample_archive();
-  ASSERT_TRUE(archive.hypermap.set_content(
-      "semantic", SemanticLayer::create({test::sample_shape(0, kActive, 0.0)}).value()));
-  const test::TempDir dir;
-  const auto path = dir / "a.local.geojson";
-  ASSERT_TRUE(exported(archive, ExportFormat::kGeojson, path));
-  EXPECT_THAT(read_file(path, 1U << 20U).value(),
-              HasSubstr(R"("name": "../../etc/passwd\n- evil: true")"));
+  const auto written = export_map(archive,
+                                  {.format = ExportFormat::kRosMap,
+                                   .output = dir / "lab",
+                                   .layer = {},
+                                   .classes = {},
+                                   .keep_rotation = true});
+  ASSERT_TRUE(written) << to_string(written.error());
+  std::ifstream file(written->at(2));
+  std::vector<double> numbers;
+  for (double number = 0.0; file >> number;) numbers.push_back(number);
+  ASSERT_EQ(numbers.size(), 6U);
+  const std::vector<double> expected{0.0, 0.5, 0.5, 0.0, 9.25, 20.25};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(numbers[i], expected[i], 1e-12) << i;
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "octree_semantic/support/octomap_trees.hpp"
 
-#include "hypermap/core/base/class_palette.hpp"
-
 namespace hypermap::test {
 namespace {
 
@@ -41,13 +39,14 @@ std::unique_ptr<octomap::OcTree> to_octomap(const SemanticOctree& tree) {
   return convert<octomap::OcTree>(tree, [](octomap::OcTreeNode&, const StoredLeaf&) {});
 }
 
-std::unique_ptr<octomap::ColorOcTree> to_color_octomap(const SemanticOctree& tree) {
+std::unique_ptr<octomap::ColorOcTree> to_color_octomap(const SemanticOctree& tree,
+                                                       std::span<const Rgb8> colors) {
   const MilliLogOdds occupied_from = tree.sensor_model().occupied_from;
   return convert<octomap::ColorOcTree>(
-      tree, [occupied_from](octomap::ColorOcTreeNode& node, const StoredLeaf& leaf) {
+      tree, [occupied_from, colors](octomap::ColorOcTreeNode& node, const StoredLeaf& leaf) {
         if (leaf.log_odds < occupied_from) return;
         const auto best = leaf.label ? leaf.label->best_class() : std::nullopt;
-        const Rgb8 color = best ? class_color(*best) : kUnlabelled;
+        const Rgb8 color = best ? colors[best->value] : kUnlabelled;
         node.setColor(color.r, color.g, color.b);
       });
 }

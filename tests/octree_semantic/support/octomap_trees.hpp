@@ -3,6 +3,7 @@
 /// The map as OctoMap itself would hold it: the oracle for our own files of these types.
 #pragma once
 
+#include "hypermap/core/base/image.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 
@@ -12,6 +13,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace hypermap::test {
@@ -65,9 +67,10 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticOcTreeNode> {
 
 /// Occupancy alone. The sensor model goes along; the tree is pruned.
 [[nodiscard]] std::unique_ptr<octomap::OcTree> to_octomap(const SemanticOctree& tree);
-/// Occupancy, and the class as colour (`class_color`): grey where something unlabelled stands, and
-/// white, OctoMap's "no colour", in empty space.
-[[nodiscard]] std::unique_ptr<octomap::ColorOcTree> to_color_octomap(const SemanticOctree& tree);
+/// Occupancy, and the colour of the class by its id: grey where something unlabelled stands, and
+/// white, OctoMap's "no colour", in empty space. Requires: a colour for every class of the tree.
+[[nodiscard]] std::unique_ptr<octomap::ColorOcTree> to_color_octomap(const SemanticOctree& tree,
+                                                                     std::span<const Rgb8> colors);
 /// Everything.
 [[nodiscard]] std::unique_ptr<SemanticOcTree> to_semantic_octomap(const SemanticOctree& tree);
 

@@ -64,6 +64,30 @@ TEST(LabelLayout, LabelsKeepOffObstacles) {
   }
 }
 
+// Objects of 30 x 20 px: labels stand beside their own and all others.
+TEST(LabelLayout, LabelsStandBesideSmallObjects) {
+  std::vector<LabelRequest> requests;
+  for (int i = 0; i < 4; ++i) {
+    const double x = 200.0 + 40.0 * i;
+    requests.push_back({x + 15.0, 200.0, 60, 20, ImageRect{x, 200.0, 30.0, 20.0}});
+  }
+  for (const PlacedLabel& label : place_labels(requests, kCanvas, {})) {
+    ASSERT_TRUE(label.shown);
+    for (const LabelRequest& request : requests)
+      EXPECT_FALSE(overlap(label.rect, request.subject)) << request.anchor_x_px;
+  }
+}
+
+// The second subject covers all places within reach; the first label's own is never covered.
+TEST(LabelLayout, AnotherObjectIsCoveredRatherThanALabelLost) {
+  const std::vector<LabelRequest> requests{{100, 100, 40, 20, ImageRect{90, 100, 20, 10}},
+                                           {400, 400, 40, 20, ImageRect{0, 0, 640, 480}}};
+  const auto placed = place_labels(requests, kCanvas, {});
+  ASSERT_TRUE(placed.at(0).shown);
+  EXPECT_FALSE(overlap(placed[0].rect, requests[0].subject));
+  EXPECT_FALSE(placed.at(1).shown);
+}
+
 TEST(LabelLayout, ADisplacedLabelHasALeader) {
   const std::vector<LabelRequest> requests{{300, 200, 100, 20}, {300, 200, 100, 20}};
   const std::vector<ImageRect> obstacles{{240, 130, 120, 110}};

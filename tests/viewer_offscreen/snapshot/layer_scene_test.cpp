@@ -41,7 +41,8 @@ Layer sketch(std::vector<LayerPrimitive> primitives) {
 
 DrawnArea square(double x) {
   return {.parts = {make_polygon({{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}).value()},
-          .class_name = "sink"};
+          .class_name = "sink",
+          .id = static_cast<std::uint64_t>(x)};
 }
 
 /// Two cells side by side, the left one red, the right one blue.
@@ -59,7 +60,7 @@ TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
                              two_cells(),
                              DrawnLine{.points = {{0, 0}, {1, 1}}, .color = kRed},
                              DrawnText{.position = {1, 1}, .text = "here", .color = kRed},
-                             DrawnBox{.box = {}, .class_name = "chair"},
+                             DrawnBox{.box = {}, .class_name = "chair", .id = 7},
                              DrawnVoxels{[](const LeafVisitor&) {}}}),
                      {});
   EXPECT_EQ(scene.frame_id, "lab");
@@ -70,7 +71,8 @@ TEST(LayerScene, EachPrimitiveComesToThoseOfItsKind) {
   EXPECT_EQ(scene.overlay.texts.size(), 1U);
   ASSERT_EQ(scene.objects.size(), 1U);
   EXPECT_EQ(scene.objects[0].class_id, chair);
-  EXPECT_EQ(scene.objects[0].label, "chair");
+  EXPECT_EQ(scene.objects[0].label, "chair 7");
+  EXPECT_EQ(scene.semantic[1].id, 2U);
   EXPECT_TRUE(scene.leaves);
 }
 

@@ -54,20 +54,21 @@ TEST(MapScene, LayersAreShownInTheFrameThatIsGiven) {
   EXPECT_TRUE(scene.left_out.empty());
 }
 
-TEST(MapScene, ObjectsBearTheNameOfTheirBestClass) {
+TEST(MapScene, ObjectsBearTheNameOfTheirBestClassAndTheirId) {
   ClassRegistry classes;
   const ClassId sofa = classes.add("couch").value();
   Object known;
   known.belief.observe(std::array{ClassEvidence{sofa, Probability(0.9)}}, Probability(0.5));
+  known.id = ObjectId{12};
   known.box.max_in_map = {2, 1, 1};
   const Object unknown;
   const std::array<const Object*, 2> objects{&known, &unknown};
   const SnapshotScene scene = map_scene({}, classes, objects, {});
   ASSERT_EQ(scene.objects.size(), 2U);
-  EXPECT_EQ(scene.objects[0].label, "couch");
+  EXPECT_EQ(scene.objects[0].label, "couch 12");
   EXPECT_EQ(scene.objects[0].class_id, sofa);
   EXPECT_EQ(scene.objects[0].box, known.box);
-  EXPECT_EQ(scene.objects[1].label, "unknown");
+  EXPECT_EQ(scene.objects[1].label, "unknown 0");
   EXPECT_EQ(scene.objects[1].class_id, std::nullopt);
   EXPECT_EQ(scene.classes, classes);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: the parts of an image share one fixture and its scenes.
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 
 #include "hypermap/core/base/class_palette.hpp"
@@ -80,7 +81,7 @@ int count_near(const ColorImage& image, Rgb8 color, int first_u, int last_u) {
 TEST_F(Snapshot, ACubeFromAboveHasItsClassColorAndSize) {
   const auto image = render_snapshot(one_cube(), bare_top());
   ASSERT_TRUE(image);
-  const Rgb8 color = class_color(ClassId{0});
+  const Rgb8 color = class_color("thing");
   EXPECT_THAT(image->at(150, 100), ColorNear(color));
   EXPECT_THAT(image->at(60, 10), ColorNear(color));
   int width_px = 0;
@@ -95,7 +96,7 @@ TEST_F(Snapshot, SidesAreDarkerThanTheTop) {
   options.view = IsoView{.azimuth_deg = -90.0, .elevation_deg = 45.0};
   const auto image = render_snapshot(one_cube(), options);
   ASSERT_TRUE(image);
-  const Rgb8 color = class_color(ClassId{0});
+  const Rgb8 color = class_color("thing");
   const auto shade = [](std::uint8_t c) {
     return static_cast<std::uint8_t>(std::lround(0.92 * c));
   };
@@ -118,7 +119,7 @@ TEST_F(Snapshot, ImagesHaveTheSizeAskedForAtAnySupersampling) {
     ASSERT_TRUE(image);
     EXPECT_EQ(image->width_px(), 300);
     EXPECT_EQ(image->height_px(), 200);
-    EXPECT_THAT(image->at(150, 100), ColorNear(class_color(ClassId{0})));
+    EXPECT_THAT(image->at(150, 100), ColorNear(class_color("thing")));
   }
 }
 
@@ -128,7 +129,7 @@ TEST_F(Snapshot, TheScaleBarIsTrueToScale) {
   SnapshotOptions options{.view = TopView{}};
   const auto image = render_snapshot(one_cube(), options);
   ASSERT_TRUE(image);
-  const Rgb8 color = class_color(ClassId{0});
+  const Rgb8 color = class_color("thing");
   int cube_px = 0;
   for (int u = 0; u < 1280; ++u) cube_px += near(image->at(u, 300), color) ? 1 : 0;
   ASSERT_GT(cube_px, 100);
@@ -144,11 +145,47 @@ TEST_F(Snapshot, TheScaleBarIsTrueToScale) {
   EXPECT_NEAR(longest_px, length_m * cube_px, 4.0);
 }
 
+// Between the margins of 22 px there are 676 px; a square of that fits between scale bar and
+// legend.
+TEST_F(Snapshot, TheMapFillsTheImageBesideWhatIsWritten) {
+  const auto image = render_snapshot(one_cube(), {.view = TopView{}});
+  ASSERT_TRUE(image);
+  const Rgb8 color = class_color("thing");
+  int height_px = 0;
+  for (int v = 0; v < 720; ++v) height_px += near(image->at(600, v), color) ? 1 : 0;
+  EXPECT_GT(height_px, 640);
+}
+
+TEST_F(Snapshot, AUsersPaletteHoldsForVoxelsBoxesAndLegend) {
+  SnapshotScene scene = one_cube();
+  ASSERT_TRUE(scene.palette.set("Thing", {250, 0, 250}));
+  EXPECT_THAT(render_snapshot(scene, bare_top())->at(150, 100), ColorNear(Rgb8{250, 0, 250}));
+  EXPECT_GT(count_near(*render_snapshot(scene), {250, 0, 250}, 1000, 1280), 60);
+}
+
+// The same class has another id here.
+TEST_F(Snapshot, AColorFollowsTheNameOfTheClassNotItsId) {
+  SnapshotScene scene;
+  ASSERT_TRUE(scene.classes.add("other"));
+  const ClassId id = scene.classes.add("thing").value();
+  scene.leaves = source_of({cube({0, 0, 0}, 1.0, id)});
+  EXPECT_EQ(*render_snapshot(scene, bare_top()), *render_snapshot(one_cube(), bare_top()));
+}
+
+TEST_F(Snapshot, TentativeObjectsAreSaid) {
+  SnapshotScene scene = one_cube();
+  const auto without = render_snapshot(scene);
+  scene.num_tentative = 3;
+  const auto with = render_snapshot(scene);
+  ASSERT_TRUE(with && without);
+  EXPECT_FALSE(*with == *without);
+}
+
 TEST_F(Snapshot, TheLegendShowsTheColorOfTheClass) {
   SnapshotScene scene = one_cube();
   const auto image = render_snapshot(scene);
   ASSERT_TRUE(image);
-  EXPECT_GT(count_near(*image, class_color(ClassId{0}), 1000, 1280), 60);
+  EXPECT_GT(count_near(*image, class_color("thing"), 1000, 1280), 60);
 }
 
 TEST_F(Snapshot, UnlabelledVoxelsAreNeitherColoredNorInvisible) {
@@ -183,9 +220,9 @@ TEST_F(Snapshot, TheCeilingIsCutFromAboveUnlessAskedFor) {
   }
   scene.leaves = source_of(leaves);
   SnapshotOptions options = bare_top();
-  EXPECT_THAT(render_snapshot(scene, options)->at(137, 112), ColorNear(class_color(floor)));
+  EXPECT_THAT(render_snapshot(scene, options)->at(137, 112), ColorNear(class_color("floor")));
   options.cut_above_m = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(render_snapshot(scene, options)->at(137, 112), ColorNear(class_color(ceiling)));
+  EXPECT_THAT(render_snapshot(scene, options)->at(137, 112), ColorNear(class_color("ceiling")));
 }
 
 // The camera stands 2 m before the cube's face and looks along +x of the map.
@@ -200,7 +237,7 @@ TEST_F(Snapshot, APoseSeesWhatIsBeforeIt) {
   const auto seen = render_snapshot(one_cube(), options);
   ASSERT_TRUE(seen);
   const Rgb8 middle = seen->at(150, 100);
-  EXPECT_GT(middle.b, middle.r + 40);  // the first class is blue
+  EXPECT_GT(middle.b, middle.r + 40);  // 0 165 195 is more blue than red
   pose.translation() = Eigen::Vector3d(2.5, 0, 0);
   options.view = PoseView{.map_from_camera = MapFromCamera(pose)};
   const auto behind = render_snapshot(one_cube(), options);
@@ -235,7 +272,7 @@ TEST_F(Snapshot, PolygonsAreFilledButForTheirHoles) {
   const auto image = render_snapshot(scene, bare_top());
   ASSERT_TRUE(image);
   const Rgb8 ring = image->at(75, 80);
-  EXPECT_GT(ring.b, ring.r + 60);                                 // class 0 is blue
+  EXPECT_GT(ring.g, ring.b + 60);                                 // 80 105 0 under light
   EXPECT_THAT(image->at(170, 83), ColorNear(image->at(20, 83)));  // the hole shows the ground
 }
 
@@ -245,8 +282,8 @@ TEST_F(Snapshot, ObjectBoxesAreOutlined) {
   scene.objects.push_back({{{0, 0, 0}, {2, 2, 2}}, id, "Kiste ä"});
   const auto image = render_snapshot(scene, bare_top());
   ASSERT_TRUE(image);
-  EXPECT_GT(count_near(*image, class_color(id), 45, 55), 100);  // the left side
-  EXPECT_FALSE(near(image->at(160, 90), class_color(id), 40));  // the inside is free
+  EXPECT_GT(count_near(*image, class_color("crate"), 45, 55), 100);  // the left side
+  EXPECT_FALSE(near(image->at(160, 90), class_color("crate"), 40));  // the inside is free
 }
 
 TEST_F(Snapshot, EmptyAndUnusualScenesAreDrawn) {

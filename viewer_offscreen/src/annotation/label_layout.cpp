@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -50,21 +51,26 @@ class Board {
   Board(const ImageRect& canvas, std::span<const ImageRect> obstacles, double gap_px)
       : canvas_(canvas), taken_(obstacles.begin(), obstacles.end()), gap_px_(gap_px) {}
 
+  /// The subjects that labels placed from now on keep off.
+  void keep_off(std::vector<ImageRect> subjects) { subjects_ = std::move(subjects); }
+
   [[nodiscard]] bool contains(const LabelRequest& request) const {
     return holds(canvas_, request.anchor_x_px, request.anchor_y_px);
   }
   [[nodiscard]] bool is_free(const ImageRect& rect) const {
     const ImageRect with_gap = grown(rect, gap_px_);
-    return inside(rect, canvas_) &&
-           std::none_of(taken_.begin(), taken_.end(), [&](const ImageRect& other) {
-             return overlap(with_gap, other);
-           });
+    const auto is_met = [](const ImageRect& one) {
+      return [&one](const ImageRect& other) { return overlap(one, other); };
+    };
+    return inside(rect, canvas_) && std::none_of(taken_.begin(), taken_.end(), is_met(with_gap)) &&
+           std::none_of(subjects_.begin(), subjects_.end(), is_met(rect));
   }
   void take(const ImageRect& rect) { taken_.push_back(rect); }
 
  private:
   ImageRect canvas_;
   std::vector<ImageRect> taken_;
+  std::vector<ImageRect> subjects_;
   double gap_px_;
 };
 
@@ -89,6 +95,14 @@ std::optional<ImageRect> find_place(const LabelRequest& request,
   return std::nullopt;
 }
 
+std::vector<ImageRect> subjects_of(std::span<const LabelRequest> requests) {
+  std::vector<ImageRect> subjects;
+  for (const LabelRequest& request : requests) {
+    if (request.subject.width_px > 0.0) subjects.push_back(request.subject);
+  }
+  return subjects;
+}
+
 }  // namespace
 
 bool overlap(const ImageRect& a, const ImageRect& b) {
@@ -103,8 +117,14 @@ std::vector<PlacedLabel> place_labels(std::span<const LabelRequest> requests,
   Board board(canvas, obstacles, options.gap_px);
   std::vector<PlacedLabel> placed;
   placed.reserve(requests.size());
+  const std::vector<ImageRect> subjects = subjects_of(requests);
   for (const LabelRequest& request : requests) {
-    const auto place = board.contains(request) ? find_place(request, board, options) : std::nullopt;
+    board.keep_off(subjects);
+    auto place = board.contains(request) ? find_place(request, board, options) : std::nullopt;
+    if (!place && board.contains(request)) {
+      board.keep_off(subjects_of({&request, 1}));
+      place = find_place(request, board, options);
+    }
     if (!place) {
       placed.push_back({.rect = {}, .shown = false});
       continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_painter.hpp"
 
+#include "hypermap/core/base/utf8.hpp"
+
 #include <opencv2/core.hpp>
 #include <opencv2/freetype.hpp>
 #include <opencv2/imgproc.hpp>
@@ -20,6 +22,15 @@ constexpr std::array<std::string_view, 5> kFontFolders{"/usr/share/fonts/truetyp
                                                        "/usr/share/fonts/dejavu",
                                                        "/usr/share/fonts/TTF",
                                                        "/usr/local/share/fonts/dejavu"};
+// Of Debian's fonts-noto-cjk, fonts-wqy-zenhei, fonts-wqy-microhei and fonts-droid-fallback, of
+// Fedora's and of Arch Linux's packages of Noto.
+constexpr std::array<std::string_view, 6> kEastAsianFonts{
+    "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+    "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc",
+    "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
+    "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+    "/usr/share/fonts/google-noto-sans-cjk-fonts/NotoSansCJK-Regular.ttc",
+    "/usr/share/fonts/noto-cjk/NotoSansCJK-Regular.ttc"};
 constexpr int kShift = 4;  // OpenCV draws at 1/16 of a pixel
 
 /// The image's pixels as OpenCV sees them; red stays first, so colours are given in that order.
@@ -76,13 +87,47 @@ std::size_t previous_character(const std::string& text, std::size_t end) {
   return end;
 }
 
+/// Scripts of Chinese, Japanese and Korean, as three bytes of UTF-8 from U+2E80 to U+9FFF, U+AC00
+/// to U+D7AF, U+F900 to U+FAFF and U+FF00 to U+FFEF, or four from U+20000 to U+3FFFF.
+bool is_east_asian(std::string_view character) {
+  constexpr std::array<std::array<std::string_view, 2>, 5> kRanges{{{"\u2E80", "\u9FFF"},
+                                                                    {"\uAC00", "\uD7AF"},
+                                                                    {"\uF900", "\uFAFF"},
+                                                                    {"\uFF00", "\uFFEF"},
+                                                                    {"\U00020000", "\U0003FFFF"}}};
+  // Bytes of UTF-8 are ordered as the letters that they stand for.
+  return std::any_of(kRanges.begin(), kRanges.end(), [&](const auto& range) {
+    return range[0] <= character && character <= range[1];
+  });
+}
+
+bool has_east_asian(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text, at), 1);
+    if (is_east_asian(text.substr(at, length))) return true;
+    at += length;
+  }
+  return false;
+}
+
+cv::Ptr<cv::freetype::FreeType2> find_east_asian_font() {
+  for (const std::string_view file : kEastAsianFonts) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) continue;
+    if (auto font = load_font(file)) return font;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 struct TextPainter::Impl {
   cv::Ptr<cv::freetype::FreeType2> regular;
   cv::Ptr<cv::freetype::FreeType2> bold;
+  cv::Ptr<cv::freetype::FreeType2> east_asian;  ///< None where no system font has its letters.
 
-  [[nodiscard]] cv::freetype::FreeType2& font(FontWeight weight) const {
+  [[nodiscard]] cv::freetype::FreeType2& font(const std::string& text, FontWeight weight) const {
+    if (east_asian != nullptr && has_east_asian(text)) return *east_asian;
     return weight == FontWeight::kBold ? *bold : *regular;
   }
 };
@@ -97,6 +142,7 @@ Result<TextPainter> TextPainter::create(const std::filesystem::path& font_file) 
   if (!font_file.empty()) {
     impl->regular = load_font(font_file);
     impl->bold = impl->regular;
+    impl->east_asian = impl->regular;
     if (impl->regular != nullptr) return TextPainter(std::move(impl));
     return fail(ErrorCode::kNotFound, "no readable font: " + printable(font_file.string()), "font");
   }
@@ -104,13 +150,18 @@ Result<TextPainter> TextPainter::create(const std::filesystem::path& font_file) 
   if (impl->regular == nullptr) return no_font();
   impl->bold = find_font("DejaVuSans-Bold.ttf");
   if (impl->bold == nullptr) impl->bold = impl->regular;
+  impl->east_asian = find_east_asian_font();
   return TextPainter(std::move(impl));
+}
+
+bool TextPainter::can_write(const std::string& text) const {
+  return impl_->east_asian != nullptr || !has_east_asian(text);
 }
 
 double TextPainter::width_px(const std::string& text, const TextStyle& style) const {
   if (text.empty()) return 0.0;
   int below_px = 0;
-  return impl_->font(style.weight).getTextSize(text, style.height_px, -1, &below_px).width;
+  return impl_->font(text, style.weight).getTextSize(text, style.height_px, -1, &below_px).width;
 }
 
 std::string TextPainter::fitted(const std::string& text,
@@ -135,7 +186,7 @@ void TextPainter::write(ColorImage& image,
   cv::Mat pixels = pixels_of(image);
   const cv::Point place(static_cast<int>(std::lround(x_px)),
                         static_cast<int>(std::lround(baseline_px)));
-  impl_->font(style.weight)
+  impl_->font(text, style.weight)
       .putText(pixels, text, place, style.height_px, scalar_of(style.color), -1, cv::LINE_AA, true);
 }
 

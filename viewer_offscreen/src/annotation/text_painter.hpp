@@ -23,7 +23,8 @@ struct TextStyle {
   FontWeight weight = FontWeight::kRegular;
 };
 
-/// UTF-8 text in a TrueType font. Move-only.
+/// UTF-8 text in a TrueType font; what holds Chinese, Japanese or Korean letters in a font that has
+/// them, where there is one. Move-only.
 class TextPainter {
  public:
   /// `font_file` empty: DejaVu Sans where systems keep it.
@@ -34,6 +35,9 @@ class TextPainter {
   TextPainter& operator=(TextPainter&&) noexcept;
   ~TextPainter();
 
+  /// Whether no Chinese, Japanese or Korean letter of the text lacks a font. A font file that was
+  /// named is taken to have all.
+  [[nodiscard]] bool can_write(const std::string& text) const;
   [[nodiscard]] double width_px(const std::string& text, const TextStyle& style) const;
   /// The text, or as much of it as is not wider, with an ellipsis.
   [[nodiscard]] std::string fitted(const std::string& text,

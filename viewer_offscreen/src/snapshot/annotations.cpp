@@ -4,6 +4,8 @@
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
 #include "page_style.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -26,7 +28,7 @@ class Page {
   void paint_title(const Annotations& annotations) {
     const double x = plan_->title.x_px;
     const double room = plan_->title.width_px;
-    paint_title_plate(annotations);
+    paint_title_plate();
     write(text_->fitted(annotations.title, look_.title(), room),
           x,
           plan_->title.y_px + look_.px(22.0),
@@ -35,6 +37,11 @@ class Page {
           x,
           plan_->title.y_px + look_.px(43.0),
           look_.small());
+    double y = plan_->title.y_px + look_.px(43.0);
+    for (const std::string& note : annotations.notes) {
+      y += look_.px(kNotePx);
+      write(text_->fitted(note, look_.small(), room), x, y, look_.small());
+    }
   }
 
   void paint_legend(const Legend& legend) {
@@ -116,15 +123,13 @@ class Page {
 
  private:
   /// Where the scene fills the page the title stands on a plate of its own.
-  void paint_title_plate(const Annotations& annotations) {
+  void paint_title_plate() {
     if (!plan_->scene_fills_page) return;
-    const double width = std::max(text_->width_px(annotations.title, look_.title()),
-                                  text_->width_px(annotations.subtitle, look_.small()));
     const double margin = look_.px(10.0);
     draw_plate(*image_,
                {plan_->title.x_px - margin,
                 plan_->title.y_px - look_.px(4.0),
-                std::min(width, plan_->title.width_px) + 2.0 * margin,
+                plan_->title.width_px + 2.0 * margin,
                 plan_->title.height_px + look_.px(8.0)},
                look_.px(6.0),
                kPlate,
@@ -177,18 +182,31 @@ class Page {
     return seen;
   }
 
+  /// Around those corners of the box that are before the eye.
+  [[nodiscard]] static ImageRect seen_rect(const Box& box, const SnapshotCamera& camera) {
+    Eigen::AlignedBox2d seen;
+    for (const Eigen::Vector3d& corner : box.corners()) {
+      const auto pixel = camera.project(corner);
+      if (pixel) seen.extend(Eigen::Vector2d(pixel->u_px, pixel->v_px));
+    }
+    if (seen.isEmpty()) return {};
+    return {seen.min().x(), seen.min().y(), seen.sizes().x(), seen.sizes().y()};
+  }
+
   [[nodiscard]] LabelRequest request_for(const MapLabel& label,
                                          const SnapshotCamera& camera) const {
     const double height = look_.px(kLabelPx);
+    const double width = text_->width_px(label.text, look_.label()) + look_.px(15.0);
+    const ImageRect subject = seen_rect(label.box, camera);
+    if (subject.width_px < 1.6 * width || subject.height_px < 3.0 * height) {
+      return {subject.x_px + 0.5 * subject.width_px, subject.y_px, width, height, subject};
+    }
     PixelPoint anchor = camera.project(label.upper_in_map).value_or(PixelPoint{});
     const auto middle = camera.project(label.middle_in_map);
     if (middle && middle->v_px - anchor.v_px > 0.6 * height) {
       anchor = {middle->u_px, middle->v_px + 0.5 * height + look_.px(kLabelGapPx)};
     }
-    return {anchor.u_px,
-            anchor.v_px,
-            text_->width_px(label.text, look_.label()) + look_.px(15.0),
-            height};
+    return {anchor.u_px, anchor.v_px, width, height};
   }
 
   void paint_leader(const LabelRequest& request, const PlacedLabel& placed, const MapLabel& label) {

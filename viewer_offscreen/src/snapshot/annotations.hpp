@@ -5,6 +5,7 @@
 
 #include "annotation/text_painter.hpp"
 #include "hypermap/core/base/image.hpp"
+#include "hypermap/core/geometry/box.hpp"
 #include "hypermap/viewer_offscreen/annotation/label_layout.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot_camera.hpp"
 
@@ -27,20 +28,22 @@ struct Legend {
   std::vector<LegendRow> rows = {};
 };
 
-/// A text that belongs to an object of the map: it stands over its upper end, or on it where there
-/// is room enough between its middle and its upper end.
+/// A text that belongs to an object of the map: it stands beside a small one; else over its upper
+/// end, or on it where there is room enough between its middle and its upper end.
 struct MapLabel {
   Eigen::Vector3d middle_in_map = Eigen::Vector3d::Zero();
   Eigen::Vector3d upper_in_map = Eigen::Vector3d::Zero();
   std::string text;
   Rgb8 color;
+  Box box;  ///< Around the object.
 };
 
 struct Annotations {
   std::string title;
   std::string subtitle;
+  std::vector<std::string> notes = {};  ///< A line each, under the subtitle.
   Legend legend;
-  std::vector<MapLabel> labels;  ///< The most important first.
+  std::vector<MapLabel> labels = {};  ///< The most important first.
 };
 
 /// Layout of the page. Sizes grow with the image.

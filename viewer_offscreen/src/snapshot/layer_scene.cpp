@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -64,9 +65,8 @@ class SceneFiller {
   void operator()(DrawnArea&& area) {
     if (!takes_areas_) return;
     for (Polygon& part : area.parts) part = in_scene(std::move(part));
-    scene_.semantic.push_back({.id = scene_.semantic.size(),
-                               .name = std::move(area.class_name),
-                               .parts = std::move(area.parts)});
+    scene_.semantic.push_back(
+        {.id = area.id, .name = std::move(area.class_name), .parts = std::move(area.parts)});
   }
   void operator()(DrawnOccupancy&& occupancy) {
     if (scene_.occupancy) return;
@@ -88,8 +88,9 @@ class SceneFiller {
   }
   void operator()(DrawnBox&& box) {
     const auto class_id = scene_.classes.find(box.class_name);
-    scene_.objects.push_back(
-        {.box = in_scene(box.box), .class_id = class_id, .label = std::move(box.class_name)});
+    scene_.objects.push_back({.box = in_scene(box.box),
+                              .class_id = class_id,
+                              .label = box.class_name + " " + std::to_string(box.id)});
   }
   void operator()(DrawnCells&& cells) {
     cells.geometry = in_scene(cells.geometry);

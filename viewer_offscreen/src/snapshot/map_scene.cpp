@@ -3,6 +3,7 @@
 
 #include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
 
+#include <string>
 #include <utility>
 
 namespace hypermap {
@@ -10,8 +11,9 @@ namespace {
 
 SnapshotObject drawn(const Object& object, const ClassRegistry& classes) {
   const auto best = best_class(object);
-  if (!best) return {.box = object.box, .label = "unknown"};
-  return {.box = object.box, .class_id = best->id, .label = classes.name(best->id)};
+  const std::string id = " " + std::to_string(object.id.value);
+  if (!best) return {.box = object.box, .label = "unknown" + id};
+  return {.box = object.box, .class_id = best->id, .label = classes.name(best->id) + id};
 }
 
 }  // namespace

@@ -42,7 +42,10 @@ PagePlan plan_page(const TextPainter& text,
   const Look look{plan.scale};
   const double margin = look.px(kMarginPx);
   plan.canvas = {0.0, 0.0, width_px, height_px};
-  plan.title = {margin, look.px(14.0), 0.0, look.px(50.0)};
+  plan.title = {margin,
+                look.px(14.0),
+                0.0,
+                look.px(50.0 + kNotePx * static_cast<double>(annotations.notes.size()))};
   plan.foot = {margin, height_px - look.px(72.0), look.px(kScaleBarPx + 100.0), look.px(56.0)};
   const double top = plan.title.y_px + plan.title.height_px;
   double right = width_px - margin;
@@ -58,7 +61,11 @@ PagePlan plan_page(const TextPainter& text,
     plan.legend = {right - width, margin, width, rows * look.px(kRowPx) + look.px(16.0)};
     right -= width + look.px(10.0);
   }
-  plan.title.width_px = std::max(1.0, right - margin);
+  double title_px = std::max(text.width_px(annotations.title, look.title()),
+                             text.width_px(annotations.subtitle, look.small()));
+  for (const std::string& note : annotations.notes)
+    title_px = std::max(title_px, text.width_px(note, look.small()));
+  plan.title.width_px = std::clamp(title_px + 1.0, 1.0, std::max(1.0, right - margin));
   plan.content = {margin,
                   top + look.px(10.0),
                   std::max(16.0, right - margin),

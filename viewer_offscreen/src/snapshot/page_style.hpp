@@ -15,6 +15,7 @@ namespace hypermap {
 inline constexpr Rgb8 kInk{33, 38, 45};
 inline constexpr Rgb8 kFaintInk{106, 115, 125};
 inline constexpr double kRowPx = 21.0;
+inline constexpr double kNotePx = 18.0;  ///< A line under the subtitle.
 inline constexpr double kSwatchPx = 12.0;
 inline constexpr double kColumnGapPx = 16.0;
 inline constexpr double kScaleBarPx = 180.0;  ///< At most.

@@ -87,6 +87,20 @@ void add_grid_corners(const GridGeometry& geometry,
   }
 }
 
+/// Of a large grid every so many rows and columns.
+void add_cell_centres(const GridGeometry& geometry,
+                      double height_m,
+                      std::vector<Eigen::Vector3d>& points) {
+  constexpr int kMostSteps = 256;
+  const int step = 1 + std::max(geometry.cols, geometry.rows) / kMostSteps;
+  for (int row = 0; row < geometry.rows; row += step) {
+    for (int col = 0; col < geometry.cols; col += step) {
+      const Eigen::Vector2d plan = from_cells(geometry, {col + 0.5, row + 0.5});
+      points.emplace_back(plan.x(), plan.y(), height_m);
+    }
+  }
+}
+
 void add_overlay_points(const SnapshotOverlay& overlay,
                         double height_m,
                         std::vector<Eigen::Vector3d>& points) {
@@ -139,6 +153,12 @@ VisibleVoxels visible_voxels(const SnapshotScene& scene, const SnapshotOptions& 
     cut.towards_eye = to_eye->head<2>().normalized();
   }
   drawn.voxels = cut_away(all, cut);
+  const double highest_m = drawn.floor_m + drawn.cut_m;
+  drawn.num_too_high = static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [highest_m](const OccupiedVoxel& voxel) {
+        return static_cast<double>(voxel.centre_in_map.z()) > highest_m;
+      }));
+  drawn.num_near_walls = all.size() - drawn.num_too_high - drawn.voxels.size();
   return drawn;
 }
 
@@ -157,6 +177,25 @@ OccupancyGrid known_part(const OccupancyGrid& grid) {
     }
   }
   return OccupancyGrid::create(part, std::move(cells)).value_or(grid);
+}
+
+std::vector<Eigen::Vector3d> points_drawn(const SnapshotScene& scene,
+                                          const SnapshotLayers& layers,
+                                          const VisibleVoxels& voxels) {
+  SnapshotLayers flat = layers;
+  flat.voxels = false;
+  flat.occupancy = false;
+  std::vector<Eigen::Vector3d> points = points_to_frame(scene, flat, voxels, TopView{});
+  if (layers.voxels) {
+    for (const OccupiedVoxel& voxel : voxels.voxels) {
+      const auto half = Eigen::Vector3d::Constant(0.5 * static_cast<double>(voxel.edge_m));
+      points.emplace_back(voxel.centre_in_map.cast<double>() - half);
+      points.emplace_back(voxel.centre_in_map.cast<double>() + half);
+    }
+  }
+  if (layers.occupancy && scene.occupancy)
+    add_cell_centres(known_part(*scene.occupancy).geometry(), voxels.floor_m, points);
+  return points;
 }
 
 std::vector<Eigen::Vector3d> points_to_frame(const SnapshotScene& scene,

@@ -8,9 +8,11 @@
 #include "hypermap/viewer_offscreen/rendering/sky_light.hpp"
 #include "hypermap/viewer_offscreen/rendering/voxel_surface.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
+#include "scene_colors.hpp"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -30,6 +32,8 @@ struct VisibleVoxels {
   double floor_m = 0.0;
   double cut_m = std::numeric_limits<double>::infinity();  ///< Over the floor.
   std::size_t num_occupied = 0;                            ///< Before cutting.
+  std::size_t num_too_high = 0;                            ///< Cut above `cut_m`.
+  std::size_t num_near_walls = 0;                          ///< Cut before the room.
   SkyLight light{{}};  ///< Of all below the ceiling, walls included.
 };
 [[nodiscard]] VisibleVoxels visible_voxels(const SnapshotScene& scene,
@@ -45,11 +49,17 @@ struct VisibleVoxels {
                                                            const VisibleVoxels& voxels,
                                                            const SnapshotView& view);
 
+/// Points of all that is drawn, close enough to show what it covers of the page.
+[[nodiscard]] std::vector<Eigen::Vector3d> points_drawn(const SnapshotScene& scene,
+                                                        const SnapshotLayers& layers,
+                                                        const VisibleVoxels& voxels);
+
 /// Title, legend and labels. `registry` is that of drawn_classes.
 [[nodiscard]] Annotations annotations_of(const SnapshotScene& scene,
                                          const SnapshotOptions& options,
                                          const SnapshotLayers& layers,
                                          const VisibleVoxels& voxels,
-                                         const ClassRegistry& registry);
+                                         const ClassRegistry& registry,
+                                         const ClassColors& colors);
 
 }  // namespace hypermap

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_shapes.hpp"
 
-#include "hypermap/core/base/class_palette.hpp"
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 namespace hypermap {
 namespace {
 
-constexpr Rgb8 kNoClassColor{120, 126, 134};
 constexpr Rgb8 kTrajectoryColor{214, 40, 57};
 constexpr Rgb8 kGridColor{120, 132, 148};
 constexpr float kDarkest = 0.60F;
@@ -70,11 +68,8 @@ std::vector<FaceDirection> directions_seen(const SnapshotCamera& camera) {
 
 }  // namespace
 
-Rgb8 color_of(const std::optional<ClassId>& class_id) {
-  return class_id ? class_color(*class_id) : kNoClassColor;
-}
-
 Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
+                                              const ClassColors& colors,
                                               const SnapshotCamera& camera) {
   const auto directions = directions_seen(camera);
   HYPERMAP_ASSIGN_OR_RETURN(const auto faces, exposed_faces(voxels.voxels, directions));
@@ -85,7 +80,7 @@ Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
     if (camera.eye_in_map() && !faces_eye(voxel, face.direction, *camera.eye_in_map())) continue;
     const Rgb8 color =
         voxel.class_id
-            ? color_of(voxel.class_id)
+            ? colors.of(voxel.class_id)
             : height_color(static_cast<double>(voxel.centre_in_map.z()) - voxels.floor_m);
     const Eigen::Vector3f before_face =
         voxel.centre_in_map + voxel.edge_m * normal_of(face.direction);
@@ -100,7 +95,8 @@ Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
   return painted;
 }
 
-std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects) {
+std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects,
+                                     const ClassColors& colors) {
   std::vector<PaintedLine> lines;
   lines.reserve(objects.size() * 12);
   for (const SnapshotObject& object : objects) {
@@ -109,7 +105,7 @@ std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects) {
       for (const std::size_t axis : {1U, 2U, 4U}) {  // corners that differ in one bit share an edge
         if ((k & axis) != 0) continue;
         lines.push_back(
-            {floats(corners[k]), floats(corners[k | axis]), {color_of(object.class_id)}});
+            {floats(corners[k]), floats(corners[k | axis]), {colors.of(object.class_id)}});
       }
     }
   }

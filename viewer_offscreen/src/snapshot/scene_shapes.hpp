@@ -3,32 +3,30 @@
 /// The parts of a scene as shapes to draw, in their colours.
 #pragma once
 
-#include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot_camera.hpp"
+#include "scene_colors.hpp"
 #include "scene_content.hpp"
 #include "scene_painter.hpp"
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace hypermap {
 
-/// Colour of an object of a class; grey without one.
-[[nodiscard]] Rgb8 color_of(const std::optional<ClassId>& class_id);
-
 /// Faces that look towards the eye, in the colours of their classes; unlabelled ones are tinted by
 /// height. Errors: those of exposed_faces.
 [[nodiscard]] Result<std::vector<PaintedFace>> paint_voxels(const VisibleVoxels& voxels,
+                                                            const ClassColors& colors,
                                                             const SnapshotCamera& camera);
 
 /// The twelve edges of each box.
-[[nodiscard]] std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects);
+[[nodiscard]] std::vector<PaintedLine> paint_boxes(std::span<const SnapshotObject> objects,
+                                                   const ClassColors& colors);
 /// The camera's way.
 [[nodiscard]] std::vector<PaintedLine> paint_trajectory(std::span<const Eigen::Vector3d> points);
 /// The lines of an overlay.

@@ -2,12 +2,9 @@
 #include "grid_texture.hpp"
 #include "hypermap/viewer_offscreen/annotation/scale_bar.hpp"
 #include "scene_content.hpp"
-#include "scene_shapes.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -64,7 +61,8 @@ std::string class_name(const std::optional<ClassId>& id, const ClassRegistry& re
 Legend legend_of(const SnapshotScene& scene,
                  const SnapshotLayers& layers,
                  const VisibleVoxels& voxels,
-                 const ClassRegistry& registry) {
+                 const ClassRegistry& registry,
+                 const ClassColors& colors) {
   struct Entry {
     std::optional<ClassId> id;
     ClassCount count;
@@ -85,7 +83,7 @@ Legend legend_of(const SnapshotScene& scene,
   const auto number = [](std::size_t count) { return count == 0 ? "–" : grouped(count); };
   for (const auto& [id, count] : entries) {
     LegendRow row{
-        id || !layers.voxels ? color_of(id) : kUnlabelledColor, class_name(id, registry), {}};
+        id || !layers.voxels ? colors.of(id) : kUnlabelledColor, class_name(id, registry), {}};
     if (with_objects) row.numbers.push_back(number(count.objects));
     if (layers.voxels) row.numbers.push_back(number(count.voxels));
     legend.rows.push_back(std::move(row));
@@ -110,10 +108,10 @@ std::string subtitle_of(const SnapshotScene& scene,
   std::string text = "frame " + printable(scene.frame_id, kMaxTextBytes) + std::string(kSeparator);
   text += view_name(options.view);
   if (layers.voxels && voxels.num_occupied > 0) {
-    text += std::string(kSeparator) + counted(voxels.num_occupied, "occupied voxel") + " of " +
+    text += std::string(kSeparator);
+    if (voxels.voxels.size() < voxels.num_occupied) text += grouped(voxels.voxels.size()) + " of ";
+    text += counted(voxels.num_occupied, "occupied voxel") + " of " +
             length_text(static_cast<double>(finest_edge_m(voxels.voxels)));
-    if (std::isfinite(voxels.cut_m))
-      text += std::string(kSeparator) + "cut " + length_text(voxels.cut_m) + " over the floor";
   }
   if (layers.occupancy && scene.occupancy) {
     text += std::string(kSeparator) + "cells of " +
@@ -125,7 +123,25 @@ std::string subtitle_of(const SnapshotScene& scene,
   return text;
 }
 
-std::vector<MapLabel> object_labels(const SnapshotScene& scene, const SnapshotView& view) {
+/// What of the map stays out of the image; empty when all is there.
+std::string not_drawn_text(const SnapshotScene& scene,
+                           const SnapshotLayers& layers,
+                           const VisibleVoxels& voxels) {
+  std::vector<std::string> parts;
+  if (voxels.num_too_high > 0)
+    parts.push_back("what is higher than " + length_text(voxels.cut_m) + " over the floor");
+  if (voxels.num_near_walls > 0) parts.emplace_back("walls before the room");
+  if ((layers.objects || layers.semantic) && scene.num_tentative > 0)
+    parts.push_back(counted(scene.num_tentative, "tentative object"));
+  std::string text;
+  for (const std::string& part : parts)
+    text.append(text.empty() ? "not drawn: " : ", ").append(part);
+  return text;
+}
+
+std::vector<MapLabel> object_labels(const SnapshotScene& scene,
+                                    const SnapshotView& view,
+                                    const ClassColors& colors) {
   std::vector<const SnapshotObject*> order;
   for (const SnapshotObject& object : scene.objects) {
     if (!object.label.empty()) order.push_back(&object);
@@ -141,23 +157,27 @@ std::vector<MapLabel> object_labels(const SnapshotScene& scene, const SnapshotVi
     middle.z() = object->box.max_in_map.z();
     Eigen::Vector3d upper = middle;
     if (std::holds_alternative<TopView>(view)) upper.y() = object->box.max_in_map.y();
-    labels.push_back(
-        {middle, upper, printable(object->label, kMaxTextBytes), color_of(object->class_id)});
+    labels.push_back({middle,
+                      upper,
+                      printable(object->label, kMaxTextBytes),
+                      colors.of(object->class_id),
+                      object->box});
   }
   return labels;
 }
 
-std::vector<MapLabel> semantic_labels(const SnapshotScene& scene,
-                                      const ClassRegistry& registry,
-                                      double height_m) {
+std::vector<MapLabel> semantic_labels(const SnapshotScene& scene, double height_m) {
   std::vector<MapLabel> labels;
   for (const SemanticObject& object : scene.semantic) {
     if (labels.size() == kMaxLabels) break;
     const Eigen::Vector2d place = position_of(object);
+    const Rect around = bounds_of(object);
     labels.push_back({{place.x(), place.y(), height_m},
-                      {place.x(), bounds_of(object).max.y(), height_m},
-                      printable(object.name, kMaxTextBytes),
-                      color_of(registry.find(object.name))});
+                      {place.x(), around.max.y(), height_m},
+                      printable(object.name, kMaxTextBytes) + " " + std::to_string(object.id),
+                      scene.palette.color_of(object.name),
+                      Box{{around.min.x(), around.min.y(), height_m},
+                          {around.max.x(), around.max.y(), height_m}}});
   }
   return labels;
 }
@@ -168,7 +188,8 @@ void add_overlay_labels(std::vector<MapLabel>& labels,
   for (const DrawnText& text : overlay.texts) {
     if (labels.size() == kMaxLabels) return;
     const Eigen::Vector3d place(text.position.x(), text.position.y(), height_m);
-    labels.push_back({place, place, printable(text.text, kMaxTextBytes), text.color});
+    labels.push_back(
+        {place, place, printable(text.text, kMaxTextBytes), text.color, Box{place, place}});
   }
 }
 
@@ -178,17 +199,20 @@ Annotations annotations_of(const SnapshotScene& scene,
                            const SnapshotOptions& options,
                            const SnapshotLayers& layers,
                            const VisibleVoxels& voxels,
-                           const ClassRegistry& registry) {
+                           const ClassRegistry& registry,
+                           const ClassColors& colors) {
   Annotations annotations;
   annotations.title = printable(scene.title, 2 * kMaxTextBytes);
   annotations.subtitle = subtitle_of(scene, options, layers, voxels);
-  annotations.legend = legend_of(scene, layers, voxels, registry);
+  annotations.legend = legend_of(scene, layers, voxels, registry, colors);
+  const std::string not_drawn = not_drawn_text(scene, layers, voxels);
+  if (!not_drawn.empty()) annotations.notes.push_back(not_drawn);
   if (annotations.legend.rows.empty() && !(layers.overlay && !scene.overlay.empty()))
     annotations.subtitle += std::string(kSeparator) + "nothing to show";
   if (layers.objects) {
-    annotations.labels = object_labels(scene, options.view);
+    annotations.labels = object_labels(scene, options.view, colors);
   } else if (layers.semantic) {
-    annotations.labels = semantic_labels(scene, registry, voxels.floor_m);
+    annotations.labels = semantic_labels(scene, voxels.floor_m);
   }
   if (layers.overlay) add_overlay_labels(annotations.labels, scene.overlay, voxels.floor_m);
   return annotations;

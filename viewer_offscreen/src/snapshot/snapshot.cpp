@@ -3,6 +3,7 @@
 
 #include "annotation/text_painter.hpp"
 #include "hypermap/viewer_offscreen/rendering/egl_context.hpp"
+#include "page_filling.hpp"
 #include "rendering/gl_canvas.hpp"
 #include "scene_content.hpp"
 #include "scene_painter.hpp"
@@ -44,10 +45,10 @@ std::vector<const SemanticObject*> large_first(std::span<const SemanticObject> o
 
 void draw_semantic(const ScenePainter& painter,
                    std::span<const SemanticObject> objects,
-                   const ClassRegistry& registry,
+                   const ClassPalette& palette,
                    double height_m) {
   for (const SemanticObject* object : large_first(objects)) {
-    const Rgb8 color = color_of(registry.find(object->name));
+    const Rgb8 color = palette.color_of(object->name);
     for (const Polygon& part : object->parts) {
       painter.fill(part, height_m, {color, kPolygonAlpha});
       painter.draw_lines(paint_outline(part, height_m, {color}),
@@ -60,7 +61,7 @@ void draw_semantic(const ScenePainter& painter,
 Result<void> draw_scene(const SnapshotScene& scene,
                         const SnapshotLayers& layers,
                         const VisibleVoxels& voxels,
-                        const ClassRegistry& registry,
+                        const ClassColors& colors,
                         const SnapshotCamera& camera,
                         const ScenePainter& painter) {
   painter.draw_backdrop(kSkyColor, kGroundColor);
@@ -75,20 +76,34 @@ Result<void> draw_scene(const SnapshotScene& scene,
                                          *camera.pixels_per_m()),
                        {.width_px = 1.0, .hidden_by_voxels = false});
   }
-  if (layers.semantic) draw_semantic(painter, scene.semantic, registry, voxels.floor_m);
+  if (layers.semantic) draw_semantic(painter, scene.semantic, scene.palette, voxels.floor_m);
   if (layers.overlay) {
     painter.draw_lines(paint_overlay_lines(scene.overlay.lines, voxels.floor_m),
                        {.width_px = 2.0, .hidden_by_voxels = false});
   }
   if (layers.voxels) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto faces, paint_voxels(voxels, camera));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto faces, paint_voxels(voxels, colors, camera));
     painter.draw_faces(faces);
   }
   if (layers.trajectory) {
     painter.draw_lines(paint_trajectory(scene.trajectory_in_map), {.width_px = 2.0});
   }
-  if (layers.objects) draw_box_lines(painter, paint_boxes(scene.objects));
+  if (layers.objects) draw_box_lines(painter, paint_boxes(scene.objects, colors));
   return {};
+}
+
+/// Says so where the image has letters that no font here has.
+void note_missing_letters(Annotations& annotations, const TextPainter& text) {
+  const bool has_all =
+      text.can_write(annotations.title) &&
+      std::all_of(annotations.labels.begin(),
+                  annotations.labels.end(),
+                  [&](const MapLabel& label) { return text.can_write(label.text); }) &&
+      std::all_of(annotations.legend.rows.begin(),
+                  annotations.legend.rows.end(),
+                  [&](const LegendRow& row) { return text.can_write(row.name); });
+  if (!has_all)
+    annotations.notes.emplace_back("no font here has all letters (Debian: fonts-noto-cjk)");
 }
 
 Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& options) {
@@ -98,13 +113,16 @@ Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& opt
   const ClassRegistry registry = drawn_classes(scene);
   const SnapshotLayers layers = drawn_layers(scene, options);
   const VisibleVoxels voxels = layers.voxels ? visible_voxels(scene, options) : VisibleVoxels{};
-  const Annotations annotations = options.annotations
-                                      ? annotations_of(scene, options, layers, voxels, registry)
-                                      : Annotations{};
+  const ClassColors colors(registry, scene.palette);
+  Annotations annotations = options.annotations
+                                ? annotations_of(scene, options, layers, voxels, registry, colors)
+                                : Annotations{};
+  note_missing_letters(annotations, text);
   const PagePlan plan = plan_page(text, annotations, options);
   const auto framed = points_to_frame(scene, layers, voxels, options.view);
   const SnapshotCamera camera =
-      SnapshotCamera::frame(options, framed, options.annotations ? plan.content : plan.canvas);
+      options.annotations ? fill_page(options, plan, framed, points_drawn(scene, layers, voxels))
+                          : SnapshotCamera::frame(options, framed, plan.canvas);
 
   const int drawn_width_px = options.width_px * options.supersampling;
   const int drawn_height_px = options.height_px * options.supersampling;
@@ -113,7 +131,7 @@ Result<ColorImage> render(const SnapshotScene& scene, const SnapshotOptions& opt
   HYPERMAP_ASSIGN_OR_RETURN(
       const ScenePainter painter,
       ScenePainter::create(camera, drawn_width_px, drawn_height_px, options.supersampling));
-  HYPERMAP_TRY(draw_scene(scene, layers, voxels, registry, camera, painter));
+  HYPERMAP_TRY(draw_scene(scene, layers, voxels, colors, camera, painter));
   HYPERMAP_ASSIGN_OR_RETURN(ColorImage image, canvas.read());
   if (options.supersampling > 1) image = averaged(image, options.supersampling);
   if (!options.annotations) return image;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/snapshot/snapshot_options.hpp"
 
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_rows.hpp"
 
@@ -11,6 +13,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -61,6 +64,12 @@ constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 6> kLa
     {"trajectory", &SnapshotLayers::trajectory},
     {"overlay", &SnapshotLayers::overlay},
 }};
+
+std::vector<std::string_view> names_of_layers() {
+  std::vector<std::string_view> names{"all"};
+  for (const auto& [name, member] : kLayerNames) names.push_back(name);
+  return names;
+}
 
 Result<void> check_view(const IsoView& view) {
   return check_options(view);
@@ -155,8 +164,8 @@ Result<void> validate(const SnapshotOptions& options) {
 }
 
 Result<SnapshotView> parse_snapshot_view(std::string_view text) {
-  if (text == "top") return TopView{};
-  if (text == "iso") return IsoView{};
+  if (is_spelling_of(text, "top")) return TopView{};
+  if (is_spelling_of(text, "iso")) return IsoView{};
   return parse_pose(text);
 }
 
@@ -165,9 +174,10 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
   std::string_view rest = text;
   do {
     const std::string_view name = take_part(rest, ",");
-    bool known = name == "all";
+    const bool is_all = is_spelling_of(name, "all");
+    bool known = is_all;
     for (const auto& [layer_name, member] : kLayerNames) {
-      if (name != "all" && name != layer_name) continue;
+      if (!is_all && !is_spelling_of(name, layer_name)) continue;
       layers.*member = true;
       known = true;
     }
@@ -175,7 +185,7 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
       return fail(
           ErrorCode::kInvalidArgument,
           "must be of voxels, objects, occupancy, semantic, trajectory, overlay, all; is \"" +
-              printable(name, 80) + "\"",
+              printable(name, 80) + "\"" + did_you_mean(name, names_of_layers()),
           "layers");
     }
   } while (!rest.empty());

@@ -9,6 +9,8 @@
 #include "hypermap/io/archive/octree_layer.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,28 +33,44 @@ std::vector<ObjectId> shown_ids(const MapArchive& archive) {
   return ids;
 }
 
+/// What the semantic layer says of the objects that stand in it too.
+std::map<ObjectId, double> confidence_of_objects(const MapArchive& archive) {
+  std::map<ObjectId, double> confidence;
+  const auto* semantic = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
+  if (semantic == nullptr) return confidence;
+  for (const Object& object : archive.objects.objects()) {
+    const SemanticObject* shape = semantic->find(object.id.value);
+    const auto known = shape == nullptr ? std::nullopt : confidence_of(*shape);
+    if (known) confidence.emplace(object.id, *known);
+  }
+  return confidence;
+}
+
 Layer octree_layer(const MapArchive& archive) {
   const SemanticOctree& octree = *archive.octree;
-  return {.info = info_of(archive, kOctomapFormat, "octree"),
-          .content =
-              OctreeLayer({.leaves = leaf_source(octree),
-                           .drawn = confirmed_leaves(archive, shown_ids(archive)),
-                           .classes = archive.classes,
-                           .file = [&octree] { return write_octomap(to_octomap_tree(octree)); }})};
+  return {
+      .info = info_of(archive, kOctomapFormat, "octree"),
+      .content = OctreeLayer({.leaves = leaf_source(octree),
+                              .drawn = confirmed_leaves(archive, shown_ids(archive)),
+                              .classes = archive.classes,
+                              .file = [&octree] { return write_octomap(to_octomap_tree(octree)); },
+                              .resolution_m = octree.resolution_m()})};
 }
 
 Layer octree_layer(const OctomapExtension& octomap) {
-  return {
-      .info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
-      .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
-                              .drawn = leaf_source(octomap.tree),
-                              .classes = {},
-                              .file = [&octomap] { return Result<std::string>(octomap.bytes); }})};
+  return {.info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
+          .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
+                                  .drawn = leaf_source(octomap.tree),
+                                  .classes = {},
+                                  .file = [&octomap] { return Result<std::string>(octomap.bytes); },
+                                  .resolution_m = octomap.tree.resolution_m})};
 }
 
 Layer objects_layer(const MapArchive& archive) {
-  return {.info = info_of(archive, kObjectsFormat, kObjectsLayer),
-          .content = ObjectsLayer(archive.objects, archive.classes, shown_ids(archive))};
+  return {
+      .info = info_of(archive, kObjectsFormat, kObjectsLayer),
+      .content = ObjectsLayer(
+          archive.objects, archive.classes, shown_ids(archive), confidence_of_objects(archive))};
 }
 
 }  // namespace
@@ -72,8 +90,13 @@ std::vector<Layer> archive_layers(const MapArchive& archive) {
 
 Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   std::vector<Layer> layers = archive_layers(archive);
-  const auto found = std::find_if(
+  auto found = std::find_if(
       layers.begin(), layers.end(), [&](const Layer& layer) { return layer.info.name == name; });
+  if (found == layers.end()) {
+    found = std::find_if(layers.begin(), layers.end(), [&](const Layer& layer) {
+      return is_spelling_of(layer.info.name, name);
+    });
+  }
   if (found != layers.end()) return std::move(*found);
   if (name == kObjectsLayer) return objects_layer(archive);
   std::string known;

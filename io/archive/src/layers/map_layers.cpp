@@ -12,14 +12,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace hypermap {
 namespace {
 
-constexpr const char* kOccupancyName = "occupancy";
-constexpr const char* kSemanticName = "semantic";
+constexpr std::string_view kOccupancyName = "occupancy";
 
 std::vector<const Object*> objects_of(const ObjectMap& objects,
                                       std::span<const ObjectId> confirmed) {
@@ -56,9 +56,9 @@ const Owner* owner_of(const LeafSample& leaf, const std::map<ObjectId, Owner>& o
 }
 
 /// Replaces the content of a layer, or adds the layer.
-Result<void> put_layer(Hypermap& hypermap, const char* name, LayerContent content) {
+Result<void> put_layer(Hypermap& hypermap, std::string_view name, LayerContent content) {
   if (hypermap.find(name) != nullptr) return hypermap.set_content(name, std::move(content));
-  return hypermap.add_layer({LayerInfo{.name = name}, std::move(content)});
+  return hypermap.add_layer({LayerInfo{.name = std::string(name)}, std::move(content)});
 }
 
 HeightBand band_of(const LayerOptions& options) {
@@ -95,8 +95,8 @@ Result<void> put_footprints(MapArchive& archive,
         archive.classes,
         {.policy = options.footprint, .confidence = options.confirmation.confidence});
   });
-  if (footprints) return put_layer(archive.hypermap, kSemanticName, std::move(footprints->layer));
-  archive.hypermap.remove_layer(kSemanticName);
+  if (footprints) return put_layer(archive.hypermap, kSemanticLayer, std::move(footprints->layer));
+  archive.hypermap.remove_layer(kSemanticLayer);
   return Unexpected(std::move(footprints).error());
 }
 
@@ -117,16 +117,16 @@ Result<void> put_class_grids(MapArchive& archive,
   return {};
 }
 
-Finding left_out(Error error, const char* layer) {
+Finding left_out(Error error, std::string_view layer) {
   error.what = "left out: " + error.what;
-  error.entry = layer;
+  error.entry = std::string(layer);
   return {Severity::kWarning, std::move(error)};
 }
 
 }  // namespace
 
 std::vector<const Object*> confirmed_objects_of(const MapArchive& archive) {
-  const auto* semantic = archive.hypermap.find_as<SemanticLayer>(kSemanticName);
+  const auto* semantic = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
   std::vector<const Object*> confirmed;
   for (const Object& object : archive.objects.objects()) {
     if (semantic == nullptr || semantic->find(object.id.value) != nullptr) {
@@ -150,6 +150,7 @@ LeafSource confirmed_leaves(const MapArchive& archive, std::span<const ObjectId>
 }
 
 LeafSource shown_leaves(const MapArchive& archive) {
+  if (archive.octree && archive.objects.empty()) return leaf_source(*archive.octree);
   if (archive.octree) {
     std::vector<ObjectId> confirmed;
     for (const Object* object : confirmed_objects_of(archive)) confirmed.push_back(object->id);
@@ -177,11 +178,11 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
   const auto all = regions.regions();
   if (all.size() > 1) derived.outlying.assign(all.begin() + 1, all.end());
   derived.main = all.empty() ? MapRegion{} : all.front();
-  const auto note = [&derived](const Result<void>& put, const char* layer) {
+  const auto note = [&derived](const Result<void>& put, std::string_view layer) {
     if (!put) derived.left_out.push_back(left_out(put.error(), layer));
   };
   note(put_occupancy(archive, leaves, options), kOccupancyName);
-  note(put_footprints(archive, confirmed, objects), kSemanticName);
+  note(put_footprints(archive, confirmed, objects), kSemanticLayer);
   note(put_class_grids(archive, leaves, options), "class grids");
   return derived;
 }

@@ -19,15 +19,19 @@ std::string name_of(const Object& object, const ClassRegistry& classes) {
   return best ? classes.name(best->id) : "unknown";
 }
 
-LayerAnswer answer_of(const Object& object, const ClassRegistry& classes) {
+LayerAnswer answer_of(const Object& object,
+                      const ClassRegistry& classes,
+                      const std::map<ObjectId, double>& confidence) {
   const Eigen::Vector3d& centre = object.centroid_in_map;
-  return {.id = object.id.value,
-          .name = name_of(object, classes),
-          .value = object.id.value,
-          .position = centre.head<2>(),
-          .confidence = object_confidence(object).value(),
-          .z_m = centre.z(),
-          .size_m = object.box.extent()};
+  const auto known = confidence.find(object.id);
+  return {
+      .id = object.id.value,
+      .name = name_of(object, classes),
+      .value = object.id.value,
+      .position = centre.head<2>(),
+      .confidence = known == confidence.end() ? object_confidence(object).value() : known->second,
+      .z_m = centre.z(),
+      .size_m = object.box.extent()};
 }
 
 /// No object bears a number that is no id.
@@ -60,7 +64,7 @@ Result<std::vector<LayerAnswer>> ObjectsLayer::query(const LayerQuery& query) co
   if (query.value) conditions.id = id_of(*query.value);
   std::vector<LayerAnswer> answers;
   for (const ObjectId id : find_objects(objects_, classes_, conditions)) {
-    answers.push_back(answer_of(objects_.at(id), classes_));
+    answers.push_back(answer_of(objects_.at(id), classes_, confidence_));
   }
   return answers;
 }
@@ -69,7 +73,8 @@ std::vector<LayerPrimitive> ObjectsLayer::draw() const {
   std::vector<LayerPrimitive> primitives;
   for (const ObjectId id : shown_) {
     const Object& object = objects_.at(id);
-    primitives.emplace_back(DrawnBox{.box = object.box, .class_name = name_of(object, classes_)});
+    primitives.emplace_back(DrawnBox{
+        .box = object.box, .class_name = name_of(object, classes_), .id = object.id.value});
   }
   return primitives;
 }

@@ -25,7 +25,6 @@ LayerAnswer answer_of(const LeafSample& leaf, std::uint64_t id, const ClassRegis
           .name = string_of(leaf, classes),
           .value = std::lround(100.0 * probability),
           .position = leaf.centre_in_map.head<2>(),
-          .confidence = probability,
           .z_m = leaf.centre_in_map.z(),
           .size_m = Eigen::Vector3d::Constant(leaf.edge_m)};
 }
@@ -77,14 +76,17 @@ std::string_view OctreeLayer::class_name() const {
 
 LayerStatistics OctreeLayer::statistics() const {
   LeafCount count;
+  LeafCount voxels;
   Eigen::AlignedBox3d box;
   sources_.leaves([&](const LeafSample& leaf) {
     ++(leaf.occupied ? count.occupied : count.free);
+    const auto edge = static_cast<std::size_t>(std::lround(leaf.edge_m / sources_.resolution_m));
+    (leaf.occupied ? voxels.occupied : voxels.free) += edge * edge * edge;
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * leaf.edge_m);
     box.extend(leaf.centre_in_map - half);
     box.extend(leaf.centre_in_map + half);
   });
-  LayerStatistics statistics{.leaves = count};
+  LayerStatistics statistics{.leaves = count, .voxels = voxels};
   if (!box.isEmpty()) statistics.bounds = box;
   return statistics;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/octomap_tree.hpp"
 
-#include "hypermap/core/base/class_palette.hpp"
 #include "octomap_node.hpp"
 
 #include <algorithm>
@@ -174,7 +173,7 @@ OctomapTree without_labels(const OctomapTree& tree) {
   return pruned(plain);
 }
 
-OctomapTree with_class_colors(const OctomapTree& tree) {
+OctomapTree with_class_colors(const OctomapTree& tree, std::span<const Rgb8> colors) {
   OctomapTree colored{
       .kind = OctomapKind::kColor, .resolution_m = tree.resolution_m, .leaves = tree.leaves};
   colored.colors.reserve(tree.leaves.size());
@@ -182,7 +181,7 @@ OctomapTree with_class_colors(const OctomapTree& tree) {
     const auto label = std::exchange(leaf.label, OctomapLeaf::kNoLabel);
     const auto best =
         label != OctomapLeaf::kNoLabel ? tree.labels[label].best_class() : std::nullopt;
-    const Rgb8 solid = best ? class_color(*best) : kUnlabelled;
+    const Rgb8 solid = best && best->value < colors.size() ? colors[best->value] : kUnlabelled;
     colored.colors.push_back(leaf.log_odds >= 0.0F ? solid : kNoColor);
   }
   return pruned(colored);

@@ -13,16 +13,18 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace hypermap {
 
-/// A filled shape, outlined and labelled, in the colour of a class.
+/// A filled shape, outlined, in the colour of a class, labelled with class and number.
 struct DrawnArea {
   std::vector<Polygon> parts;
   std::string class_name;
+  std::uint64_t id = 0;  ///< The number by which the layer is asked for it.
 };
 
 /// A grid shaded by occupancy.
@@ -50,10 +52,11 @@ struct DrawnText {
   Rgb8 color;
 };
 
-/// A labelled box in the colour of a class.
+/// A box in the colour of a class, labelled with class and number.
 struct DrawnBox {
   Box box;
   std::string class_name;
+  std::uint64_t id = 0;  ///< The number by which the layer is asked for it.
 };
 
 /// Voxels in the colours of their classes. Requires: what `leaves` looks at outlives it.

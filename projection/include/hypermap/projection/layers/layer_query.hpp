@@ -37,9 +37,11 @@ struct LayerAnswer {
   std::int64_t value = 0;  ///< Integer representation: the object's id; the cell's occupancy,
                            ///< -1..100.
   Eigen::Vector2d position =
-      Eigen::Vector2d::Zero();            ///< Centroid or cell centre, in the query's frame.
-  std::optional<double> confidence = {};  ///< In [0, 1], when the layer knows it.
-  std::optional<double> z_m = {};         ///< Height of the position; none in flat layers.
+      Eigen::Vector2d::Zero();  ///< Centroid or cell centre, in the query's frame.
+  /// That the object is there and is what it is called, in [0, 1], when the layer knows it. Cells
+  /// and voxels have none: their occupancy is `value`.
+  std::optional<double> confidence = {};
+  std::optional<double> z_m = {};  ///< Height of the position; none in flat layers.
   /// Extent along the axes of the layer's frame; none in flat layers.
   std::optional<Eigen::Vector3d> size_m = {};
 };

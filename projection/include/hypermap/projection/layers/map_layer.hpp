@@ -36,6 +36,7 @@ struct LayerStatistics {
   std::optional<std::size_t> num_objects = {};    ///< That the map shows.
   std::optional<std::size_t> num_tentative = {};  ///< Of tracked objects: not sure enough yet.
   std::optional<LeafCount> leaves = {};
+  std::optional<LeafCount> voxels = {};        ///< Of these leaves: a large one covers many.
   std::optional<std::size_t> num_values = {};  ///< Of a layer of another kind.
   /// In the layer's frame; z is 0 where the layer is flat. None when it is empty.
   std::optional<Eigen::AlignedBox3d> bounds = {};

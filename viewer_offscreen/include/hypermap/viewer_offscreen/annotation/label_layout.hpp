@@ -21,6 +21,7 @@ struct LabelRequest {
   double anchor_y_px = 0.0;
   double width_px = 0.0;
   double height_px = 0.0;
+  ImageRect subject = {};  ///< Of a small place: labels stand beside it. Without width: none.
 };
 
 struct PlacedLabel {
@@ -35,8 +36,9 @@ struct LabelLayoutOptions {
   double leader_from_px = 14.0;    ///< Beyond this distance a label needs a line to its anchor.
 };
 
-/// Places the labels inside `canvas`, away from `obstacles` and from each other: above the anchor
-/// if that is free, else on the nearest free place on rings around it.
+/// Places the labels inside `canvas`, away from `obstacles`, from each other and from all subjects:
+/// above the anchor if that is free, else on the nearest free place on rings around it. Where that
+/// leaves no place, subjects of other labels may be covered, never the label's own.
 ///
 /// One result per request, in their order. Labels whose anchor lies outside the canvas, and labels
 /// without a free place, are not shown. Cost: O(labels * places tried * (labels + obstacles)).

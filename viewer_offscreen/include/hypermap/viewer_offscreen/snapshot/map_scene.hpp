@@ -14,7 +14,7 @@
 namespace hypermap {
 
 /// What the hypermap's layers draw (`with_layer`), the voxels, and each of `objects` with its box
-/// and the name of its best class; every part may be empty. The title is left empty.
+/// the name of its best class and its id; every part may be empty. The title is left empty.
 ///
 /// `frame_id` is the frame of voxels and objects, which becomes that of the scene.
 /// Boundary: a layer of a frame that nothing connects with it is among `left_out`.

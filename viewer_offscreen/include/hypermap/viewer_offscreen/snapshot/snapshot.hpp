@@ -3,6 +3,7 @@
 /// An image of a map: voxels by class, objects, 2D layers, with legend and scale.
 #pragma once
 
+#include "hypermap/core/base/class_palette.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/image.hpp"
@@ -16,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,10 +50,13 @@ struct SnapshotScene {
   LeafSource leaves = {};
   std::vector<SnapshotObject> objects = {};
   std::optional<OccupancyGrid> occupancy = std::nullopt;
-  std::vector<SemanticObject> semantic = {};  ///< Coloured by the class that `name` spells.
+  std::vector<SemanticObject> semantic =
+      {};  ///< In the colour of `name`, labelled with it and `id`.
   SnapshotOverlay overlay = {};
   std::vector<Eigen::Vector3d> trajectory_in_map = {};
   ClassRegistry classes = {};
+  ClassPalette palette = {};
+  std::size_t num_tentative = 0;           ///< Objects of the map that are not drawn: not sure yet.
   std::vector<std::string> left_out = {};  ///< What could not be brought into the frame, and why.
 };
 

@@ -23,8 +23,8 @@ inline constexpr std::string_view kObjectsLayer = "objects";
 /// Requires: the archive outlives the layers and is not changed.
 [[nodiscard]] std::vector<Layer> archive_layers(const MapArchive& archive);
 
-/// The first of these of that name; kObjectsLayer is there in every archive.
-/// Errors: kNotFound, naming those that there are.
+/// The first of these of that name, else of a spelling of it; kObjectsLayer is there in every
+/// archive. Errors: kNotFound, naming those that there are.
 [[nodiscard]] Result<Layer> archive_layer(const MapArchive& archive, std::string_view name);
 
 }  // namespace hypermap

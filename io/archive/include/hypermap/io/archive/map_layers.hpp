@@ -12,9 +12,13 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
+
+/// The 2D layer of the confirmed objects.
+inline constexpr std::string_view kSemanticLayer = "semantic";
 
 /// The confirmed objects, those of the layer `semantic`, in the order of their ids; all when there
 /// is no such layer. The others are tentative. Valid as long as the archive is not changed.
@@ -31,8 +35,9 @@ namespace hypermap {
                                           std::span<const ObjectId> confirmed);
 
 /// The voxels that the map shows: those of its octree as `confirmed_leaves` of
-/// `confirmed_objects_of`, else those of the first octree of another program, as they are; none
-/// when there is neither. Requires: the archive outlives the result and is not changed.
+/// `confirmed_objects_of`, or as they are labelled when it has no objects at all (points with
+/// classes alone); else those of the first octree of another program, as they are; none when there
+/// is neither. Requires: the archive outlives the result and is not changed.
 [[nodiscard]] LeafSource shown_leaves(const MapArchive& archive);
 /// The frame of those voxels and of the objects; of a map that has neither that of its first layer.
 [[nodiscard]] std::string shown_frame_id(const MapArchive& archive);

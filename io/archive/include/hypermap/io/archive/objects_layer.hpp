@@ -8,6 +8,7 @@
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/projection/layers/map_layer.hpp"
 
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -18,9 +19,16 @@ namespace hypermap {
 /// answers. Objects that the map does not show are counted, and answer nothing.
 class ObjectsLayer final : public MapLayer {
  public:
+  /// `confidence` is what the map's 2D layer says of its objects; others have `object_confidence`.
   /// Requires: `shown` ascends, and each is an object. Cost: of the copies, O(1).
-  ObjectsLayer(ObjectMap objects, ClassRegistry classes, std::vector<ObjectId> shown)
-      : objects_(std::move(objects)), classes_(std::move(classes)), shown_(std::move(shown)) {}
+  ObjectsLayer(ObjectMap objects,
+               ClassRegistry classes,
+               std::vector<ObjectId> shown,
+               std::map<ObjectId, double> confidence = {})
+      : objects_(std::move(objects)),
+        classes_(std::move(classes)),
+        shown_(std::move(shown)),
+        confidence_(std::move(confidence)) {}
 
   /// kObjectsFormat.
   [[nodiscard]] std::string_view class_name() const override;
@@ -32,13 +40,15 @@ class ObjectsLayer final : public MapLayer {
   [[nodiscard]] bool equals(const MapLayer& other) const override;
 
   friend bool operator==(const ObjectsLayer& a, const ObjectsLayer& b) {
-    return a.objects_ == b.objects_ && a.classes_ == b.classes_ && a.shown_ == b.shown_;
+    return a.objects_ == b.objects_ && a.classes_ == b.classes_ && a.shown_ == b.shown_ &&
+           a.confidence_ == b.confidence_;
   }
 
  private:
   ObjectMap objects_;
   ClassRegistry classes_;
   std::vector<ObjectId> shown_;
+  std::map<ObjectId, double> confidence_;
 };
 
 }  // namespace hypermap

@@ -12,6 +12,7 @@
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hypermap {
@@ -66,9 +67,10 @@ struct OctomapTree {
 
 /// The same space without labels.
 [[nodiscard]] OctomapTree without_labels(const OctomapTree& tree);
-/// The same space in colour: that of each occupied leaf's best class (`class_color`), grey where
-/// something unlabelled stands, white, OctoMap's "no colour", in empty space.
-[[nodiscard]] OctomapTree with_class_colors(const OctomapTree& tree);
+/// The same space in colour: that of each occupied leaf's best class by its id, grey where
+/// something unlabelled or of a class beyond `colors` stands, white, OctoMap's "no colour", in
+/// empty space.
+[[nodiscard]] OctomapTree with_class_colors(const OctomapTree& tree, std::span<const Rgb8> colors);
 
 /// Merges leaves: eight siblings of equal depth and content become their parent.
 [[nodiscard]] OctomapTree pruned(const OctomapTree& tree);

@@ -15,8 +15,7 @@
 namespace hypermap {
 
 /// Its string is the best class of an occupied voxel, else Occupied or Free; its integer the
-/// probability that the voxel is occupied, in per cent, which is also the confidence. Ids count the
-/// voxels in Morton order.
+/// probability that the voxel is occupied, in per cent. Ids count the voxels in Morton order.
 ///
 /// A voxel is at a point when the point lies in it, lower faces included; in an area when its
 /// square shares area with it. Requires: what the sources look at outlives the layer. Cost: a query
@@ -28,6 +27,7 @@ class OctreeLayer final : public MapLayer {
     LeafSource drawn;       ///< Drawn: the same space, with the classes that the map stands for.
     ClassRegistry classes;  ///< Names of the leaves' classes.
     std::function<Result<std::string>()> file;  ///< The octree's file.
+    double resolution_m = 0.0;                  ///< Edge of a voxel, that of the smallest leaves.
   };
 
   explicit OctreeLayer(Sources sources) : sources_(std::move(sources)) {}

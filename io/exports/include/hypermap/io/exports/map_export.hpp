@@ -3,6 +3,7 @@
 /// A map in the forms that other programs read.
 #pragma once
 
+#include "hypermap/core/base/class_palette.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
@@ -15,16 +16,17 @@
 namespace hypermap {
 
 enum class ExportFormat {
-  kRosMap,        ///< map_server YAML + PGM of an occupancy layer.
-  kClassGrids,    ///< A map_server YAML + PGM for each class, in a folder.
+  kRosMap,        ///< map_server YAML + PGM with world file of an occupancy layer.
+  kClassGrids,    ///< The same for each class, in a folder.
   kOctomap,       ///< `.ot` of an OcTree, or `.bt`.
   kColorOctomap,  ///< `.ot` of a ColorOcTree coloured by class.
-  kPly,           ///< Occupied voxels as points with label, instance and confidence.
-  kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`.
+  kPly,           ///< Occupied voxels as points with scalar_label, _instance, _confidence.
+  kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`, with the
+                  ///< height and box of the objects that they stand for.
 };
 
-/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson". Errors: kInvalidArgument
-/// listing them.
+/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", in any spelling. Errors:
+/// kInvalidArgument listing them.
 [[nodiscard]] Result<ExportFormat> parse_export_format(std::string_view name);
 
 /// The YAML file that an export as kRosMap to `output` writes: a stem, or a name in .yaml or .pgm.
@@ -39,13 +41,15 @@ struct ExportRequest {
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;
+  ClassPalette palette = {};  ///< Of formats in colour.
 };
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
-/// files that were written.
+/// files that were written; none, and nothing is written, when the export would be empty.
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
-/// is not known; kInvalidArgument for an output name that the format does not allow; kIo.
+/// is not known; kInvalidArgument for an output name that the format does not allow, and for a
+/// layer or classes that it does not have; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 
