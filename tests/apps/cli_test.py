@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""One map looked at in every way: messages, files, JSON. Usage: cli_test.py PROGRAM [unittest args]"""
+"""One map looked at in every way: messages, files, JSON. Usage: cli_test.py PROGRAM [unittest args]
+
+Long because: all cases look at one map, which is made once.
+"""
 
 import json
 import os

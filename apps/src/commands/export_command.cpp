@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
-#include "load_arguments.hpp"
 #include "hypermap/io/options/palette_file.hpp"
+#include "load_arguments.hpp"
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>

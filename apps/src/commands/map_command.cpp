@@ -113,8 +113,9 @@ void print_hints(const MappingReport& report, const MapArguments& arguments) {
   std::fprintf(stderr,
                "hypermap: nothing was detected: --detections FILE or --model FILE names objects\n");
   for (const std::string& name : unused_detections(arguments.dataset.input)) {
-    std::fprintf(
-        stderr, "hypermap: not used: %s in the input; --detections names it\n", printable(name).c_str());
+    std::fprintf(stderr,
+                 "hypermap: not used: %s in the input; --detections names it\n",
+                 printable(name).c_str());
   }
 }
 
@@ -150,7 +151,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
   command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
-  command.add_option("--preset", arguments.preset, "where options start from; hypermap takes a second or more a frame")
+  command
+      .add_option("--preset",
+                  arguments.preset,
+                  "where options start from; hypermap takes a second or more a frame")
       ->transform(name_of_preset())
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
