@@ -101,7 +101,7 @@ Result<void> verify_bytes(const MapArchive& archive,
               difference);
 }
 
-Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) {
+Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) try {
   auto stored = read_file(path, bytes.size());
   if (stored && *stored == bytes) return {};
   Error error{.code = ErrorCode::kIo,
@@ -110,6 +110,8 @@ Result<void> verify_file(const std::filesystem::path& path, std::string_view byt
   if (!stored) error = std::move(stored).error();
   error.what.insert(0, "replaced, yet ");
   return tl::make_unexpected(std::move(error));
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "replaced, yet there is no memory to look at it again");
 }
 
 }  // namespace
@@ -119,13 +121,15 @@ Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits
   HYPERMAP_TRY(check_objects_of_voxels(archive));
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<OpaqueFile> files, members_of(archive));
   return zip_of(files, limits.zip);
-} catch (const std::exception&) {
+} catch (const std::bad_alloc&) {
   return fail(ErrorCode::kOutOfMemory, "no memory for the archive");
+} catch (const std::exception& exception) {
+  return fail(ErrorCode::kInvalidArgument, "cannot be written: " + printable(exception.what()));
 }
 
 Result<void> save_archive(const MapArchive& archive,
                           const std::filesystem::path& path,
-                          const SaveOptions& options) {
+                          const SaveOptions& options) try {
   const auto in_file = [&path](Error error) {
     return tl::make_unexpected(with_source(std::move(error), {.file = path.string()}));
   };
@@ -141,6 +145,8 @@ Result<void> save_archive(const MapArchive& archive,
   HYPERMAP_TRY(write_file_atomically(path, *bytes));
   if (verify) return verify_file(path, *bytes);
   return {};
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "not saved, no memory for the archive");
 }
 
 }  // namespace hypermap
