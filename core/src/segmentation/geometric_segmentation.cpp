@@ -90,8 +90,11 @@ std::vector<Result<Segment>> segment_all(const RgbdFrame& frame,
                                          const GeometricSegmentationOptions& options,
                                          int threads,
                                          const MayBegin& may_begin) {
-  std::vector<Result<Segment>> segments(
-      detections.size(), fail(ErrorCode::kInterrupted, "no time was left for it", "segmentation"));
+  // One by one: where memory ends, copying a result that holds an error would end the program.
+  std::vector<Result<Segment>> segments;
+  segments.reserve(detections.size());
+  for (std::size_t i = 0; i < detections.size(); ++i)
+    segments.emplace_back(fail(ErrorCode::kInterrupted, "no time was left for it", "segmentation"));
   WorkList list(detections, may_begin);
   const auto work = [&] {
     while (const auto i = list.next()) {

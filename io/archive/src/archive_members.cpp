@@ -74,7 +74,9 @@ Result<std::vector<OpaqueFile>> ZipMembers::rest(std::uint64_t max_bytes) const 
 
 bool FolderMembers::contains(std::string_view name) const {
   std::error_code ignored;
-  return std::filesystem::exists(folder_ / name, ignored);
+  // What cannot be looked at is not absent: reading it says why.
+  return std::filesystem::status(folder_ / name, ignored).type() !=
+         std::filesystem::file_type::not_found;
 }
 
 Result<std::string> FolderMembers::start_of(std::string_view name, std::size_t max_bytes) const {

@@ -115,17 +115,22 @@ class ArchiveReader {
   std::vector<Finding> findings_;
 };
 
-/// Runs the reader; nothing that a library throws gets past here.
 Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
                                     const std::string& config_name,
                                     const std::string& file,
                                     const ArchiveLimits& limits,
-                                    const LayerRegistry& layers) try {
+                                    const LayerRegistry& layers) {
   auto loaded = ArchiveReader(members, limits, layers).read(config_name);
   if (!loaded) return tl::make_unexpected(with_source(std::move(loaded).error(), {.file = file}));
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), {.file = file});
   return loaded;
+}
+
+/// Runs a reader; nothing that a library throws gets past here.
+template <class Read>
+Result<Loaded<MapArchive>> without_exceptions(Read read) try {
+  return read();
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kMalformedFile, "the map");
 }
@@ -166,13 +171,15 @@ Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                         const ArchiveLimits& limits,
                                         const LayerRegistry& layers,
                                         const StopCheck& stop) {
-  HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
-                            open_file(path, limits.zip.max_archive_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
-  if (is_zip) return read_zip(std::move(source), path.string(), limits, layers, stop);
-  HYPERMAP_TRY(expect_configuration(path));
-  FolderMembers members(path, LoadBudget(limits.sums, stop));
-  return read_all(members, path.filename().string(), path.string(), limits, layers);
+  return without_exceptions([&]() -> Result<Loaded<MapArchive>> {
+    HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
+                              open_file(path, limits.zip.max_archive_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
+    if (is_zip) return read_zip(std::move(source), path.string(), limits, layers, stop);
+    HYPERMAP_TRY(expect_configuration(path));
+    FolderMembers members(path, LoadBudget(limits.sums, stop));
+    return read_all(members, path.filename().string(), path.string(), limits, layers);
+  });
 }
 
 Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
@@ -180,7 +187,8 @@ Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                          const ArchiveLimits& limits,
                                          const LayerRegistry& layers,
                                          const StopCheck& stop) {
-  return read_zip(view_bytes(bytes), source.file, limits, layers, stop);
+  return without_exceptions(
+      [&] { return read_zip(view_bytes(bytes), source.file, limits, layers, stop); });
 }
 
 }  // namespace hypermap

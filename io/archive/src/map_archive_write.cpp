@@ -102,7 +102,7 @@ Result<void> verify_bytes(const MapArchive& archive,
               difference);
 }
 
-Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) {
+Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) try {
   auto stored = read_file(path, bytes.size());
   if (stored && *stored == bytes) return {};
   Error error{.code = ErrorCode::kIo,
@@ -111,6 +111,8 @@ Result<void> verify_file(const std::filesystem::path& path, std::string_view byt
   if (!stored) error = std::move(stored).error();
   error.what.insert(0, "replaced, yet ");
   return tl::make_unexpected(std::move(error));
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "replaced, yet there is no memory to look at it again");
 }
 
 }  // namespace
@@ -126,7 +128,7 @@ Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits
 
 Result<void> save_archive(const MapArchive& archive,
                           const std::filesystem::path& path,
-                          const SaveOptions& options) {
+                          const SaveOptions& options) try {
   const auto in_file = [&path](Error error) {
     return tl::make_unexpected(with_source(std::move(error), {.file = path.string()}));
   };
@@ -142,6 +144,8 @@ Result<void> save_archive(const MapArchive& archive,
   HYPERMAP_TRY(write_file_atomically(path, *bytes));
   if (verify) return verify_file(path, *bytes);
   return {};
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "not saved, no memory for the archive");
 }
 
 }  // namespace hypermap

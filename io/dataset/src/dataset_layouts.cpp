@@ -12,14 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What cannot be looked at is not absent: these throw fs::filesystem_error, which find_layout ends.
 bool has_file(const fs::path& folder, const std::string& name) {
-  std::error_code ec;
-  return fs::is_regular_file(folder / name, ec);
+  return fs::is_regular_file(folder / name);
 }
 
 bool has_folder(const fs::path& folder, const std::string& name) {
-  std::error_code ec;
-  return fs::is_directory(folder / name, ec);
+  return fs::is_directory(folder / name);
 }
 
 /// The first of `names` that is a file in the folder; empty when none is.
@@ -185,15 +184,15 @@ Unexpected no_layout(const fs::path& folder) {
             .file = folder.string()});
 }
 
+Unexpected system_fault(const fs::path& path, const std::string& why) {
+  return Unexpected(Error{.code = ErrorCode::kIo, .what = why, .file = path.string()});
+}
+
 }  // namespace
 
-Result<Loaded<DatasetDescription>> find_layout(const std::filesystem::path& folder) {
-  std::error_code ec;
-  if (!fs::exists(folder, ec)) {
-    const std::string why = ec ? "cannot be looked at: " + ec.message() : "does not exist";
-    return Unexpected(Error{.code = ErrorCode::kIo, .what = why, .file = folder.string()});
-  }
-  if (!fs::is_directory(folder, ec)) {
+Result<Loaded<DatasetDescription>> find_layout(const std::filesystem::path& folder) try {
+  if (!fs::exists(folder)) return system_fault(folder, "does not exist");
+  if (!fs::is_directory(folder)) {
     return Unexpected(
         Error{.code = ErrorCode::kNotFound, .what = "is no folder", .file = folder.string()});
   }
@@ -210,6 +209,8 @@ Result<Loaded<DatasetDescription>> find_layout(const std::filesystem::path& fold
     }
   }
   return no_layout(folder);
+} catch (const fs::filesystem_error& error) {
+  return system_fault(error.path1(), "cannot be looked at: " + error.code().message());
 }
 
 }  // namespace hypermap

@@ -74,21 +74,27 @@ Result<FrameReport> map_frame(MappingRun& run,
   return done;
 }
 
+/// An absent file is the dataset's fault, kNotFound.
+bool is_systems_fault(const Error& error) {
+  return error.code == ErrorCode::kIo;
+}
+
 /// Refuses a map of too few frames as soon as it is sure to be one.
+/// Errors: kIo when the system took one of them, else kLimit.
 Result<void> check_losses(const MappingReport& report, const MappingJob& job, std::size_t total) {
   const auto allowed = job.max_skipped_share * static_cast<double>(total);
   const bool is_any_left = report.skipped.size() < total;
   if (is_any_left && static_cast<double>(report.skipped.size()) <= allowed) return {};
-  const bool is_of_system =
-      std::any_of(report.skipped.begin(), report.skipped.end(), [](const Error& skipped) {
-        return skipped.code == ErrorCode::kIo;
-      });
-  Error error{.code = is_of_system ? ErrorCode::kIo : ErrorCode::kLimit,
+  const auto worst = std::find_if(report.skipped.begin(), report.skipped.end(), is_systems_fault);
+  const bool is_systems = worst != report.skipped.end();
+  Error error{.code = is_systems ? ErrorCode::kIo : ErrorCode::kLimit,
               .what = std::to_string(report.skipped.size()) + " of " + std::to_string(total) +
                       " frames could not be used, more than the share of " +
                       std::to_string(job.max_skipped_share) + " that is allowed",
               .file = job.input.string()};
-  if (!report.skipped.empty()) error.what += "; the first: " + to_string(report.skipped.front());
+  if (is_systems) error.what += "; the system failed: " + to_string(*worst);
+  if (!is_systems && !report.skipped.empty())
+    error.what += "; the first: " + to_string(report.skipped.front());
   return Unexpected(std::move(error));
 }
 

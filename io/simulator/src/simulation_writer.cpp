@@ -208,12 +208,12 @@ Result<std::optional<std::string>> foreign_entry(const fs::path& folder) {
 
 /// A simulation may be written where nothing is, in an empty folder, or over another simulation
 /// among whose files nothing else was put.
-Result<void> require_replaceable(const fs::path& output_dir) {
-  std::error_code code;
-  if (!fs::exists(output_dir, code)) return {};
-  if (fs::is_directory(output_dir, code)) {
-    if (fs::is_empty(output_dir, code)) return {};
-    if (fs::exists(output_dir / "truth.hmap", code) && fs::exists(output_dir / "rgb.txt", code)) {
+/// Errors: kInvalidArgument; kIo when it cannot be looked at.
+Result<void> require_replaceable(const fs::path& output_dir) try {
+  if (!fs::exists(output_dir)) return {};
+  if (fs::is_directory(output_dir)) {
+    if (fs::is_empty(output_dir)) return {};
+    if (fs::exists(output_dir / "truth.hmap") && fs::exists(output_dir / "rgb.txt")) {
       HYPERMAP_ASSIGN_OR_RETURN(const auto foreign, foreign_entry(output_dir));
       if (!foreign) return {};
       return tl::make_unexpected(
@@ -225,6 +225,9 @@ Result<void> require_replaceable(const fs::path& output_dir) {
   return tl::make_unexpected(Error{ErrorCode::kInvalidArgument,
                                    "exists and is neither empty nor a simulation",
                                    output_dir.string()});
+} catch (const fs::filesystem_error& error) {
+  return Unexpected(Error{
+      ErrorCode::kIo, "cannot be looked at: " + error.code().message(), error.path1().string()});
 }
 
 Result<SimulationReport> write_simulation(const Scene& scene,

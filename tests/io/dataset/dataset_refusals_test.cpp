@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 namespace hypermap {
@@ -25,6 +26,16 @@ TEST(DatasetRefusals, AFolderOfNoLayoutSaysWhatWasLookedFor) {
   EXPECT_THAT(refusal(dir / "absent"), HasSubstr("does not exist"));
   write_text(dir / "file", "");
   EXPECT_THAT(refusal(dir / "file"), HasSubstr("is no folder"));
+}
+
+TEST(DatasetRefusals, WhatCannotBeLookedAtIsNotTakenForAbsent) {
+  for (const std::string name : {"dataset.yaml", "intrinsics.json", "depth.txt"}) {
+    const TempDir dir;
+    const SyntheticDataset tum = test::write_tum(dir / "t");
+    std::filesystem::remove(tum.folder / name);
+    std::filesystem::create_symlink(name, tum.folder / name);  // leads to itself
+    EXPECT_THAT(refusal(tum.folder), HasSubstr(name + ": cannot be looked at: Too many levels"));
+  }
 }
 
 TEST(DatasetRefusals, IntrinsicsOfAnotherSizeThanTheImagesAreRefused) {

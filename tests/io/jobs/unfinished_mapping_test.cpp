@@ -157,6 +157,19 @@ TEST(UnfinishedMapping, TooManyLostFramesEndTheRunAsSoonAsTheyAreLost) {
   EXPECT_TRUE(run_mapping(job));
 }
 
+TEST(UnfinishedMapping, FramesThatTheSystemDoesNotGiveAreItsFault) {
+  const TempDir folder;
+  const MappingJob job = small_job(folder);
+  fs::remove(job.input / "depth/102.000.pgm");
+  fs::create_symlink("102.000.pgm", job.input / "depth/102.000.pgm");  // cannot be looked at
+  const auto refused = run_mapping(job);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kIo);
+  EXPECT_THAT(refused.error().what, HasSubstr("1 of 4 frames"));
+  EXPECT_THAT(refused.error().what, HasSubstr("102.000.pgm"));
+  EXPECT_THAT(refused.error().what, HasSubstr("errno"));
+}
+
 TEST(UnfinishedMapping, GoesOnFromACheckpointToTheSameMap) {
   const TempDir folder;
   MappingJob job = small_job(folder);

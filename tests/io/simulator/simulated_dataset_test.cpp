@@ -174,6 +174,16 @@ TEST(SimulatedDataset, WhatStrangersPutBelowAnOldSimulationIsNamedAndStays) {
   EXPECT_EQ(files_below(dir / "lab"), before);
 }
 
+TEST(SimulatedDataset, AnOldFolderThatCannotBeLookedAtIsTheSystemsFault) {
+  const TempDir dir;
+  fs::create_directories(dir / "lab");
+  fs::create_symlink("truth.hmap", dir / "lab/truth.hmap");  // leads to itself
+  const auto refused = simulate(room_scene(), small_options(), dir / "lab");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kIo);
+  EXPECT_THAT(refused.error().what, HasSubstr("cannot be looked at"));
+}
+
 TEST(SimulatedDataset, WhatIsPutThereMeanwhileStays) {
   const test::TempDir dir;
   ASSERT_TRUE(simulate(room_scene(), small_options(), dir / "lab"));

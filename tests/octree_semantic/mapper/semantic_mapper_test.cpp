@@ -2,49 +2,13 @@
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include "octree_semantic/support/detected_frame.hpp"
-#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <new>
 #include <vector>
-
-#if !HYPERMAP_THREAD_SANITIZER
-namespace {
-
-/// Allocations of this thread that are still granted.
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): operator new has no owner
-thread_local long allocations_left = std::numeric_limits<long>::max();
-
-}  // namespace
-
-// Replaced for the whole program, so that a test can let memory end where it likes. Not inlined:
-// GCC 12 takes an inlined half of a pair for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (allocations_left <= 0) {
-    allocations_left = std::numeric_limits<long>::max();  // only this one fails
-    throw std::bad_alloc();
-  }
-  --allocations_left;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return std::malloc(size == 0 ? 1
-                               : size);  // asked for by those who do without, as std::stable_sort
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-#endif
 
 namespace hypermap {
 namespace {
@@ -150,48 +114,6 @@ TEST(SemanticMapper, ADeadlineLeavesObjectsThatNobodyLookedFor) {
   }
   EXPECT_TRUE(mapper.objects() == before);
 }
-
-#if !HYPERMAP_THREAD_SANITIZER
-class WithoutMemory : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(PublishEveryNFrames, WithoutMemory, ::testing::Values(0, 1));
-
-TEST_P(WithoutMemory, AFrameIsWholeOrNotAtAll) {
-  const RgbdFrame& frame = frames()[1];
-  SemanticMapper expected = mapper_with();
-  ASSERT_TRUE(expected.integrate(frames()[0]));
-  ASSERT_TRUE(expected.integrate(frame));
-  std::size_t num_refused = 0;
-  long granted = 0;
-  for (bool done = false; !done; granted += 1 + granted / 16) {
-    SemanticMapper mapper = mapper_with({}, 1, GetParam());
-    ASSERT_TRUE(mapper.integrate(frames()[0]));
-    const SemanticOctree octree = mapper.octree();
-    const ObjectMap objects = mapper.objects();
-    allocations_left = granted;
-    const auto report = mapper.integrate(frame);
-    done = allocations_left < std::numeric_limits<long>::max() / 2;  // it needed no more
-    allocations_left = std::numeric_limits<long>::max();
-    if (GetParam() == 1) {
-      const bool published = report && report->published;
-      const auto snapshot = mapper.snapshot();
-      ASSERT_TRUE(snapshot->octree == (published ? mapper.octree() : octree));
-      ASSERT_TRUE(snapshot->objects == (published ? mapper.objects() : objects));
-    }
-    if (!report) {
-      ++num_refused;
-      EXPECT_EQ(report.error().code, ErrorCode::kOutOfMemory);
-      ASSERT_TRUE(mapper.octree() == octree) << "after " << granted << " allocations";
-      ASSERT_TRUE(mapper.objects() == objects) << "after " << granted << " allocations";
-      ASSERT_TRUE(mapper.integrate(frame)) << "it can be tried again";
-    }
-    ASSERT_TRUE(mapper.octree() == expected.octree()) << "after " << granted << " allocations";
-    if (!report || report->visibility_evaluated) {
-      ASSERT_TRUE(mapper.objects() == expected.objects()) << "after " << granted << " allocations";
-    }
-  }
-  EXPECT_GE(num_refused, 20U);
-}
-#endif
 
 TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
   SemanticMapper mapper = mapper_with();

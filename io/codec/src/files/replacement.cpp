@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <utility>
 
 namespace hypermap {
@@ -103,13 +104,15 @@ bool write_all(int descriptor, std::string_view bytes) {
   return fits;
 }
 
-Result<void> sync_parent(const fs::path& target) {
+Result<void> sync_parent(const fs::path& target) try {
   const Descriptor parent(parent_of(target), O_RDONLY | O_DIRECTORY);
   const bool synced = parent.number >= 0 && (::fsync(parent.number) == 0 || errno == EINVAL);
   if (synced) return {};  // EINVAL: a file system without such a sync
   auto refused = system_error(target, "sync the folder", errno);
   refused.value().what.insert(0, "replaced, durability unconfirmed: ");
   return refused;
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "replaced, durability unconfirmed: no memory to sync");
 }
 
 }  // namespace hypermap

@@ -43,7 +43,8 @@ struct TemporaryFolder {
 /// False and errno. A limit on file sizes is EFBIG and no signal. Requires: an empty file.
 [[nodiscard]] bool write_all(int descriptor, std::string_view bytes);
 
-/// To be called after the rename. Errors: kIo, "replaced, durability unconfirmed".
+/// To be called after the rename. Errors: kIo or kOutOfMemory, "replaced, durability
+/// unconfirmed".
 [[nodiscard]] Result<void> sync_parent(const std::filesystem::path& target);
 
 }  // namespace hypermap

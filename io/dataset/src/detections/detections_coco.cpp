@@ -99,7 +99,10 @@ Result<void> parse_tables_beside(const std::filesystem::path& folder,
   for (const char* name : {"instances.json", "images.json", "categories.json"}) {
     const std::filesystem::path path = folder / name;
     std::error_code ec;
-    if (!std::filesystem::is_regular_file(path, ec)) continue;
+    const std::filesystem::file_type type = std::filesystem::status(path, ec).type();
+    // What cannot be looked at is not absent: reading it says why.
+    if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::none)
+      continue;
     HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, limits.max_document_bytes));
     HYPERMAP_ASSIGN_OR_RETURN(
         const JsonDocument document,

@@ -115,7 +115,9 @@ Result<std::vector<ListedFile>> list_image_files(const fs::path& folder,
   std::vector<ListedFile> files;
   std::error_code ec;
   const fs::path place = folder / parts.folder;
-  if (!fs::is_directory(place, ec)) return files;
+  const fs::file_type type = fs::status(place, ec).type();
+  if (type != fs::file_type::directory && type != fs::file_type::none) return files;
+  // What cannot be looked at is not absent: the iterator says why.
   for (fs::directory_iterator it(place, ec); !ec && it != fs::directory_iterator();
        it.increment(ec)) {
     const std::string name = it->path().filename().string();

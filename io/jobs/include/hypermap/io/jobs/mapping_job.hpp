@@ -90,11 +90,11 @@ struct MappingReport {
 /// checkpoint that could not be saved. Errors: kInvalidArgument when the mapper has a deadline, or
 /// when a map is to be gone on from with corrected poses (what it holds has the old ones); those of
 /// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
-/// save_archive; kLimit as soon as more frames were skipped than allowed, naming the first, or kIo
-/// when the system refused to read one of them; kInterrupted. `output` is not written on an error. When the map cannot be saved or memory ends
-/// after a frame, the map is at `rescue_path(output)`, else in the working folder or that for
-/// temporary files, and the error says where: without layers when it cannot be saved with them.
-/// Checkpoints stay and are named.
+/// save_archive; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
+/// naming one that is there and that the system did not give; kInterrupted. `output` is not written
+/// on an error. When the map cannot be saved or memory ends after a frame, the map is at
+/// `rescue_path(output)`, else in the working folder or that for temporary files, and the error says
+/// where: without layers when it cannot be saved with them. Checkpoints stay and are named.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 

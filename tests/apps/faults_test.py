@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every command that writes, with a fault of the system or a kill at its calls.
+
+Environment HYPERMAP_FAULTS_PRELOAD names the library that makes the faults; with HYPERMAP_ALL_FAULTS set all are
+made, else those of the save path and a sample of the others.
+Usage: faults_test.py PROGRAM [unittest args]"""
+
+import functools
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from faults import FaultCase, OLD
+from program import DATA, IS_SANITIZED, digest, run
+from tiny_dataset import make_dataset
+
+SAMPLE = 3 if IS_SANITIZED else 8
+UNSHARED = ["unshare", "--pid", "--fork", "--mount-proc", "sh", "-c", '"$@"; exit $?', "sh"]
+
+
+def setUpModule():
+    Inputs.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-faults-"))
+    Inputs.tiny = make_dataset(Inputs.folder / "tiny")
+
+
+def tearDownModule():
+    shutil.rmtree(Inputs.folder)
+
+
+class Inputs:
+    """What commands read; what takes a while is made when somebody asks for it."""
+
+    @staticmethod
+    def succeed(*arguments):
+        result = run(*arguments)
+        assert result.returncode in (0, 1), result.stderr
+        return arguments[-1]
+
+    @staticmethod
+    @functools.cache
+    def simulation(num_frames, seed=1):
+        return Inputs.succeed("simulate", "--frames", num_frames, "--seed", seed, "--detector", "perfect", "--output",
+                              Inputs.folder / f"lab-{num_frames}-{seed}")
+
+    @staticmethod
+    @functools.cache
+    def objects(resolution):
+        """A map with two objects."""
+        return Inputs.succeed("map", "--input", Inputs.simulation(12), "--resolution", resolution, "--output",
+                              Inputs.folder / f"{resolution}.hmap")
+
+
+class Mapping(FaultCase):
+    def setUp(self):
+        super().setUp()
+        self.archive = self.out / "a.hmap"
+        self.old_map = self.folder / "old.hmap"
+        Inputs.succeed("map", "--input", Inputs.tiny, "--output", self.old_map)
+        self.command = ["map", "--input", Inputs.tiny, "--output", self.archive, "--resolution", 0.1, "--threads", 1]
+
+    def prepare(self):
+        shutil.copy(self.old_map, self.archive)
+
+    def is_allowed(self, name):
+        """A map that could not be saved is rescued, whole; a run that was killed leaves its checkpoint."""
+        return name in ("a.hmap.rescue", "a.hmap.checkpoint") and run("info", self.out / name).returncode in (0, 1)
+
+
+class SavePath(Mapping):
+    def test_the_map_is_old_or_new_whatever_fails(self):
+        self.check_faults(self.prepare, self.command, count=24 if IS_SANITIZED else 0)
+
+    def test_a_new_map_is_there_whole_or_not_at_all(self):
+        self.check_faults(lambda: None, self.command, count=SAMPLE)
+
+
+class MoreMapping(Mapping):
+    def content(self, path):
+        """Statistics tell times, which differ."""
+        return json.loads(path.read_text())["frames"] if path.suffix == ".json" else super().content(path)
+
+    def test_statistics_and_checkpoints(self):
+        more = ["--stats", self.out / "stats.json", "--checkpoint-every", 1]
+        self.check_faults(self.prepare, [*self.command, *more], count=2 * SAMPLE)
+
+    def test_a_map_that_is_gone_on_with(self):
+        append = ["map", "--input", Inputs.tiny, "--output", self.archive, "--append", "--threads", 1]
+        self.check_faults(self.prepare, append, count=SAMPLE)
+
+    def test_a_dataset_that_cannot_be_read(self):
+        shutil.copytree(Inputs.tiny, self.folder / "tiny")
+        self.command[2] = self.folder / "tiny"
+        self.check_faults(self.prepare, self.command, count=2 * SAMPLE, below=self.folder / "tiny")
+
+
+class Namespaces(Mapping):
+    def test_the_next_process_of_the_same_number_cleans_up(self):
+        allowed = subprocess.run([*UNSHARED, "true"], capture_output=True, text=True, check=False)
+        if allowed.returncode != 0:
+            self.skipTest(f"no namespaces of process numbers here: {allowed.stderr.strip()}")
+        self.check_faults(self.prepare, self.command, count=SAMPLE, prefix=UNSHARED)
+
+
+class Exports(FaultCase):
+    def test_single_files(self):
+        for form, name in (("octomap", "a.ot"), ("octomap", "a.bt"), ("color-octomap", "a.ot"), ("ply", "a.ply"),
+                           ("geojson", "a.local.geojson")):
+            with self.subTest(form):
+                output = self.out / name
+                self.check_faults(lambda path=output: path.write_bytes(OLD),
+                                  ["export", Inputs.objects(0.05), "--format", form, "--output", output], count=SAMPLE // 2)
+
+    def test_an_archive_that_cannot_be_read(self):
+        archive = self.folder / "in" / "a.hmap"
+        archive.parent.mkdir()
+        shutil.copy(Inputs.objects(0.05), archive)
+        output = self.out / "a.ply"
+        self.check_faults(lambda: output.write_bytes(OLD), ["export", archive, "--format", "ply", "--output", output],
+                          count=SAMPLE, below=archive.parent)
+
+
+class Pairs(FaultCase):
+    """Maps for ROS: a YAML and the image that it names are one piece."""
+
+    REPLACES_ONE = False
+
+    def pieces(self):
+        return {path.name: digest(path) + digest(self.out / self.image_of(path)) for path in self.out.glob("*.yaml")}
+
+    @staticmethod
+    def image_of(yaml):
+        return re.search(r"^image: (.*)$", yaml.read_text(), re.MULTILINE).group(1)
+
+    def exported(self, archive, form, output):
+        return ["export", archive, "--format", form, "--output", output]
+
+    def check(self, form, output, count):
+        self.check_faults(lambda: Inputs.succeed(*self.exported(Inputs.objects(0.1), form, output)),
+                          self.exported(Inputs.objects(0.05), form, output), count)
+
+    def test_a_map(self):
+        self.check("ros-map", self.out / "lab", 3 * SAMPLE)
+
+    def test_a_map_for_each_class(self):
+        self.check("class-grids", self.out, 2 * SAMPLE)
+
+
+class Folders(FaultCase):
+    def test_a_simulation(self):
+        self.check_faults(lambda: shutil.copytree(Inputs.simulation(1, seed=2), self.out / "lab"),
+                          ["simulate", "--frames", 1, "--output", self.out / "lab"], count=2 * SAMPLE)
+
+    def test_images_of_steps(self):
+        found = self.folder / "found.jsonl"
+        found.write_text('{"image": "depth/0.png", "detections": [{"label": "wall", "score": 1, '
+                         '"bbox": [1, 1, 30, 20]}]}\n')
+        command = ["tune", "--input", Inputs.tiny, "--detections", found, "--frame", 0, "--output", self.out]
+        self.check_faults(lambda: None, command, count=2 * SAMPLE)
+
+
+class Pictures(FaultCase):
+    def test_a_snapshot(self):
+        archive = Inputs.succeed("map", "--input", Inputs.tiny, "--output", self.folder / "a.hmap")
+        snapshot = ["snapshot", archive, "--size", "64x64", "--output"]
+        if run(*snapshot, self.folder / "a.png").returncode == 3:
+            self.skipTest("no EGL here")
+        self.check_faults(lambda: (self.out / "a.png").write_bytes(OLD),
+                          [*snapshot, self.out / "a.png"], count=SAMPLE // 2)
+
+
+class Detections(FaultCase):
+    MODEL = DATA / "models/yolox_nano/yolox_nano.onnx"
+
+    @unittest.skipUnless(MODEL.exists(), "recorded data are absent")
+    def test_what_a_model_detects(self):
+        output = self.out / "found.json"
+        command = ["detect", "--input", Inputs.simulation(1), "--max-frames", 1, "--model", self.MODEL, "--output", output]
+        self.check_faults(lambda: output.write_bytes(OLD), command, count=SAMPLE // 2)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_seeds FROM TO: seeds that lie within the archives anywhere in FROM and within a small map of
+// our own, into folders of TO: each member for the target that reads it, and all members as records
+// for the target `archive`.
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/zip_reader.hpp"
+#include "io/archive/sample_archive.hpp"
+#include "targets.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace hypermap::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Who reads the member; empty: nobody by itself.
+std::string_view target_of(std::string_view member) {
+  if (member == "hmap_config.yaml") return "config";
+  if (member == "provenance.yaml") return "provenance";
+  if (member == "classes.yaml") return "yaml";
+  if (member.ends_with(".yaml")) return "map";
+  if (member.ends_with(".png")) return "png";
+  if (member.ends_with(".ot")) return "octree";
+  if (member.ends_with(".jsonl")) return "objects";
+  return "semantic";
+}
+
+void write_seed(const fs::path& to,
+                std::string_view target,
+                const std::string& name,
+                std::string_view bytes) {
+  fs::create_directories(to / target);
+  std::ofstream(to / target / name, std::ios::binary) << bytes;
+}
+
+/// Of an archive that is none: nothing.
+void write_members(std::shared_ptr<const ByteSource> source,
+                   const std::string& archive,
+                   const fs::path& to) {
+  const auto zip = ZipReader::create(std::move(source));
+  if (!zip) return;
+  std::string records;
+  for (const ZipMember& member : zip->members()) {
+    const auto content = zip->read(member.name, kMaxSeedBytes);
+    if (!content) continue;
+    const std::string name = fs::path(member.name).filename().string();
+    write_seed(to, target_of(name), archive + "." + name, *content);
+    if (records.size() + content->size() > kMaxSeedBytes) continue;
+    records += (records.empty() ? "" : std::string(kEndOfMember));
+    records += member.name + "\n" + *content;
+  }
+  write_seed(to, "archive", archive, records);
+}
+
+void write_seeds(const fs::path& from, const fs::path& to) {
+  const auto sample = write_archive(test::sample_archive());
+  if (sample) write_members(view_bytes(*sample), "sample", to);
+  std::error_code ec;
+  for (const auto& entry : fs::recursive_directory_iterator(from, ec)) {
+    if (entry.path().extension() != ".hmap") continue;
+    if (auto source = open_file(entry.path(), kMaxSeedBytes))
+      write_members(std::move(*source), entry.path().filename().string(), to);
+  }
+}
+
+}  // namespace
+}  // namespace hypermap::fuzz
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 4;
+  hypermap::fuzz::write_seeds(argv[1], argv[2]);
+  return 0;
+}
