@@ -79,8 +79,8 @@ class DatasetReader {
   /// Frame `index` of `size()`; its `index` counts what stride leaves out as well.
   ///
   /// Errors, each naming the file; the other frames stay readable: kNotFound without pose or
-  /// image; kMalformedFile for an image or pose that is none; kInvalidArgument for a wrong size; kIo
-  /// when the system refuses to read a file that is there. Requires: index < size().
+  /// image; kMalformedFile for an image or pose that is none; kInvalidArgument for a wrong size;
+  /// kIo when the system refuses to read a file that is there. Requires: index < size().
   [[nodiscard]] virtual Result<RgbdFrame> read(std::size_t index) const = 0;
   [[nodiscard]] virtual const DatasetSummary& summary() const noexcept = 0;
 

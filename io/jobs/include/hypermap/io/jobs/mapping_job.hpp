@@ -93,8 +93,8 @@ struct MappingReport {
 /// save_archive; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
 /// naming one that is there and that the system did not give; kInterrupted. `output` is not written
 /// on an error. When the map cannot be saved or memory ends after a frame, the map is at
-/// `rescue_path(output)`, else in the working folder or that for temporary files, and the error says
-/// where: without layers when it cannot be saved with them. Checkpoints stay and are named.
+/// `rescue_path(output)`, else in the working folder or that for temporary files, and the error
+/// says where: without layers when it cannot be saved with them. Checkpoints stay and are named.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 
