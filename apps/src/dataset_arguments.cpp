@@ -21,6 +21,9 @@ void DatasetArguments::add_to(CLI::App& command) {
   command.add_option("--dataset", description, "description of the folder, from outside it");
   command.add_option(
       "--classes", classes, "names of a model's outputs, one a line (default: COCO)");
+  command.add_option("--first", first, "leave out so many frames at the start")
+      ->check(value_of_field(table, "first"))
+      ->capture_default_str();
   command.add_option("--stride", stride, "use every N-th frame")
       ->check(value_of_field(table, "stride"))
       ->capture_default_str();
@@ -33,6 +36,7 @@ void DatasetArguments::add_to(CLI::App& command) {
 Result<DatasetOptions> DatasetArguments::options() const {
   DatasetOptions options;
   if (description) options.description = *description;
+  options.first = first;
   options.stride = stride;
   options.stamp_tolerance_s = stamp_tolerance_s;
   options.max_frames = max_frames;

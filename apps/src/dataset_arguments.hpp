@@ -20,6 +20,7 @@ struct DatasetArguments {
   std::string input;
   std::optional<std::string> description;
   std::optional<std::string> classes;
+  std::size_t first = 0;
   std::size_t stride = 1;
   std::optional<double> stamp_tolerance_s;
   std::optional<std::size_t> max_frames;

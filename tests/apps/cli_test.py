@@ -284,7 +284,7 @@ class Pipeline(unittest.TestCase):
     def test_append_goes_on_from_the_archive(self):
         grown = self.folder / "grown.hmap"
         shutil.copy(self.archive, grown)
-        result = run("map", "--input", self.dataset, "--output", grown, "--append")
+        result = run("map", "--input", self.dataset, "--output", grown, "--append", "--same-world", "--force")
         self.assertEqual(result.returncode, 0, result.stderr)
         before = json.loads(run("info", self.archive, "--json").stdout)
         after = json.loads(run("info", grown, "--json").stdout)

@@ -81,7 +81,8 @@ class Endings(Case):
                 self.assertEqual(run("info", checkpoint).returncode, 0)
                 output = self.folder / "a.hmap"
                 checkpoint.rename(output)
-                result = run("map", "--input", self.dataset, "--output", output, "--append")
+                result = run("map", "--input", self.dataset, "--output", output, "--append",
+                             "--same-world", "--force")
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assert_names("a.hmap")
                 output.unlink()

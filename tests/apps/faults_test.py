@@ -89,7 +89,8 @@ class MoreMapping(Mapping):
         self.check_faults(self.prepare, [*self.command, *more], count=2 * SAMPLE)
 
     def test_a_map_that_is_gone_on_with(self):
-        append = ["map", "--input", Inputs.tiny, "--output", self.archive, "--append", "--threads", 1]
+        append = ["map", "--input", Inputs.tiny, "--output", self.archive, "--append", "--same-world",
+                  "--force", "--threads", 1]
         self.check_faults(self.prepare, append, count=SAMPLE)
 
     def test_a_dataset_that_cannot_be_read(self):

@@ -12,7 +12,7 @@ import struct
 import tempfile
 import unittest
 
-from program import DATA, SOURCE, run
+from program import DATA, SOURCE, digest, run
 
 
 class RealData(unittest.TestCase):
@@ -67,6 +67,69 @@ class RealData(unittest.TestCase):
         _, objects = self.mapped("7scenes_redkitchen", "--stride", "2")
         names = {thing["name"] for thing in objects}
         self.assertLessEqual({"diningtable", "chair", "cup"}, names)
+
+
+class Appending(unittest.TestCase):
+    """Two halves of a recorded kitchen, and other places, in one map."""
+
+    KITCHEN = DATA / "rgbd/7scenes_redkitchen"
+
+    def setUp(self):
+        if not self.KITCHEN.exists():
+            self.skipTest(f"test data not present: {self.KITCHEN}")
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-append-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.archive = self.folder / "kitchen.hmap"
+        result = run("map", "--input", self.KITCHEN, "--max-frames", 100, "--output", self.archive)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def appended(self, *arguments):
+        return run("map", "--append", "--output", self.archive, *arguments)
+
+    def runs(self):
+        newest = json.loads(run("info", self.archive, "--json").stdout)["provenance"]
+        return [*newest.pop("earlier"), newest]
+
+    def test_two_halves_lie_in_one_world(self):
+        second_half = ("--input", self.KITCHEN, "--first", 100)
+        before = digest(self.archive)
+        refused = self.appended(*second_half)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("--same-world", refused.stderr)
+        self.assertIn("--transform", refused.stderr)
+        self.assertEqual(digest(self.archive), before)
+        result = self.appended(*second_half, "--same-world")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        first, second = self.runs()
+        self.assertEqual(second["map_from_input"], first["map_from_input"])
+        self.assertNotEqual(second["input_hash"], first["input_hash"])
+        self.assertEqual((first["next_frame_index"], second["next_frame_index"]), (100, 200))
+
+    def test_frames_of_the_map_are_refused(self):
+        before = digest(self.archive)
+        refused = self.appended("--input", self.KITCHEN, "--same-world")
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("in the map already", refused.stderr)
+        self.assertEqual(digest(self.archive), before)
+        forced = self.appended("--input", self.KITCHEN, "--max-frames", 5, "--same-world", "--force")
+        self.assertEqual(forced.returncode, 0, forced.stderr)
+
+    def test_another_place_is_said(self):
+        cabinet = ("--input", DATA / "rgbd/tum_fr3_cabinet", "--max-frames", 10,
+                   "--dataset", SOURCE / "data/datasets/tum_fr3_cabinet.yaml")
+        for placement, words in (("0,0,0,0", "another place"), ("40,0,0,0", "shows nothing of what the map knows")):
+            with self.subTest(placement):
+                result = self.appended(*cabinet, "--transform", placement, "--force")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn(words, result.stderr)
+
+    def test_flags_that_contradict_each_other_are_a_wrong_command_line(self):
+        for flags in (("--same-world", "--transform", "0,0,0,0"), ("--same-world", "--up", "z"),
+                      ("--transform", "0,0,0"), ("--transform", "0,0,nan,0")):
+            with self.subTest(flags):
+                self.assertIn(self.appended("--input", self.KITCHEN, *flags).returncode, (2, 4))
+        result = run("map", "--input", self.KITCHEN, "--output", self.folder / "b.hmap", "--same-world")
+        self.assertEqual(result.returncode, 4, "--same-world without --append")
 
 
 class KnownAnswers(unittest.TestCase):

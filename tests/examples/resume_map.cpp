@@ -37,7 +37,10 @@ int main(int argc, char** argv) {
 
   map.octree = mapper->octree();
   map.objects = mapper->objects();
-  map.provenance.reset();  // it spoke of the first run
+  Provenance run;  // the map tells of every run that put frames into it
+  run.tool = "resume_map";
+  run.input = (*dataset)->summary().name;
+  map.provenance.push_back(run);
   if (const auto derived = derive_layers(map, options.objects, {}); !derived) {
     return complain(derived.error());
   }

@@ -10,7 +10,7 @@ namespace hypermap::fuzz {
 void fuzz_provenance(std::string_view bytes) {
   require_round_trip(
       bytes,
-      [](std::string_view text) -> Result<Provenance> {
+      [](std::string_view text) -> Result<std::vector<Provenance>> {
         HYPERMAP_ASSIGN_OR_RETURN(auto loaded, parse_provenance(text, kFuzzSource));
         return std::move(loaded.value);
       },

@@ -81,11 +81,12 @@ void print(const ArchiveInfo& info) {
                 transform.y_m,
                 transform.yaw_rad * 180.0 / std::numbers::pi);
   }
-  if (!info.provenance) return;
-  std::printf("made by %s from %s (%s)\n",
-              printable(info.provenance->tool).c_str(),
-              printable(info.provenance->input).c_str(),
-              printable(info.provenance->input_hash).c_str());
+  for (const Provenance& run : info.provenance) {
+    std::printf("made by %s from %s (%s)\n",
+                printable(run.tool).c_str(),
+                printable(run.input).c_str(),
+                printable(run.input_hash).c_str());
+  }
 }
 
 Json dataset_json(const DatasetSummary& summary) {

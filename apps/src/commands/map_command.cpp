@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -36,9 +37,19 @@ struct MapArguments {
   std::optional<std::string> resolution_m;
   std::optional<std::string> max_range_m;
   std::optional<std::string> stats;
+  std::optional<std::string> transform;
   int num_threads = 0;
   LoadArguments load;
 };
+
+Result<std::optional<WorldPlacement>> placement_of(const std::optional<std::string>& text) {
+  if (!text) return std::optional<WorldPlacement>();
+  HYPERMAP_ASSIGN_OR_RETURN(const auto numbers, parse_numbers(*text, 4, 4, "--transform"));
+  return std::optional(WorldPlacement{.x_m = numbers[0],
+                                      .y_m = numbers[1],
+                                      .z_m = numbers[2],
+                                      .yaw_rad = numbers[3] * std::numbers::pi / 180.0});
+}
 
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const MapArguments& arguments) {
@@ -63,6 +74,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
+  HYPERMAP_ASSIGN_OR_RETURN(job.placement, placement_of(arguments.transform));
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
   HYPERMAP_TRY(validate(job.mapper));
@@ -145,6 +157,28 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   return written ? worst : report(written.error());
 }
 
+void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& arguments) {
+  auto* same_world =
+      command
+          .add_flag("--same-world",
+                    arguments.job.same_world,
+                    "with --append: the poses are in the world of what the map holds "
+                    "(known without it when both descriptions name a `world`)")
+          ->needs(&append)
+          ->excludes(command.get_option("--up"));
+  command
+      .add_option("--transform",
+                  arguments.transform,
+                  "with --append: X,Y,Z,YAW in metres and degrees, where the input's world lies in "
+                  "the map once +z is up in it")
+      ->needs(&append)
+      ->excludes(same_world);
+  command
+      .add_flag(
+          "--force", arguments.job.force, "with --append: map frames that are in the map already")
+      ->needs(&append);
+}
+
 void add_options(CLI::App& command, MapArguments& arguments) {
   arguments.dataset.add_to(command);
   command.add_option("--output", arguments.job.output, "archive to write")->required();
@@ -184,6 +218,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       ->delimiter(',');
   auto* append =
       command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
+  add_append_options(command, *append, arguments);
   command
       .add_option("--poses",
                   arguments.job.poses,

@@ -82,7 +82,7 @@ class ExtensionReader {
     if (entry_.format == kObjectsFormat)
       return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
-    return archive_.provenance.has_value();
+    return !archive_.provenance.empty();
   }
 
   Result<std::vector<Finding>> read_octree() {
@@ -218,8 +218,8 @@ Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archi
 }
 
 Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archive) {
-  if (!archive.provenance) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(*archive.provenance));
+  if (archive.provenance.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(archive.provenance));
   put(written, entry_of(archive, kProvenanceFormat), std::move(bytes));
   return {};
 }

@@ -28,7 +28,7 @@ ArchiveInfo describe(const MapArchive& archive) {
     info.layers.push_back(summary_of(layer));
     extended = extended || !is_strict_form(layer);
   }
-  extended = extended || archive.classes.size() > 0 || archive.provenance ||
+  extended = extended || archive.classes.size() > 0 || !archive.provenance.empty() ||
              !archive.foreign_extensions.empty();
   info.format_version = extended ? kArchiveFormatVersion : 0;
   info.classes.assign(archive.classes.names().begin(), archive.classes.names().end());

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <span>
 
 namespace hypermap {
 namespace {
@@ -92,7 +93,20 @@ std::string json_of(const Provenance& provenance) {
                       {"input", json_quoted(provenance.input)},
                       {"input_hash", json_quoted(provenance.input_hash)},
                       {"options", json_of(provenance.options)},
-                      {"map_from_input", "[" + rows + "]]"}});
+                      {"map_from_input", "[" + rows + "]]"},
+                      {"world", json_quoted(provenance.world)},
+                      {"next_frame_index", std::to_string(provenance.next_frame_index)}});
+}
+
+/// The newest run, with those before it.
+std::string json_of_runs(std::span<const Provenance> runs) {
+  if (runs.empty()) return "null";
+  std::string text = json_of(runs.back());
+  text.pop_back();
+  text += ",\"earlier\":";
+  text +=
+      json_array(runs.first(runs.size() - 1), [](const Provenance& run) { return json_of(run); });
+  return text + "}";
 }
 
 std::string json_of_classes(const std::vector<std::string>& names) {
@@ -110,7 +124,7 @@ std::string to_json(const ArchiveInfo& info) {
                       {"layers", json_array(info.layers, json)},
                       {"classes", json_of_classes(info.classes)},
                       {"transforms", json_array(info.transforms, json)},
-                      {"provenance", info.provenance ? json_of(*info.provenance) : "null"}});
+                      {"provenance", json_of_runs(info.provenance)}});
 }
 
 }  // namespace hypermap

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <new>
 #include <utility>
 #include <vector>
@@ -17,8 +18,16 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 5> kProvenanceKeys{
-    "tool", "input", "input_hash", "options", "map_from_input"};
+constexpr std::array<std::string_view, 9> kProvenanceKeys{"tool",
+                                                          "input",
+                                                          "input_hash",
+                                                          "options",
+                                                          "map_from_input",
+                                                          "world",
+                                                          "first_frame_hash",
+                                                          "next_frame_index",
+                                                          "earlier"};
+constexpr std::int64_t kMaxFrameIndex = std::int64_t{1} << 62;
 constexpr double kRigidTolerance = 1e-6;
 
 /// A rotation and a finite translation. Errors: kInvalidArgument.
@@ -63,42 +72,117 @@ Result<std::string> string_at(const YamlNode& root, std::string_view key) {
   return node.as_string();
 }
 
+/// Empty when the key is absent.
+Result<std::string> optional_string(const YamlNode& root, std::string_view key) {
+  const auto node = root.find(key);
+  if (!node) return std::string{};
+  return node->as_string();
+}
+
+/// A run without those before it.
+Result<Provenance> parse_run(const YamlNode& root) {
+  HYPERMAP_TRY(root.as_map());
+  Provenance run;
+  HYPERMAP_ASSIGN_OR_RETURN(run.tool, string_at(root, "tool"));
+  HYPERMAP_ASSIGN_OR_RETURN(run.input, string_at(root, "input"));
+  HYPERMAP_ASSIGN_OR_RETURN(run.input_hash, string_at(root, "input_hash"));
+  if (const auto options = root.find("options")) {
+    if (!options->is_null()) HYPERMAP_TRY(options->as_map());
+    run.options = options->value();
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode transform, root.at("map_from_input"));
+  HYPERMAP_ASSIGN_OR_RETURN(run.map_from_input, parse_transform(transform));
+  HYPERMAP_ASSIGN_OR_RETURN(run.world, optional_string(root, "world"));
+  HYPERMAP_ASSIGN_OR_RETURN(run.first_frame_hash, optional_string(root, "first_frame_hash"));
+  if (const auto next = root.find("next_frame_index")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t index, next->as_int(0, kMaxFrameIndex));
+    run.next_frame_index = static_cast<std::uint64_t>(index);
+  }
+  run.extra = other_keys(root.value(), kProvenanceKeys);
+  return run;
+}
+
+Result<std::vector<YamlNode>> earlier_runs(const YamlNode& root) {
+  const auto earlier = root.find("earlier");
+  if (!earlier) return std::vector<YamlNode>{};
+  HYPERMAP_ASSIGN_OR_RETURN(auto runs, earlier->as_list());
+  if (runs.size() < kMaxRuns) return runs;
+  return tl::make_unexpected(earlier->error(std::to_string(runs.size()) +
+                                                " runs are more than the limit of " +
+                                                std::to_string(kMaxRuns - 1),
+                                            ErrorCode::kLimit));
+}
+
+/// In digits alone, however large.
+ValueTree integer(std::uint64_t number) {
+  return {.kind = ValueKind::kScalar, .text = std::to_string(number)};
+}
+
+/// Keys of a run; what is empty or unknown is left out, as files of before had no such keys.
+Result<std::vector<ValueTree::Entry>> entries_of(const Provenance& run) {
+  HYPERMAP_TRY(check_rigid(run.map_from_input.isometry().matrix()));
+  if (run.next_frame_index > static_cast<std::uint64_t>(kMaxFrameIndex)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be at most 2^62, is " + std::to_string(run.next_frame_index),
+                "next_frame_index");
+  }
+  std::vector<ValueTree::Entry> entries{{"tool", make_text(run.tool)},
+                                        {"input", make_text(run.input)},
+                                        {"input_hash", make_text(run.input_hash)}};
+  if (run.options.kind != ValueKind::kNull) entries.emplace_back("options", run.options);
+  entries.emplace_back("map_from_input", tree_of(run.map_from_input));
+  if (!run.world.empty()) entries.emplace_back("world", make_text(run.world));
+  if (!run.first_frame_hash.empty())
+    entries.emplace_back("first_frame_hash", make_text(run.first_frame_hash));
+  if (run.next_frame_index > 0)
+    entries.emplace_back("next_frame_index", integer(run.next_frame_index));
+  return entries;
+}
+
 }  // namespace
 
 bool operator==(const Provenance& a, const Provenance& b) {
   return a.tool == b.tool && a.input == b.input && a.input_hash == b.input_hash &&
-         a.options == b.options && a.extra == b.extra &&
+         a.options == b.options && a.world == b.world && a.first_frame_hash == b.first_frame_hash &&
+         a.next_frame_index == b.next_frame_index && a.extra == b.extra &&
          a.map_from_input.isometry().matrix() == b.map_from_input.isometry().matrix();
 }
 
-Result<Loaded<Provenance>> parse_provenance(std::string_view bytes, const SourceName& source) {
+Result<Loaded<std::vector<Provenance>>> parse_provenance(std::string_view bytes,
+                                                         const SourceName& source) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, parse_yaml(bytes, source));
   const YamlNode root = document.root();
   HYPERMAP_TRY(root.as_map());
-  Loaded<Provenance> loaded{.value = {}, .findings = root.unknown_keys(kProvenanceKeys)};
-  Provenance& provenance = loaded.value;
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.tool, string_at(root, "tool"));
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.input, string_at(root, "input"));
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.input_hash, string_at(root, "input_hash"));
-  if (const auto options = root.find("options")) {
-    if (!options->is_null()) HYPERMAP_TRY(options->as_map());
-    provenance.options = options->value();
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<YamlNode> nodes, earlier_runs(root));
+  nodes.push_back(root);
+  Loaded<std::vector<Provenance>> loaded;
+  loaded.value.reserve(nodes.size());
+  for (const YamlNode& node : nodes) {
+    HYPERMAP_ASSIGN_OR_RETURN(Provenance run, parse_run(node));
+    loaded.value.push_back(std::move(run));
+    auto unknown = node.unknown_keys(kProvenanceKeys);
+    std::move(unknown.begin(), unknown.end(), std::back_inserter(loaded.findings));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode transform, root.at("map_from_input"));
-  HYPERMAP_ASSIGN_OR_RETURN(provenance.map_from_input, parse_transform(transform));
-  provenance.extra = other_keys(root.value(), kProvenanceKeys);
   return loaded;
 }
 
-Result<std::string> write_provenance(const Provenance& provenance) {
-  HYPERMAP_TRY(check_rigid(provenance.map_from_input.isometry().matrix()));
-  std::vector<ValueTree::Entry> entries{{"tool", make_text(provenance.tool)},
-                                        {"input", make_text(provenance.input)},
-                                        {"input_hash", make_text(provenance.input_hash)}};
-  if (provenance.options.kind != ValueKind::kNull)
-    entries.emplace_back("options", provenance.options);
-  entries.emplace_back("map_from_input", tree_of(provenance.map_from_input));
-  append_keys(entries, provenance.extra);
+Result<std::string> write_provenance(std::span<const Provenance> runs) {
+  if (runs.size() > kMaxRuns) {
+    return fail(
+        ErrorCode::kInvalidArgument,
+        "must be at most " + std::to_string(kMaxRuns) + " runs, are " + std::to_string(runs.size()),
+        "earlier");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto entries, entries_of(runs.back()));
+  std::vector<ValueTree> earlier;
+  earlier.reserve(runs.size());
+  for (const Provenance& run : runs.first(runs.size() - 1)) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto keys, entries_of(run));
+    append_keys(keys, run.extra);
+    earlier.push_back(make_map(std::move(keys)));
+  }
+  if (!earlier.empty()) entries.emplace_back("earlier", make_list(std::move(earlier)));
+  append_keys(entries, runs.back().extra);
   return write_yaml(make_map(std::move(entries)));
 }
 

@@ -123,9 +123,8 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
   if (archive.octree) {
     HYPERMAP_ASSIGN_OR_RETURN(archive.octree, transformed(*archive.octree, map_from_old));
   }
-  if (archive.provenance) {
-    MapFromInput& map_from_input = archive.provenance->map_from_input;
-    map_from_input = MapFromInput(map_from_old.isometry() * map_from_input.isometry());
+  for (Provenance& run : archive.provenance) {
+    run.map_from_input = MapFromInput(map_from_old.isometry() * run.map_from_input.isometry());
   }
   return archive;
 }

@@ -12,7 +12,8 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 20> kDescriptionKeys{"name",
+constexpr std::array<std::string_view, 21> kDescriptionKeys{"name",
+                                                            "world",
                                                             "intrinsics",
                                                             "depth",
                                                             "depth_scale",
@@ -230,6 +231,9 @@ Result<Loaded<DatasetDescription>> read_dataset_description(const std::filesyste
   DatasetDescription out;
   if (const auto name = root.find("name")) {
     HYPERMAP_ASSIGN_OR_RETURN(out.name, name->as_string());
+  }
+  if (const auto world = root.find("world")) {
+    HYPERMAP_ASSIGN_OR_RETURN(out.world, world->as_string());
   }
   HYPERMAP_TRY(read_image_keys(root, out));
   HYPERMAP_TRY(read_trajectory_keys(root, out));

@@ -183,6 +183,7 @@ Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path&
   summary.layout = d.layout;
   summary.name =
       d.name.empty() ? fs::absolute(path / "").parent_path().filename().string() : d.name;
+  summary.world = d.world;
   summary.stamp_tolerance_s = d.stamp_tolerance_s;
   summary.num_depth = index.num_depth;
   summary.num_color = index.num_color;

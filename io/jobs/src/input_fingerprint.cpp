@@ -33,20 +33,36 @@ void add(InputHash& hash, const Detection& detection) {
   if (detection.mask) hash.add(bytes_of(detection.mask->pixels()));
 }
 
-}  // namespace
+void add_stamp(InputHash& hash, Stamp stamp) {
+  const std::array number{stamp.ns};
+  hash.add(bytes_of(std::span<const std::int64_t>(number)));
+}
 
-void InputFingerprint::add(const RgbdFrame& frame) {
-  const auto& camera = frame.camera;
+void add_camera(InputHash& hash, const PinholeCamera& camera) {
   const std::array numbers{static_cast<double>(camera.width_px),
                            static_cast<double>(camera.height_px),
                            camera.fx_px,
                            camera.fy_px,
                            camera.cx_px,
                            camera.cy_px};
-  const std::array stamp{frame.stamp.ns};
+  hash.add(bytes_of(std::span<const double>(numbers)));
+}
+
+}  // namespace
+
+std::string recording_hash(const RgbdFrame& frame) {
+  InputHash hash;
+  add_stamp(hash, frame.stamp);
+  add_camera(hash, frame.camera);
+  hash.add(bytes_of(frame.depth_m.pixels()));
+  return hash.text();
+}
+
+void InputFingerprint::add(const RgbdFrame& frame) {
+  if (first_frame_.empty()) first_frame_ = recording_hash(frame);
   const Eigen::Matrix4d pose = frame.map_from_camera.isometry().matrix();
-  hash_.add(bytes_of(std::span<const std::int64_t>(stamp)));
-  hash_.add(bytes_of(std::span<const double>(numbers)));
+  add_stamp(hash_, frame.stamp);
+  add_camera(hash_, frame.camera);
   hash_.add(bytes_of(std::span<const double>(pose.data(), 16)));
   hash_.add(bytes_of(frame.depth_m.pixels()));
   for (const Detection& detection : frame.detections) hypermap::add(hash_, detection);

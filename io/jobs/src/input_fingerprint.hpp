@@ -16,9 +16,16 @@ class InputFingerprint {
  public:
   void add(const RgbdFrame& frame);
   [[nodiscard]] std::string text() const { return hash_.text(); }
+  /// `recording_hash` of the first frame; empty before it.
+  [[nodiscard]] const std::string& first_frame() const noexcept { return first_frame_; }
 
  private:
   InputHash hash_;
+  std::string first_frame_;
 };
+
+/// Hash of what a frame has whatever is made of it, so that it is known again: stamp, camera and
+/// depth, without pose and detections.
+[[nodiscard]] std::string recording_hash(const RgbdFrame& frame);
 
 }  // namespace hypermap

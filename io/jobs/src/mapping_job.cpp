@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/mapping_job.hpp"
 
+#include "appended_input.hpp"
 #include "frame_stream.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "map_rescue.hpp"
@@ -68,8 +69,10 @@ Result<FrameReport> map_frame(MappingRun& run,
   StopWatch watch;
   HYPERMAP_TRY(add_detections(*frame, run.detector));
   report.seconds.detect += watch.lap();
+  frame->index += run.index_offset;
   HYPERMAP_ASSIGN_OR_RETURN(FrameReport done, run.mapper->integrate(*frame));
   run.fingerprint.add(*frame);
+  run.next_frame_index = frame->index + 1;
   run.places.push_back({index, frame->map_from_camera.origin().xyz});
   return done;
 }
@@ -227,6 +230,9 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
   HYPERMAP_ASSIGN_OR_RETURN(MappingRun run, open_run(job, report));
   auto mapped = within_memory([&] { return map_frames(run, job, report, progress); });
   if (!mapped) return Unexpected(ended_early(std::move(mapped).error(), run, job, report));
+  if (run.previous && !job.force) {
+    HYPERMAP_TRY(refuse_input_hash(run.fingerprint.text(), run.previous->provenance));
+  }
   MapArchive archive = map_of(run, job);
   auto findings =
       within_memory([&] { return save_map(archive, job.output, run, job, report.seconds); });

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping_run.hpp"
 
+#include "appended_input.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/options/options_file.hpp"
+#include "map_agreement.hpp"
 
 #include <filesystem>
 #include <iterator>
@@ -82,6 +84,13 @@ Result<void> refuse_deadline(const DeadlineOptions& options) {
               "deadline.rule");
 }
 
+Result<void> refuse_two_worlds(const MappingJob& job) {
+  if (!job.same_world || !job.placement) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "the input's world is that of the map or lies elsewhere in it, not both",
+              "same_world");
+}
+
 Result<void> refuse_mixed_poses(const MappingJob& job) {
   if (!job.poses || !job.append) return {};
   return fail(ErrorCode::kInvalidArgument,
@@ -92,6 +101,7 @@ Result<void> refuse_mixed_poses(const MappingJob& job) {
 /// Before the first frame: what would be refused at the end is refused now.
 Result<void> check(const MappingJob& job) {
   HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
+  HYPERMAP_TRY(refuse_two_worlds(job));
   HYPERMAP_TRY(refuse_mixed_poses(job));
   HYPERMAP_TRY(validate(job.layers));
   HYPERMAP_TRY(check_target(job.output));
@@ -113,7 +123,31 @@ Provenance provenance(const MappingRun& run, const MappingJob& job) {
           .input = run.input_name,
           .input_hash = run.fingerprint.text(),
           .options = options_tree({job.mapper, job.layers}),
-          .map_from_input = run.dataset->map_from_input()};
+          .map_from_input = run.dataset->map_from_input(),
+          .world = run.dataset->summary().world,
+          .first_frame_hash = run.fingerprint.first_frame(),
+          .next_frame_index = run.next_frame_index};
+}
+
+Result<GravityAlignment> align(const MappingRun& run, const MappingJob& job) {
+  if (!run.previous) return align_to_gravity(*run.dataset, job.up_axis);
+  return align_to_map(job, *run.dataset, run.input_name, run.previous->provenance);
+}
+
+/// Compares what is to be appended with the map; what is strange about it becomes findings.
+Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingReport& report) {
+  const MapArchive& map = *run.previous;
+  HYPERMAP_ASSIGN_OR_RETURN(run.index_offset, index_offset(map, job.dataset.first));
+  const std::vector<RgbdFrame> frames = spread_frames(*run.dataset, kNumComparedFrames);
+  if (!job.force && !frames.empty()) {
+    HYPERMAP_TRY(refuse_first_frame(frames.front(), map.provenance));
+  }
+  if (auto finding = map.octree ? compare(frames, *map.octree) : std::nullopt) {
+    finding->error.file = job.input.string();
+    report.findings.push_back(std::move(*finding));
+  }
+  if (map.provenance.size() == kMaxRuns) report.findings.push_back(forgotten_run(map.provenance));
+  return {};
 }
 
 }  // namespace
@@ -137,9 +171,10 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
                               with_corrected_poses(std::move(run.dataset), *job.poses));
   }
   report.findings = run.dataset->summary().findings;
-  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align_to_gravity(*run.dataset, job.up_axis));
+  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align(run, job));
   run.dataset->set_map_from_input(up.map_from_input);
   report.up = up.explanation;
+  if (run.previous) HYPERMAP_TRY(prepare_to_append(run, job, report));
   append(report.findings,
          unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
   append(report.findings,
@@ -154,7 +189,7 @@ MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   archive.classes = run.classes;
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
-  archive.provenance = provenance(run, job);
+  add_run(archive.provenance, provenance(run, job));
   return archive;
 }
 

@@ -13,6 +13,7 @@
 #include "input_fingerprint.hpp"
 #include "outlying_regions.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct MappingRun {
   std::optional<OnnxDetector> detector;
   std::optional<SemanticMapper> mapper;
   InputFingerprint fingerprint;
+  std::uint64_t index_offset = 0;            ///< What the index of each frame grows by.
+  std::uint64_t next_frame_index = 0;        ///< After the newest frame in the map.
   std::vector<FramePlace> places;            ///< Of the frames in the map.
   std::optional<std::string> checkpoint_of;  ///< The frame whose checkpoint is on disk.
   bool checkpoint_failed = false;            ///< Some checkpoint could not be saved; it was said.

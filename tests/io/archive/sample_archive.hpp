@@ -81,11 +81,11 @@ inline MapArchive sample_archive() {
   archive.octree = sample_octree();
   archive.objects.add(sample_object());
   archive.class_grids = {{.class_name = "chair", .grid = sample_grid(50)}};
-  archive.provenance.emplace();
-  archive.provenance->tool = "hypermap 0.1.0";
-  archive.provenance->input = "kitchen";
-  archive.provenance->input_hash = "xxh3-128:00";
-  archive.provenance->options = make_map({{"resolution_m", make_number(0.05)}});
+  archive.provenance.emplace_back();
+  archive.provenance.back().tool = "hypermap 0.1.0";
+  archive.provenance.back().input = "kitchen";
+  archive.provenance.back().input_hash = "xxh3-128:00";
+  archive.provenance.back().options = make_map({{"resolution_m", make_number(0.05)}});
   return archive;
 }
 

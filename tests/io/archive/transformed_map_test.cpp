@@ -67,7 +67,7 @@ void expect_same_places(const Object& a, const Object& b) {
 MapArchive with_coordinates_of(const MapArchive& from, MapArchive archive) {
   archive.hypermap = from.hypermap;
   archive.class_grids = from.class_grids;
-  archive.provenance->map_from_input = from.provenance->map_from_input;
+  archive.provenance.back().map_from_input = from.provenance.back().map_from_input;
   archive.objects.modify(ObjectId{1}, [&](Object& object) {
     object.box = only_object(from).box;
     object.centroid_in_map = only_object(from).centroid_in_map;
@@ -198,13 +198,13 @@ TEST(TransformedMap, SemanticObjectsInMapTurnAndLoseTheTextOfTheirOldShape) {
 
 TEST(TransformedMap, FramesOfTheSameInputStillFit) {
   MapArchive old = whole_map();
-  old.provenance->map_from_input =
+  old.provenance.back().map_from_input =
       MapFromInput(Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX())));
   const MapFromOldMap there = moved_by({2.5, -1.0, 0.3}, 0.4);
   const Eigen::Vector3d point(1.0, 2.0, 3.0);
-  const Eigen::Vector3d was = old.provenance->map_from_input.isometry() * point;
+  const Eigen::Vector3d was = old.provenance.back().map_from_input.isometry() * point;
   const Eigen::Vector3d is =
-      transformed(old, there).value().provenance->map_from_input.isometry() * point;
+      transformed(old, there).value().provenance.back().map_from_input.isometry() * point;
   EXPECT_LT((is - there.isometry() * was).norm(), kRoundingM);
 }
 

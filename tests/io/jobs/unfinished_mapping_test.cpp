@@ -182,6 +182,7 @@ TEST(UnfinishedMapping, GoesOnFromACheckpointToTheSameMap) {
   ASSERT_THAT(names_in(folder / "out"), ::testing::ElementsAre("a.hmap.checkpoint"));
   fs::rename(checkpoint_path(job.output), job.output);
   job.append = true;
+  job.same_world = true;
   job.dataset.first = 2;
   ASSERT_TRUE(run_mapping(job));
   const MapArchive gone_on = saved_map(job.output);

@@ -8,7 +8,6 @@
 #include "hypermap/projection/layers/map_layer.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct ArchiveInfo {
   std::vector<LayerSummary> layers;
   std::vector<std::string> classes;  ///< In the order of their ids.
   std::vector<FrameTransform> transforms;
-  std::optional<Provenance> provenance;
+  std::vector<Provenance> provenance;  ///< Of each run, oldest first.
 };
 
 /// Cost: one pass over cells and leaves.
@@ -36,7 +35,8 @@ struct ArchiveInfo {
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `bounds` {`min`, `max`}}], `classes` [{`id`,
-/// `name`}], `transforms`, `provenance`.
+/// `name`}], `transforms`, `provenance` (of the newest run, with the others, oldest first, in its
+/// list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

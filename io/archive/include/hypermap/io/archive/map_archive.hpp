@@ -58,7 +58,8 @@ struct MapArchive {
   ObjectMap objects = {};
   std::optional<SemanticOctree> octree = {};
   std::vector<ClassGrid> class_grids = {};
-  std::optional<Provenance> provenance = {};
+  /// Of each run that put frames into the map, oldest first; at most `kMaxRuns`.
+  std::vector<Provenance> provenance = {};
   /// Unknown files and keys below come from archives of others; a new map leaves them empty.
   std::vector<OctomapExtension> octomaps = {};
   /// Extensions of unknown format, whole entries. Their files are among `opaque_files`.

@@ -13,7 +13,7 @@ namespace hypermap {
 /// shift; a tilt below 1e-6 rad counts as none. Ids, classes and all belief stay.
 ///
 /// Exact up to the rounding of coordinates: centroids, shapes, semantic objects, occupancy and
-/// class grids (by origin and yaw), and `map_from_input` of the provenance, so that frames of the
+/// class grids (by origin and yaw), and `map_from_input` of each run, so that frames of the
 /// same input still fit. For the rest:
 /// - the octree is resampled as `transformed(SemanticOctree)` says;
 /// - a box becomes the axis-aligned box around the moved one: of the same size for quarter turns,

@@ -45,6 +45,9 @@ enum class CameraAxes {
 struct DatasetDescription {
   std::string layout = "described";
   std::string name;
+  /// What the world that the poses are in is called; datasets that name the same share it. Empty:
+  /// it has no name.
+  std::string world;
   std::optional<Intrinsics> intrinsics;  ///< Of the colour camera, which depth is registered to.
   std::string intrinsics_file;           ///< Instead of `intrinsics`; empty: none.
   std::string depth;                     ///< A pattern, or a list file of lines `stamp path`.

@@ -49,6 +49,7 @@ struct DatasetOptions {
 struct DatasetSummary {
   std::string layout;  ///< "tum", "7scenes", "open3d", "scannet", "described"
   std::string name;    ///< Of the description, else of the folder.
+  std::string world;   ///< Of the description: datasets that name the same share it; else empty.
   PinholeCamera camera;
   double depth_units_per_m = 0.0;
   double stamp_tolerance_s = 0.0;

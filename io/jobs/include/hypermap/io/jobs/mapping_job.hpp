@@ -19,6 +19,14 @@
 
 namespace hypermap {
 
+/// Where the world of an input lies in the map, once it is aligned to gravity.
+struct WorldPlacement {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double z_m = 0.0;
+  double yaw_rad = 0.0;  ///< Counter-clockwise, about the world's own origin.
+};
+
 struct MappingJob {
   std::filesystem::path input = {};
   std::filesystem::path output = {};
@@ -36,8 +44,15 @@ struct MappingJob {
   /// Corrected poses of the dataset's frames, as a loop closure leaves them: the map is built anew
   /// with them. See with_corrected_poses.
   std::optional<std::filesystem::path> poses = std::nullopt;
-  /// Go on from the archive at `output`.
+  /// Go on from the archive at `output`. Frames of the input count on after those of the map. Its
+  /// world is that of an earlier run whose `world` it names; else one of the next two is needed.
   bool append = false;
+  /// The poses are in the world of the newest run of an input of that name, else of the newest run:
+  /// they are aligned as that one was.
+  bool same_world = false;
+  std::optional<WorldPlacement> placement = std::nullopt;
+  /// Frames that are in the map already are mapped once more.
+  bool force = false;
   /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
   /// archive that a later run may go on from. It goes when the map itself is saved. 0: never.
   std::size_t checkpoint_every = 0;
@@ -87,8 +102,11 @@ struct MappingReport {
 /// What can be told before the first frame is told then: options, and whether files can be made
 /// where the map and its checkpoints are to be. Grids cover the largest region of the map; what
 /// lies outside and what layer could not be made are findings (see derive_layers), as is a
-/// checkpoint that could not be saved. Errors: kInvalidArgument when the mapper has a deadline, or
-/// when a map is to be gone on from with corrected poses (what it holds has the old ones); those of
+/// checkpoint that could not be saved, as are frames to append that show nothing of the map or
+/// another place. Errors: kInvalidArgument when the mapper has a deadline, when a map is to be gone
+/// on from with corrected poses (what it holds has the old ones), when nothing says where the world
+/// of what is to be appended lies, and, unless forced, when its first frame was the first of a run
+/// of the map (told before the work) or all its frames are those of one (told after it); those of
 /// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
 /// save_archive; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
 /// naming one that is there and that the system did not give; kInterrupted. `output` is not written
