@@ -4,6 +4,7 @@
 #include "targets.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace hypermap::fuzz {
 
