@@ -183,9 +183,12 @@ class Pipeline(unittest.TestCase):
         self.assertIn('did you mean "semantic"?', layer.stderr)
 
     def test_an_export_of_nothing_says_so(self):
-        grids = run("export", self.archive, "--format", "class-grids", "--output", self.folder / "g", "--class", "zebra")
-        self.assertEqual(grids.returncode, 1)
-        self.assertIn("nothing", grids.stderr)
+        for form, name in (("geojson", "n.local.geojson"), ("ply", "n.ply"), ("class-grids", "n"), ("octomap", "n.ot"),
+                           ("color-octomap", "n.ot")):
+            empty = run("export", self.archive, "--format", form, "--output", self.folder / name, "--class", "Zebra")
+            self.assertEqual(empty.returncode, 1, form)
+            self.assertIn("nothing", empty.stderr)
+            self.assertFalse((self.folder / name).exists())
 
     def test_an_unknown_layer_is_told_with_those_that_exist(self):
         result = run("query", self.archive, "--layer", "smells", "--at", "0,0")
@@ -212,7 +215,7 @@ class Pipeline(unittest.TestCase):
         self.assertIn("--detection", result.stderr)
         result = run("eval", "--map", self.archive, "--truth", self.dataset / "truth.hmap", "--classes", "chiar")
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertIn("chiar", result.stderr)
+        self.assertIn("""'chiar', did you mean "chair"?""", result.stderr)
         result = run("export", self.archive, "--format", "geojson", "--output", self.folder / "lab.geojson")
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn(".local.geojson", result.stderr)

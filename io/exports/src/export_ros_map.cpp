@@ -7,6 +7,8 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "map_file_pair.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,11 +31,10 @@ std::string image_named_by(const std::filesystem::path& metadata) {
 /// Six lines that lead from columns and rows of the image to the map, for programs that know no
 /// map_server: steps along a row (x, y), steps down a column (x, y), the centre of the first pixel.
 std::string world_file(const GridGeometry& geometry) {
-  const auto place = [&](double col, double row) { return from_cells(geometry, {col, row}); };
-  const double last_row = geometry.rows - 0.5;
-  const Eigen::Vector2d first = place(0.5, last_row);
-  const Eigen::Vector2d along = place(1.5, last_row) - first;
-  const Eigen::Vector2d down = place(0.5, last_row - 1.0) - first;
+  const Eigen::Vector2d first = from_cells(geometry, {0.5, geometry.rows - 0.5});
+  const Eigen::Vector2d along = geometry.resolution_m * Eigen::Vector2d(std::cos(geometry.yaw_rad),
+                                                                        std::sin(geometry.yaw_rad));
+  const Eigen::Vector2d down(along.y(), -along.x());
   std::string text;
   for (const Eigen::Vector2d& pair : {along, down, first}) {
     text += number_text(pair.x()) + "\n" + number_text(pair.y()) + "\n";

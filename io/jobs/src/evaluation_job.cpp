@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -45,12 +46,14 @@ Result<std::vector<EvaluatedObject>> load_in_frame(const std::filesystem::path& 
                           .field = job.layer});
 }
 
-Result<void> check_classes(const EvaluationReport& report, const EvaluationOptions& options) {
+Result<void> check_classes(const EvaluationReport& report,
+                           const EvaluationOptions& options,
+                           std::span<const EvaluatedObject> truth) {
   for (const std::string& name : options.classes) {
     if (report.classes.contains(canonical_class_name(name))) continue;
     std::vector<std::string> known;
-    known.reserve(report.classes.size());
-    for (const auto& [known_name, figures] : report.classes) known.push_back(known_name);
+    known.reserve(truth.size());
+    for (const EvaluatedObject& object : truth) known.push_back(object.class_name);
     return fail(ErrorCode::kNotFound,
                 "neither the map nor the truth has an object of class '" + printable(name) + "'" +
                     did_you_mean(name, known),
@@ -67,7 +70,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, job, truth.frame_id));
   EvaluationOutcome outcome{.report = evaluate(map, truth.objects, job.options),
                             .against = std::nullopt};
-  HYPERMAP_TRY(check_classes(outcome.report, job.options));
+  HYPERMAP_TRY(check_classes(outcome.report, job.options, truth.objects));
   if (job.against) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
     HYPERMAP_ASSIGN_OR_RETURN(outcome.against,

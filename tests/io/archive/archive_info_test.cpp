@@ -27,6 +27,7 @@ TEST(ArchiveInfo, CountsWhatEachLayerHolds) {
   EXPECT_EQ(info.layers[1].frame_id, "lab");
   // 100 leaves, log-odds i * 37 - 1000: negative for i < 28 (27 * 37 = 999).
   EXPECT_EQ(info.layers[2].leaves, (LeafCount{.occupied = 72, .free = 28}));
+  EXPECT_EQ(info.layers[2].voxels, info.layers[2].leaves);
   // Keys 32768 to 32772 in x: 0 to 0.25 m.
   EXPECT_NEAR(info.layers[2].bounds->min().x(), 0.0, 1e-9);
   EXPECT_NEAR(info.layers[2].bounds->max().x(), 0.25, 1e-9);
@@ -49,6 +50,20 @@ TEST(ArchiveInfo, ObjectsThatNoLayerShowsAreNotSureEnough) {
   ASSERT_TRUE(layer.add({.id = sure.value, .name = "chair", .parts = {footprint}}));
   ASSERT_TRUE(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(layer)}));
   EXPECT_EQ(counts(), std::pair(std::size_t{1}, std::size_t{1}));
+}
+
+// A leaf of depth 14 is 4 x 4 x 4 voxels, one of depth 16 a voxel.
+TEST(ArchiveInfo, APrunedOctreeIsCountedInVoxelsToo) {
+  MapArchive archive;
+  archive.octomaps.push_back(
+      {.entry = {.format = "octomap", .version = 1, .name = "octree"},
+       .bytes = {},
+       .tree = {.resolution_m = 0.1,
+                .leaves = {{.key = {32768, 32768, 32768}, .depth = 14, .log_odds = -1.0F},
+                           {.key = {32772, 32768, 32768}, .depth = 16, .log_odds = 1.0F}}}});
+  const LayerSummary octree = describe(archive).layers.at(0);
+  EXPECT_EQ(octree.leaves, (LeafCount{.occupied = 1, .free = 1}));
+  EXPECT_EQ(octree.voxels, (LeafCount{.occupied = 1, .free = 64}));
 }
 
 TEST(ArchiveInfo, AnArchiveWithoutExtensionsHasVersionZero) {

@@ -96,6 +96,16 @@ TEST(ShownLeaves, AreThoseOfTheOctreeElseOfAnotherProgramsElseNone) {
   EXPECT_EQ(num_chairs, 2U);
 }
 
+// Scans with classes of points alone make no objects.
+TEST(ShownLeaves, OfAMapWithoutObjectsBearTheirOwnClasses) {
+  MapArchive archive = archive_with_a_false_alarm();
+  archive.objects = {};
+  std::size_t num_giraffes = 0;
+  shown_leaves(archive)(
+      [&](const LeafSample& leaf) { num_giraffes += leaf.best_class == kGiraffe ? 1U : 0U; });
+  EXPECT_EQ(num_giraffes, 2U);
+}
+
 TEST(ShownFrame, IsThatOfWhatIsSolidElseOfTheFirstLayer) {
   MapArchive archive;
   EXPECT_EQ(shown_frame_id(archive), "map");

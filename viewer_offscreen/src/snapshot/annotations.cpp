@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace hypermap {
@@ -18,6 +19,14 @@ constexpr Rgb8 kRim{198, 204, 212};  ///< Around swatches: a white one must be s
 constexpr double kPlateOpacity = 0.84;
 constexpr double kLabelPx = 20.0;
 constexpr double kLabelGapPx = 3.0;
+
+/// For thin lines: pale ones would be lost on pale walls.
+Rgb8 darkened(Rgb8 color) {
+  const auto scaled = [](std::uint8_t channel) {
+    return static_cast<std::uint8_t>(channel * 13 / 20);
+  };
+  return {scaled(color.r), scaled(color.g), scaled(color.b)};
+}
 
 /// Paints one page; holds what every part of it needs.
 class Page {
@@ -216,8 +225,9 @@ class Page {
     const Eigen::Vector2d nearest(
         std::clamp(anchor.x(), rect.x_px + 3.0, rect.x_px + rect.width_px - 3.0),
         std::clamp(anchor.y(), rect.y_px + 3.0, rect.y_px + rect.height_px - 3.0));
-    draw_line(*image_, anchor, nearest, look_.px(1.3), label.color);
-    draw_disc(*image_, anchor, look_.px(2.4), label.color);
+    const Rgb8 color = darkened(label.color);
+    draw_line(*image_, anchor, nearest, look_.px(1.3), color);
+    draw_disc(*image_, anchor, look_.px(2.4), color);
   }
 
   void paint_label(const PlacedLabel& placed, const MapLabel& label) {
