@@ -22,7 +22,7 @@ class DeclaredSizes {
   DeclaredSizes(const ArchiveMembers& members, const BudgetLimits& limits)
       : members_(members), budget_(limits) {}
 
-  Result<void> add_grid(const std::string& stem) const {
+  [[nodiscard]] Result<void> add_grid(const std::string& stem) const {
     const std::string metadata_member = stem + ".yaml";
     const auto yaml = members_.start_of(metadata_member, kMetadataBytes);
     if (!yaml || yaml->size() == kMetadataBytes) return {};
@@ -35,7 +35,7 @@ class DeclaredSizes {
     return header ? named(budget_.draw_pixels(header->num_pixels()), image) : Result<void>();
   }
 
-  Result<void> add_octree(const std::string& member) const {
+  [[nodiscard]] Result<void> add_octree(const std::string& member) const {
     const auto start = members_.start_of(member, kHeaderBytes);
     if (!start) return {};
     const auto header = parse_octomap_header(*start);

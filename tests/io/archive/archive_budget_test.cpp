@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -58,6 +59,9 @@ std::string star_text(int points, int step) {
   }
   return text + "))";
 }
+
+/// A pentagram has 10 pairs of edges and 5 crossings of 500 tests each.
+constexpr std::uint64_t kStarTests = 10 + 5 * 500;
 
 std::string archive_of_stars(int count) {
   std::string shapes;
@@ -109,10 +113,9 @@ TEST(ArchiveBudget, AnImageThatOnlyALoaderKnowsCounts) {
 }
 
 TEST(ArchiveBudget, TheShapeThatCrossesTheLimitIsNamed) {
-  // A pentagram has 10 pairs of edges and 5 crossings of 500 tests each.
   const std::string bytes = archive_of_stars(4);
-  EXPECT_EQ(error_within(bytes, {.max_edge_tests = 4 * 2510}), "no error");
-  const std::string error = error_within(bytes, {.max_edge_tests = 4 * 2510 - 1});
+  EXPECT_EQ(error_within(bytes, {.max_edge_tests = 4 * kStarTests}), "no error");
+  const std::string error = error_within(bytes, {.max_edge_tests = 4 * kStarTests - 1});
   EXPECT_THAT(error, HasSubstr("a.hmap!shapes:4: [3] (star3).shape: column 9: brings the shapes"));
   EXPECT_THAT(error, EndsWith("the limit for all together is 10039 (max_edge_tests)"));
 }
@@ -193,7 +196,7 @@ TEST(ArchiveBudget, WhatCouldNotBeLoadedIsNotSaved) {
 
 TEST(ArchiveBudget, ASemanticLayerByItselfHasABudgetOfItsOwn) {
   const std::string shapes = "- {name: a, shape: \"" + star_text(5, 2) + "\"}\n";
-  const LoadBudget budget({.max_edge_tests = 2 * 2510 - 1});
+  const LoadBudget budget({.max_edge_tests = 2 * kStarTests - 1});
   EXPECT_TRUE(parse_semantic_layer(shapes, kArchiveSource, {}, budget));
   EXPECT_FALSE(parse_semantic_layer(shapes, kArchiveSource, {}, budget)) << "the same account";
   EXPECT_TRUE(parse_semantic_layer(shapes, kArchiveSource));
