@@ -127,7 +127,7 @@ class Appending(unittest.TestCase):
         for flags in (("--same-world", "--transform", "0,0,0,0"), ("--same-world", "--up", "z"),
                       ("--transform", "0,0,0"), ("--transform", "0,0,nan,0")):
             with self.subTest(flags):
-                self.assertIn(self.appended("--input", self.KITCHEN, *flags).returncode, (2, 4))
+                self.assertEqual(self.appended("--input", self.KITCHEN, *flags).returncode, 4)
         result = run("map", "--input", self.KITCHEN, "--output", self.folder / "b.hmap", "--same-world")
         self.assertEqual(result.returncode, 4, "--same-world without --append")
 

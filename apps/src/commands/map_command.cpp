@@ -150,11 +150,20 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
     worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));
   }
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
+  if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
   print(*mapped, arguments);
   print_hints(*mapped, arguments);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
   return written ? worst : report(written.error());
+}
+
+CLI::Validator four_numbers() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto numbers = parse_numbers(text, 4, 4, "");
+    return numbers ? "" : numbers.error().what;
+  };
+  return {check, "X,Y,Z,YAW"};
 }
 
 void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& arguments) {
@@ -171,6 +180,7 @@ void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& ar
                   arguments.transform,
                   "with --append: X,Y,Z,YAW in metres and degrees, where the input's world lies in "
                   "the map once +z is up in it")
+      ->check(four_numbers())
       ->needs(&append)
       ->excludes(same_world);
   command
@@ -232,6 +242,9 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
+  command.add_flag("--strict",
+                   arguments.job.strict,
+                   "a finding before the first frame ends the run; any finding ends with 2");
   command.add_option("--threads", arguments.num_threads, "0: one for each core")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();

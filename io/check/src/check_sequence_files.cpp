@@ -7,9 +7,12 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 #include "hypermap/io/dataset/intrinsics_file.hpp"
+#include "hypermap/io/dataset/reading_check.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
+#include "hypermap/io/dataset/up_axis.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -47,6 +50,19 @@ Result<FileSummary> check_frames(const DatasetReader& reader) {
     if (!frame) out.findings.push_back({Severity::kError, std::move(frame).error()});
   }
   return out;
+}
+
+/// What a few frames say of how the dataset is read.
+void add_misreadings(FileSummary& summary, const DatasetReader& dataset, const fs::path& path) {
+  const std::vector<FramePair> pairs = moving_pairs(dataset);
+  auto finding = find_misreading(pairs, reading_of(dataset.summary()));
+  const std::optional<std::string>& up_axis = dataset.summary().up_axis;
+  if (const auto turn = map_from_input_axis(up_axis.value_or("")); !finding && turn) {
+    finding = find_wrong_up(pairs, *turn);
+  }
+  if (!finding) return;
+  finding->error.file = path.string();
+  summary.findings.push_back(std::move(*finding));
 }
 
 }  // namespace
@@ -104,7 +120,9 @@ Result<FileSummary> check_dataset(const fs::path& path) {
   }
   ClassRegistry registry;
   HYPERMAP_ASSIGN_OR_RETURN(const auto reader, open_dataset(path, {}, registry));
-  return check_frames(*reader);
+  HYPERMAP_ASSIGN_OR_RETURN(FileSummary summary, check_frames(*reader));
+  add_misreadings(summary, *reader, path);
+  return summary;
 }
 
 }  // namespace hypermap

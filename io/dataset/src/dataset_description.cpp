@@ -94,6 +94,37 @@ Result<std::string> optional_path(const YamlNode& root, std::string_view key) {
   return inner_path(*node);
 }
 
+struct RequiredKey {
+  std::string_view name;
+  std::string_view example;
+};
+constexpr std::array<RequiredKey, 4> kRequiredKeys{
+    {{"intrinsics",
+      "intrinsics: {width: 640, height: 480, fx: 525, fy: 525, cx: 319.5, cy: 239.5}"},
+     {"depth", "depth: depth/*.png"},
+     {"depth_scale", kDepthScaleExample},
+     {"trajectory", "trajectory: poses.txt"}}};
+
+/// A file of intrinsics may name the scale itself.
+bool may_be_missing(const YamlNode& root, std::string_view key) {
+  const auto intrinsics = root.find("intrinsics");
+  return key == "depth_scale" && intrinsics && intrinsics->is_scalar();
+}
+
+/// Errors: kMalformedFile naming all required keys that are missing, an example of each.
+Result<void> check_required_keys(const YamlNode& root) {
+  HYPERMAP_TRY(root.as_map());
+  std::string names;
+  std::string examples;
+  for (const RequiredKey& key : kRequiredKeys) {
+    if (root.find(key.name) || may_be_missing(root, key.name)) continue;
+    names.append(names.empty() ? "" : ", ").append(key.name);
+    examples.append("; ").append(key.example);
+  }
+  if (names.empty()) return {};
+  return Unexpected(root.error("must name " + names + ", for example: " + examples.substr(2)));
+}
+
 Result<std::string> required_path(const YamlNode& root, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode node, root.at(key));
   return inner_path(node);
@@ -216,10 +247,8 @@ Result<void> read_image_keys(const YamlNode& root, DatasetDescription& out) {
   HYPERMAP_TRY(read_intrinsics_key(root, "intrinsics", out.intrinsics, out.intrinsics_file));
   HYPERMAP_TRY(read_intrinsics_key(
       root, "depth_intrinsics", out.depth_intrinsics, out.depth_intrinsics_file));
+  out.names_depth_scale = root.find("depth_scale").has_value();
   HYPERMAP_ASSIGN_OR_RETURN(out.color_from_depth, read_extrinsics(root));
-  if (!out.intrinsics && out.intrinsics_file.empty()) {
-    return Unexpected(root.error("missing key \"intrinsics\""));
-  }
   return {};
 }
 
@@ -228,6 +257,7 @@ Result<void> read_image_keys(const YamlNode& root, DatasetDescription& out) {
 Result<Loaded<DatasetDescription>> read_dataset_description(const std::filesystem::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, read_yaml(path));
   const YamlNode root = document.root();
+  HYPERMAP_TRY(check_required_keys(root));
   DatasetDescription out;
   if (const auto name = root.find("name")) {
     HYPERMAP_ASSIGN_OR_RETURN(out.name, name->as_string());

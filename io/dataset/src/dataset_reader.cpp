@@ -60,7 +60,14 @@ Result<void> settle_cameras(Sequence& sequence) {
       const auto depth,
       intrinsics_from(sequence.folder, d.depth_intrinsics, d.depth_intrinsics_file, findings));
   if (!color) return frame_error(ErrorCode::kNotFound, file, "has no intrinsics");
-  if (color->depth_units_per_m) d.depth_format.units_per_m = *color->depth_units_per_m;
+  if (color->depth_units_per_m) {
+    d.depth_format.units_per_m = *color->depth_units_per_m;
+  } else if (!d.names_depth_scale) {
+    return frame_error(
+        ErrorCode::kMalformedFile,
+        file,
+        "has no depth_scale, so the description must name it: " + std::string(kDepthScaleExample));
+  }
   const auto depth_size = usual_size(sequence, &SequenceEntry::depth);
   const auto color_size = usual_size(sequence, &SequenceEntry::color);
   if (!depth) {
@@ -184,6 +191,8 @@ Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path&
   summary.name =
       d.name.empty() ? fs::absolute(path / "").parent_path().filename().string() : d.name;
   summary.world = d.world;
+  summary.pose_direction = d.pose_direction;
+  summary.camera_axes = d.camera_axes;
   summary.stamp_tolerance_s = d.stamp_tolerance_s;
   summary.num_depth = index.num_depth;
   summary.num_color = index.num_color;

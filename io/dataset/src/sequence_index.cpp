@@ -4,6 +4,8 @@
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
 #include "images/image_list.hpp"
+#include "poses/trajectory_lines.hpp"
+#include "stamp_units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,6 +154,14 @@ Result<void> attach_stamped(const fs::path& folder,
       entry.missing_pose_reason = "no pose at position " + std::to_string(position);
     }
     if (found) attach(entry, poses[*found], description);
+  }
+  if (description.pair_by != PosePairing::kStamp) return {};
+  if (const auto mismatch = stamps_of_two_units(index.entries, poses, tolerance_ns)) {
+    // First: it explains the lines that were skipped.
+    index.findings.insert(index.findings.begin(),
+                          warning(folder / description.trajectory, 0, "timestamp", *mismatch));
+    for (SequenceEntry& entry : index.entries)
+      entry.missing_pose_reason += "; " + description.trajectory + " " + *mismatch;
   }
   return {};
 }

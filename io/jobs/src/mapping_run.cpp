@@ -6,6 +6,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
+#include "hypermap/io/dataset/reading_check.hpp"
 #include "hypermap/io/options/options_file.hpp"
 #include "map_agreement.hpp"
 
@@ -134,6 +135,36 @@ Result<GravityAlignment> align(const MappingRun& run, const MappingJob& job) {
   return align_to_map(job, *run.dataset, run.input_name, run.previous->provenance);
 }
 
+void note(std::optional<Finding> finding, const MappingJob& job, MappingReport& report) {
+  if (!finding) return;
+  finding->error.file = job.input.string();
+  report.findings.push_back(std::move(*finding));
+}
+
+/// Why the input could not be aligned, with what is behind it.
+Error explained(Error error,
+                const std::optional<Finding>& misreading,
+                const DatasetReader& dataset) {
+  if (misreading) {
+    error.what += "; " + to_string(misreading->error);
+  } else if (const auto first = dataset.read(0); !first) {
+    error.what += "; " + to_string(first.error());
+  }
+  return error;
+}
+
+/// Aligns the input's world, and says what speaks against how the input is read.
+Result<void> settle_alignment(MappingRun& run, const MappingJob& job, MappingReport& report) {
+  const std::vector<FramePair> pairs = moving_pairs(*run.dataset);
+  const auto misreading = find_misreading(pairs, reading_of(run.dataset->summary()));
+  auto up = align(run, job);
+  if (!up) return Unexpected(explained(std::move(up).error(), misreading, *run.dataset));
+  note(misreading ? misreading : find_wrong_up(pairs, up->map_from_input), job, report);
+  run.dataset->set_map_from_input(up->map_from_input);
+  report.up = up->explanation;
+  return {};
+}
+
 /// Compares what is to be appended with the map; what is strange about it becomes findings.
 Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingReport& report) {
   const MapArchive& map = *run.previous;
@@ -142,10 +173,7 @@ Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingRe
   if (!job.force && !frames.empty()) {
     HYPERMAP_TRY(refuse_first_frame(frames.front(), map.provenance));
   }
-  if (auto finding = map.octree ? compare(frames, *map.octree) : std::nullopt) {
-    finding->error.file = job.input.string();
-    report.findings.push_back(std::move(*finding));
-  }
+  if (map.octree) note(compare(frames, *map.octree), job, report);
   if (map.provenance.size() == kMaxRuns) report.findings.push_back(forgotten_run(map.provenance));
   return {};
 }
@@ -171,9 +199,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
                               with_corrected_poses(std::move(run.dataset), *job.poses));
   }
   report.findings = run.dataset->summary().findings;
-  HYPERMAP_ASSIGN_OR_RETURN(const GravityAlignment up, align(run, job));
-  run.dataset->set_map_from_input(up.map_from_input);
-  report.up = up.explanation;
+  HYPERMAP_TRY(settle_alignment(run, job, report));
   if (run.previous) HYPERMAP_TRY(prepare_to_append(run, job, report));
   append(report.findings,
          unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
@@ -181,6 +207,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
          unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
   run.mapper.emplace(std::move(mapper));
+  if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;
 }
 

@@ -210,10 +210,11 @@ TEST(DatasetReader, ABadTrajectoryLineCostsItsFrameAndIsAFinding) {
 Eigen::Vector3d point_in_map(const std::string& camera_axes, const Eigen::Vector3d& in_camera) {
   const TempDir dir;
   const SyntheticDataset data = test::write_described(dir / "d");
-  write_text(data.folder / "dataset.yaml",
-             "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
-             "depth: d/*_d.pgm\ntrajectory: p.txt\npair_by: order\ncamera_axes: " +
-                 camera_axes + "\n");
+  write_text(
+      data.folder / "dataset.yaml",
+      "intrinsics: {width: 8, height: 6, fx: 8, fy: 8, cx: 3.5, cy: 2.5}\n"
+      "depth: d/*_d.pgm\ndepth_scale: 100\ntrajectory: p.txt\npair_by: order\ncamera_axes: " +
+          camera_axes + "\n");
   ClassRegistry registry;
   const auto reader = opened(data.folder, registry);
   return (reader->read(0)->map_from_camera * PointInCamera{in_camera}).xyz;

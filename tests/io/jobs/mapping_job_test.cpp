@@ -52,6 +52,24 @@ TEST(MappingJob, CorrectedPosesBuildTheMapAnew) {
   });
 }
 
+TEST(MappingJob, StrictlyAFindingBeforeTheFirstFrameEndsTheRun) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  MappingJob job{.input = folder.path() / "recorded", .output = folder.path() / "map.hmap"};
+  job.mapper.objects.transient_class_names = {"unicorn"};
+  job.strict = true;
+  std::size_t num_frames = 0;
+  const auto refused = run_mapping(job, [&](std::size_t, std::size_t) { return ++num_frames > 0; });
+  ASSERT_FALSE(refused);
+  EXPECT_NE(to_string(refused.error()).find("unicorn"), std::string::npos);
+  EXPECT_EQ(num_frames, 0U);
+  EXPECT_FALSE(std::filesystem::exists(job.output));
+  job.strict = false;
+  const auto report = run_mapping(job);
+  ASSERT_TRUE(report) << to_string(report.error());
+  EXPECT_EQ(report->findings.size(), 1U);
+}
+
 TEST(MappingJob, CorrectedPosesAndGoingOnExcludeEachOther) {
   const auto refused = run_mapping({.output = "map.hmap", .poses = "poses.txt", .append = true});
   ASSERT_FALSE(refused);

@@ -142,7 +142,8 @@ Result<ParsedStamp> parse_stamp(std::string_view text) {
   if (const auto seconds = scaled(*decimal, 9)) return ParsedStamp{.stamp = {*seconds}};
   const auto ns = scaled(*decimal, 0);
   constexpr std::int64_t kLeastNanoseconds = 100'000'000'000'000'000;
-  if (!ns || *ns < kLeastNanoseconds) return refuse("seconds or nanoseconds");
+  if (!ns || *ns < kLeastNanoseconds)
+    return refuse("seconds or nanoseconds (below 9.2e9, or 1e17 and more)");
   return ParsedStamp{
       .stamp = {*ns}, .is_in_nanoseconds = true, .is_rounded = decimal->has_exponent};
 }

@@ -118,6 +118,8 @@ Result<std::unique_ptr<DatasetReader>> with_corrected_poses(std::unique_ptr<Data
                                 ? read_numbered(poses)
                                 : read_stamped(poses, summary.stamp_tolerance_s));
   summary.num_poses = read.count;
+  summary.pose_direction = PoseDirection::kCameraToWorld;
+  summary.camera_axes = CameraAxes::kOptical;
   summary.findings.insert(summary.findings.end(),
                           std::make_move_iterator(read.findings.begin()),
                           std::make_move_iterator(read.findings.end()));

@@ -14,10 +14,12 @@ template <class Trajectory>
 Result<Loaded<Trajectory>> finished_trajectory(Loaded<Trajectory> loaded,
                                                const std::filesystem::path& path) {
   if (loaded.value.poses.empty()) {
-    return Unexpected(
-        in_file({.code = ErrorCode::kMalformedFile, .what = "has no pose, expected at least one"},
-                path,
-                0));
+    Error error{.code = ErrorCode::kMalformedFile, .what = "has no pose, expected at least one"};
+    if (!loaded.findings.empty()) {
+      const Error& first = loaded.findings.front().error;
+      error.what += "; line " + std::to_string(first.line) + ": " + first.field + ": " + first.what;
+    }
+    return Unexpected(in_file(std::move(error), path, 0));
   }
   if (loaded.value.num_normalised > 0) {
     loaded.findings.push_back(warning(path,

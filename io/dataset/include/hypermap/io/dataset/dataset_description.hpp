@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -53,6 +54,8 @@ struct DatasetDescription {
   std::string depth;                     ///< A pattern, or a list file of lines `stamp path`.
   std::string color;                     ///< The same; empty: no colour.
   DepthFormat depth_format;
+  /// False: `depth_scale` must come from the file of the intrinsics.
+  bool names_depth_scale = true;
   std::string trajectory;  ///< A file, or with kMatrix a pattern.
   TrajectoryFormat trajectory_format = TrajectoryFormat::kTum;
   PosePairing pair_by = PosePairing::kStamp;
@@ -71,9 +74,13 @@ struct DatasetDescription {
   std::string instances;
 };
 
-/// Errors: those of `read_yaml`; kMalformedFile naming file, line and field: a required key is
-/// missing (`depth`, `trajectory`), a value of the wrong kind or outside its range, a path that
-/// leaves the folder. Findings: unknown keys, with the nearest known one.
+/// What `depth_scale` looks like: how many units of a depth image are a metre.
+inline constexpr std::string_view kDepthScaleExample = "depth_scale: 1000 (5000 in TUM RGB-D)";
+
+/// Errors: those of `read_yaml`; kMalformedFile naming file, line and field: required keys are
+/// missing (`intrinsics`, `depth`, `trajectory`, and `depth_scale` unless the intrinsics are a
+/// file, which may name it), all of them named; a value of the wrong kind or outside its range, a
+/// path that leaves the folder. Findings: unknown keys, with the nearest known one.
 [[nodiscard]] Result<Loaded<DatasetDescription>> read_dataset_description(
     const std::filesystem::path& path);
 

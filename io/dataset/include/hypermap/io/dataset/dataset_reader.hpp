@@ -11,6 +11,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/camera.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
+#include "hypermap/io/dataset/dataset_description.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 
 #include <cstddef>
@@ -52,6 +53,9 @@ struct DatasetSummary {
   std::string world;   ///< Of the description: datasets that name the same share it; else empty.
   PinholeCamera camera;
   double depth_units_per_m = 0.0;
+  /// How poses were read; frames have them as camera to world of optical axes.
+  PoseDirection pose_direction = PoseDirection::kCameraToWorld;
+  CameraAxes camera_axes = CameraAxes::kOptical;
   double stamp_tolerance_s = 0.0;
   std::size_t num_frames = 0;  ///< After first, stride and max_frames.
   std::size_t num_depth = 0;

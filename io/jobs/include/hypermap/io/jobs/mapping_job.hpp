@@ -51,6 +51,8 @@ struct MappingJob {
   /// they are aligned as that one was.
   bool same_world = false;
   std::optional<WorldPlacement> placement = std::nullopt;
+  /// What is found before the first frame ends the run as an error.
+  bool strict = false;
   /// Frames that are in the map already are mapped once more.
   bool force = false;
   /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
@@ -97,6 +99,8 @@ struct MappingReport {
   MappingSeconds seconds;
 };
 
+/// A few frames are compared first: depth and poses that another reading explains much better, and
+/// an up axis that no camera holds upright, are findings (reading_check.hpp).
 /// With more than one thread the next frame is read and decoded while one is worked on.
 ///
 /// What can be told before the first frame is told then: options, and whether files can be made
@@ -106,7 +110,8 @@ struct MappingReport {
 /// another place. Errors: kInvalidArgument when the mapper has a deadline, when a map is to be gone
 /// on from with corrected poses (what it holds has the old ones), when nothing says where the world
 /// of what is to be appended lies, and, unless forced, when its first frame was the first of a run
-/// of the map (told before the work) or all its frames are those of one (told after it); those of
+/// of the map (told before the work) or all its frames are those of one (told after it); with
+/// `strict` the first finding that there is before the first frame; those of
 /// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
 /// save_archive; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
 /// naming one that is there and that the system did not give; kInterrupted. `output` is not written
