@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const PinholeCamera kCamera{160, 120, 140.0, 140.0, 79.5, 59.5};
+const PinholeCamera kCamera{80, 60, 70.0, 70.0, 39.5, 29.5};
 
 /// How far along `direction` the wall of the box is from inside it, or the box from outside; none
 /// where the ray misses.
