@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const PinholeCamera kCamera{160, 120, 140.0, 140.0, 79.5, 59.5};
+const PinholeCamera kCamera{80, 60, 70.0, 70.0, 39.5, 29.5};
 
 /// How far along `direction` the wall of the box is from inside it, or the box from outside; none
 /// where the ray misses.
@@ -160,8 +160,10 @@ TEST(ReadingCheck, OtherCameraAxesAreNamed) {
   const Eigen::Matrix3d optical_from_opengl = Eigen::Vector3d(1, -1, -1).asDiagonal();
   Eigen::Matrix3d optical_from_robot;
   optical_from_robot << 0, -1, 0, 0, 0, -1, 1, 0, 0;
-  for (const auto& [axes, by] : {std::pair{CameraAxes::kOpenGl, optical_from_opengl},
-                                 std::pair{CameraAxes::kRobot, optical_from_robot}}) {
+  for (const auto& [axes, optical_from_axes] :
+       {std::pair{CameraAxes::kOpenGl, optical_from_opengl},
+        std::pair{CameraAxes::kRobot, optical_from_robot}}) {
+    const Eigen::Matrix3d by = optical_from_axes;
     // Poses of these axes, taken for optical ones.
     const auto pairs = misread(walk(6), [&](const auto& pose) { return turned(pose, by); });
     const ReadingCheck check = check_reading(pairs, {});
