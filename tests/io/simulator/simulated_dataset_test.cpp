@@ -175,7 +175,7 @@ TEST(SimulatedDataset, WhatStrangersPutBelowAnOldSimulationIsNamedAndStays) {
 }
 
 TEST(SimulatedDataset, AnOldFolderThatCannotBeLookedAtIsTheSystemsFault) {
-  const TempDir dir;
+  const test::TempDir dir;
   fs::create_directories(dir / "lab");
   fs::create_symlink("truth.hmap", dir / "lab/truth.hmap");  // leads to itself
   const auto refused = simulate(room_scene(), small_options(), dir / "lab");
