@@ -106,7 +106,7 @@ class Damage(unittest.TestCase):
     def archive(cls):
         make_dataset(cls.folder / "wall")
         path = cls.folder / "wall.hmap"
-        cls.done("map", "--input", cls.folder / "wall", "--up", "z", "--output", path)
+        cls.done("map", "--input", cls.folder / "wall", "--up", "-y", "--output", path)
         return path
 
     @classmethod

@@ -102,7 +102,7 @@ void print(const MappingReport& report, const MapArguments& arguments) {
 void warn_of_slow_options(const MappingJob& job) {
   if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
   std::fprintf(stderr,
-               "hypermap: segmentation by region growing takes a second or more for each frame\n");
+               "map: segmentation by region growing takes a second or more for each frame\n");
 }
 
 /// Files of the dataset's folder that look like detections and are not read unless named.
@@ -123,11 +123,10 @@ std::vector<std::string> unused_detections(const std::filesystem::path& folder) 
 void print_hints(const MappingReport& report, const MapArguments& arguments) {
   if (arguments.job.model || !arguments.detections.empty() || report.num_detections > 0) return;
   std::fprintf(stderr,
-               "hypermap: nothing was detected: --detections FILE or --model FILE names objects\n");
+               "map: nothing was detected: --detections FILE or --model FILE names objects\n");
   for (const std::string& name : unused_detections(arguments.dataset.input)) {
-    std::fprintf(stderr,
-                 "hypermap: not used: %s in the input; --detections names it\n",
-                 printable(name).c_str());
+    std::fprintf(
+        stderr, "map: not used: %s in the input; --detections names it\n", printable(name).c_str());
   }
 }
 

@@ -143,14 +143,15 @@ TEST(ExportRosMap, AnImageThatIsNotTheOneItsNameSaysIsNamed) {
   const auto written = exported(map_of(100), ExportFormat::kRosMap, dir / "lab");
   ASSERT_TRUE(written);
   EXPECT_THAT(read_map(dir / "lab.yaml")->findings, IsEmpty());
-  std::fstream image(written->back(), std::ios::in | std::ios::out | std::ios::binary);
+  const std::filesystem::path& image_path = written->at(1);
+  std::fstream image(image_path, std::ios::in | std::ios::out | std::ios::binary);
   image.seekp(-1, std::ios::end);
   image.put('\xfe');
   image.close();
   const auto map = read_map(dir / "lab.yaml");
   ASSERT_TRUE(map) << to_string(map.error());
   ASSERT_EQ(map->findings.size(), 1U);
-  EXPECT_EQ(map->findings[0].error.file, written->back().string());
+  EXPECT_EQ(map->findings[0].error.file, image_path.string());
   EXPECT_THAT(map->findings[0].error.what, HasSubstr("is not the image that its name says"));
 }
 

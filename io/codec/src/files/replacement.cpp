@@ -3,12 +3,14 @@
 
 #include "system_error.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -34,15 +36,22 @@ bool is_temporary(std::string_view name) {
   return name.starts_with(kPrefix) && (name.size() == kPattern.size() || name.ends_with(".tmp"));
 }
 
-/// No name is used twice: what is locked here is what the name stands for.
+struct CloseFolder {
+  void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
+/// No name is used twice: what is locked here is what the name stands for. Not by
+/// std::filesystem::directory_iterator, which ends the program where memory ends (libstdc++ 12).
 void remove_abandoned(const fs::path& parent) {
-  std::error_code ignored;
-  fs::directory_iterator entry(parent, ignored);
-  for (; !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
-    if (!is_temporary(entry->path().filename().string())) continue;
-    const Descriptor lock(entry->path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+  const std::unique_ptr<DIR, CloseFolder> folder(::opendir(parent.empty() ? "." : parent.c_str()));
+  if (!folder) return;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): of a folder that nobody else reads
+  while (const dirent* entry = ::readdir(folder.get())) {
+    if (!is_temporary(static_cast<const char*>(entry->d_name))) continue;
+    const fs::path path = parent / static_cast<const char*>(entry->d_name);
+    const Descriptor lock(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
     std::error_code stays;
-    if (::flock(lock.number, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry->path(), stays);
+    if (::flock(lock.number, LOCK_EX | LOCK_NB) == 0) fs::remove_all(path, stays);
   }
 }
 
