@@ -41,8 +41,8 @@ std::string size_text(const LayerSummary& layer) {
     return objects;
   }
   if (layer.leaves && layer.voxels) {
-    const std::string voxels = std::to_string(layer.voxels->occupied) + " occupied, " +
-                               std::to_string(layer.voxels->free) + " free voxels";
+    std::string voxels = std::to_string(layer.voxels->occupied) + " occupied, " +
+                         std::to_string(layer.voxels->free) + " free voxels";
     if (layer.leaves == layer.voxels) return voxels;
     return voxels + " in " + std::to_string(layer.leaves->occupied + layer.leaves->free) +
            " leaves";

@@ -24,8 +24,8 @@ Space space_around(const SemanticOctree& map, const PointInMap& point) {
   const auto middle = map.at(point);
   if (middle && middle->occupied) return Space::kOccupied;
   for (int i = 0; i < 27; ++i) {
-    const Eigen::Vector3d step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    const auto near = map.at(PointInMap{point.xyz + map.resolution_m() * step});
+    const Eigen::Vector3i step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const auto near = map.at(PointInMap{point.xyz + map.resolution_m() * step.cast<double>()});
     if (near && near->occupied) return Space::kOccupied;
   }
   return middle ? Space::kFree : Space::kUnknown;
@@ -40,7 +40,7 @@ std::optional<PointInMap> point_at(const RgbdFrame& frame, int u, int v) {
 
 /// A point of a surface that is not level: floors lie at one height in all places.
 std::optional<PointInMap> upright_point(const RgbdFrame& frame, int u, int v) {
-  const auto point = point_at(frame, u, v);
+  auto point = point_at(frame, u, v);
   const auto right = point_at(frame, u + kPixelStep, v);
   const auto below = point_at(frame, u, v + kPixelStep);
   if (!point || !right || !below) return std::nullopt;

@@ -244,7 +244,8 @@ Result<SimulationReport> write_simulation(const Scene& scene,
   HYPERMAP_ASSIGN_OR_RETURN(SimulationReport report,
                             FramePipeline(simulator, folder, progress).run(options.num_threads));
   HYPERMAP_ASSIGN_OR_RETURN(const MapArchive truth, make_truth(simulator, scene, report.objects));
-  HYPERMAP_TRY(save_archive(truth, folder.path() / "truth.hmap"));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string truth_bytes, write_archive(truth));
+  HYPERMAP_TRY(folder.write("truth.hmap", truth_bytes));
   HYPERMAP_TRY(require_replaceable(output_dir));  // the rendering took a while
   HYPERMAP_TRY(folder.commit());
   return report;

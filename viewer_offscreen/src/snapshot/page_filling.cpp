@@ -71,7 +71,7 @@ SnapshotCamera fill_page(const SnapshotOptions& options,
                          const PagePlan& plan,
                          std::span<const Eigen::Vector3d> framed,
                          std::span<const Eigen::Vector3d> drawn) {
-  const SnapshotCamera least = SnapshotCamera::frame(options, framed, plan.content);
+  SnapshotCamera least = SnapshotCamera::frame(options, framed, plan.content);
   const double margin = plan.content.x_px;
   const Eigen::Vector2d page(plan.canvas.width_px - 2.0 * margin,
                              plan.canvas.height_px - 2.0 * margin);
@@ -87,7 +87,7 @@ SnapshotCamera fill_page(const SnapshotOptions& options,
     const Eigen::Vector2d room = (page - size).cwiseMax(0.0);
     for (const double along : kPlacesAlong) {
       for (const double across : kPlacesAcross) {
-        const SnapshotCamera camera = SnapshotCamera::frame(
+        SnapshotCamera camera = SnapshotCamera::frame(
             options,
             framed,
             {margin + across * room.x(), margin + along * room.y(), size.x(), size.y()});
