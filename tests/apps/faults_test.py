@@ -153,6 +153,8 @@ class Pairs(FaultCase):
 
 
 class Folders(FaultCase):
+    KEEPS_OLD = True
+
     def test_a_simulation(self):
         self.check_faults(lambda: shutil.copytree(Inputs.simulation(1, seed=2), self.out / "lab"),
                           ["simulate", "--frames", 1, "--output", self.out / "lab"], count=2 * SAMPLE)

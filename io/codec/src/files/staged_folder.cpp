@@ -63,6 +63,7 @@ Result<void> StagedFolder::commit() {
   if (::syncfs(temporary_->lock) != 0) return system_error(target_, "sync", errno);
   std::error_code code;
   const bool replaces = fs::exists(target_, code);
+  if (code) return system_error(target_, "look at", code.value());
   // In one step, so that the target's name always stands for one of both.
   const unsigned how = replaces ? RENAME_EXCHANGE : RENAME_NOREPLACE;
   if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), how) != 0) {
