@@ -10,7 +10,7 @@ import shutil
 import tempfile
 import unittest
 
-from program import DATA, run
+from program import DATA, IS_SANITIZED, run
 
 INTRINSICS = "intrinsics: {{width: 640, height: 480, fx: {0}, fy: {1}, cx: {2}, cy: {3}}}\n"
 
@@ -113,7 +113,7 @@ class LivingRoom(Sequence):
 
 
 class Misreadings(unittest.TestCase):
-    SEQUENCES = (Kitchen, Cabinet, LivingRoom)
+    SEQUENCES = (Cabinet,) if IS_SANITIZED else (Kitchen, Cabinet, LivingRoom)  # a sanitizer sees one path only
 
     def setUp(self):
         if not (DATA / "rgbd").exists():

@@ -44,7 +44,7 @@ class ArchiveWithoutMemory : public ::testing::TestWithParam<MemoryLoss> {
   [[nodiscard]] bool happened() const { return happened_; }
 
   /// The next number of allocations that are granted: all of the first, then fewer and fewer.
-  static long next(long granted) { return granted + 1 + granted / (test::kSanitized ? 8 : 32); }
+  static long next(long granted) { return granted + 1 + granted / (test::kSanitized ? 12 : 32); }
 
  private:
   bool happened_ = true;
