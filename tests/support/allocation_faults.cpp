@@ -25,12 +25,14 @@ Memory& memory() {
   return value;
 }
 
+#if !HYPERMAP_THREAD_SANITIZER
 bool is_granted() {
   Memory& now = memory();
   if (now.num_granted == kAll) return true;
   const long left = now.num_granted--;
   return left > 0 || (left < 0 && now.loss == MemoryLoss::kOnce);
 }
+#endif
 
 }  // namespace
 
