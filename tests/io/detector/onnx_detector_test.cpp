@@ -211,7 +211,7 @@ TEST(OnnxDetector, TheRealNetworkGivesTheSameNumbersTwiceAndOnAnyNumberOfThreads
   const auto expected = one->detect(*image).value();
   EXPECT_EQ(two->detect(*image).value(), expected);
   EXPECT_EQ(one->detect(*image).value(), expected);
-  for (const int num_threads : {1, 2, 3}) {
+  for (const int num_threads : {1, 3}) {
     auto some = OnnxDetector::load(model, {.num_threads = num_threads}, registry);
     ASSERT_TRUE(some);
     EXPECT_EQ(some->detect(*image).value(), expected) << num_threads;
