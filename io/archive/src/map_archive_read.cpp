@@ -127,12 +127,10 @@ Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
   return loaded;
 }
 
-/// Runs a reader; nothing that a library throws gets past here.
+/// Nothing that a library throws gets past here.
 template <class Read>
-Result<Loaded<MapArchive>> without_exceptions(Read read) try {
-  return read();
-} catch (const std::exception& exception) {
-  return caught(exception, ErrorCode::kMalformedFile, "the map");
+Result<Loaded<MapArchive>> guarded_read(const Read& read) {
+  return guarded(ErrorCode::kMalformedFile, "the map", read);
 }
 
 Result<Loaded<MapArchive>> read_zip(std::shared_ptr<const ByteSource> source,
@@ -171,7 +169,7 @@ Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                         const ArchiveLimits& limits,
                                         const LayerRegistry& layers,
                                         const StopCheck& stop) {
-  return without_exceptions([&]() -> Result<Loaded<MapArchive>> {
+  return guarded_read([&]() -> Result<Loaded<MapArchive>> {
     HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
                               open_file(path, limits.zip.max_archive_bytes));
     HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
@@ -187,7 +185,7 @@ Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                          const ArchiveLimits& limits,
                                          const LayerRegistry& layers,
                                          const StopCheck& stop) {
-  return without_exceptions(
+  return guarded_read(
       [&] { return read_zip(view_bytes(bytes), source.file, limits, layers, stop); });
 }
 

@@ -3,6 +3,7 @@
 
 #include "appended_input.hpp"
 #include "frame_stream.hpp"
+#include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "map_rescue.hpp"
 #include "mapping_run.hpp"
@@ -117,12 +118,10 @@ Result<std::vector<Finding>> save_map(MapArchive& archive,
   return findings;
 }
 
-/// Memory that ends is an error of the work that asked for it.
+/// What is thrown ends no run without its map being rescued.
 template <class Work>
-auto within_memory(const Work& work) -> decltype(work()) try {
-  return work();
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::kOutOfMemory, "out of memory");
+auto guarded_run(const Work& work) -> decltype(work()) {
+  return guarded(ErrorCode::kUnavailable, "the map", work);
 }
 
 /// The run goes on whatever becomes of it; the first failure is said.
@@ -130,7 +129,7 @@ void save_checkpoint(MappingRun& run,
                      const MappingJob& job,
                      MappingReport& report,
                      const std::string& frame_name) {
-  const auto saved = within_memory([&] {
+  const auto saved = guarded_run([&] {
     MapArchive archive = map_of(run, job);
     return save_map(archive, checkpoint_path(job.output), run, job, report.seconds);
   });
@@ -228,14 +227,14 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
   MappingReport report;
   StopWatch whole;
   HYPERMAP_ASSIGN_OR_RETURN(MappingRun run, open_run(job, report));
-  auto mapped = within_memory([&] { return map_frames(run, job, report, progress); });
+  auto mapped = guarded_run([&] { return map_frames(run, job, report, progress); });
   if (!mapped) return Unexpected(ended_early(std::move(mapped).error(), run, job, report));
   if (run.previous && !job.force) {
     HYPERMAP_TRY(refuse_input_hash(run.fingerprint.text(), run.previous->provenance));
   }
   MapArchive archive = map_of(run, job);
   auto findings =
-      within_memory([&] { return save_map(archive, job.output, run, job, report.seconds); });
+      guarded_run([&] { return save_map(archive, job.output, run, job, report.seconds); });
   if (!findings) {
     Error error = with_rescue(std::move(findings).error(), archive, job.output, job.limits);
     return Unexpected(naming_checkpoint(std::move(error), run, job));

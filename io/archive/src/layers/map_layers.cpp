@@ -67,17 +67,15 @@ HeightBand band_of(const LayerOptions& options) {
 
 /// `make()`, and what a library throws is its error.
 template <class Make>
-auto guarded(const Make& make) -> decltype(make()) try {
-  return make();
-} catch (const std::exception& exception) {
-  return caught(exception, ErrorCode::kInvalidArgument, "it");
+auto guarded_layer(const Make& make) -> decltype(make()) {
+  return guarded(ErrorCode::kInvalidArgument, "it", make);
 }
 
 /// The layer is new, or, on an error, not there: one of an earlier map would be of another map.
 Result<void> put_occupancy(MapArchive& archive,
                            const LeafSource& leaves,
                            const LayerOptions& options) {
-  auto grid = guarded([&] {
+  auto grid = guarded_layer([&] {
     return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
   });
   if (grid) return put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(*grid)));
@@ -89,7 +87,7 @@ Result<void> put_occupancy(MapArchive& archive,
 Result<void> put_footprints(MapArchive& archive,
                             std::span<const ObjectId> confirmed,
                             const ObjectPipelineOptions& options) {
-  auto footprints = guarded([&] {
+  auto footprints = guarded_layer([&] {
     return project_footprints(
         objects_of(archive.objects, confirmed),
         archive.classes,
@@ -106,7 +104,7 @@ Result<void> put_class_grids(MapArchive& archive,
                              const LayerOptions& options) {
   archive.class_grids.clear();
   HYPERMAP_ASSIGN_OR_RETURN(
-      auto grids, guarded([&] {
+      auto grids, guarded_layer([&] {
         return project_class_grids(
             leaves, band_of(options), {.min_free_share = options.min_free_share});
       }));

@@ -18,4 +18,13 @@ namespace hypermap {
                                 ErrorCode otherwise,
                                 std::string_view subject);
 
+/// `work()`, which returns a Result; what it throws is its error, see `caught`.
+template <class Work>
+[[nodiscard]] auto guarded(ErrorCode otherwise, std::string_view subject, const Work& work)
+    -> decltype(work()) try {
+  return work();
+} catch (const std::exception& exception) {
+  return caught(exception, otherwise, subject);
+}
+
 }  // namespace hypermap
