@@ -171,7 +171,8 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(count, 0)
             self.assertIn('no class of this map is called "chiar", did you mean "chair"?', said)
         self.assertNotIn("did you mean", self.found("--layer", "objects", "--string", "unicorn")[1])
-        mapped = run("map", "--input", self.dataset, "--output", self.folder / "b.hmap", "--transient", "chiar,cup")
+        mapped = run("map", "--input", self.dataset, "--output", self.folder / "b.hmap", "--max-frames", 4,
+                     "--transient", "chiar,cup")
         self.assertEqual(mapped.returncode, 1)
         self.assertIn('transient_classes: no class of the input is called "chiar", did you mean "chair"?', mapped.stderr)
         self.assertNotIn("cup", mapped.stderr)
@@ -287,7 +288,8 @@ class Pipeline(unittest.TestCase):
     def test_append_goes_on_from_the_archive(self):
         grown = self.folder / "grown.hmap"
         shutil.copy(self.archive, grown)
-        result = run("map", "--input", self.dataset, "--output", grown, "--append", "--same-world", "--force")
+        result = run("map", "--input", self.dataset, "--output", grown, "--append", "--same-world", "--force",
+                     "--max-frames", 4)
         self.assertEqual(result.returncode, 0, result.stderr)
         before = json.loads(run("info", self.archive, "--json").stdout)
         after = json.loads(run("info", grown, "--json").stdout)
