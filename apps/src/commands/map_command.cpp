@@ -108,9 +108,11 @@ void warn_of_slow_options(const MappingJob& job) {
 /// Files of the dataset's folder that look like detections and are not read unless named.
 std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
   std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
+  std::error_code unreadable;
+  for (std::filesystem::directory_iterator entry(folder, unreadable), end;
+       !unreadable && entry != end;
+       entry.increment(unreadable)) {
+    const std::string name = entry->path().filename().string();
     const bool is_found = name == "detections.json" || name == "detections.jsonl";
     if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
       names.push_back(name);
