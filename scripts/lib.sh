@@ -41,7 +41,7 @@ install_packages() {
     return 0
   fi
   for package in $wanted; do
-    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
+    [[ $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) == 'install ok installed'* ]] ||
       missing+=("$package")
   done
   if [ ${#missing[@]} -eq 0 ]; then

@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every name that a Python file uses is one that it has: a name that is left over from a renaming is
-found before the line that uses it runs, which may be the last of ten minutes."""
+"""What would stop a script of ours late or by chance is found without running it.
+
+A name that a Python file uses is one that it has: one left over from a renaming may stand in the last line of ten minutes.
+No program in a pipe of a shell script stops reading before its input ends: the writer dies of a closed pipe if it has
+more to say than the pipe holds, and with `pipefail` the script with it, or not, as the machine's load has it."""
 
 import builtins
+import re
 import symtable
 import sys
 
@@ -12,14 +16,19 @@ import source_tree
 KNOWN = set(dir(builtins)) | {"__file__", "__name__", "__doc__"}
 
 
-def python_files(root):
-    """Python by the ending of its name or by its first line."""
-    for path in source_tree.files(root, ["scripts", "tests"], [""]):
-        if path.suffix == ".py":
+# `grep` with q among its letters or with -m, `sed` with the command q, `head` of lines or bytes.
+STOPS_READING = re.compile(r"(?<!\|)\|\s*(head\b|grep\s+-\w*[qm]|sed\s+(-\w+\s+)*'?[^'|]*\dq)")
+
+
+def files_for(root, program, suffix):
+    """By the ending of their names or by their first lines."""
+    for path in source_tree.files(root, ["scripts", "tests", ".ci"], [""]):
+        if path.suffix == suffix:
             yield path
         elif path.is_file() and not path.suffix:
             with path.open("rb") as file:
-                if b"python" in file.readline():
+                first = file.readline()
+                if first.startswith(b"#!") and program in first:
                     yield path
 
 
@@ -37,20 +46,34 @@ def unknown_names(text, name):
                    if symbol.is_global() and symbol.is_referenced()} - known)
 
 
-def check(root):
+def check_names(root):
     return [f"{path.relative_to(root).as_posix()}: nothing is named {name}"
-            for path in python_files(root) for name in unknown_names(source_tree.read(path), str(path))]
+            for path in files_for(root, b"python", ".py") for name in unknown_names(source_tree.read(path), str(path))]
+
+
+def check_pipes(root):
+    return [f"{path.relative_to(root).as_posix()}:{number}: a program in this pipe stops reading before its input ends"
+            for path in files_for(root, b"bash", ".sh")
+            for number, line in enumerate(source_tree.read(path).splitlines(), 1)
+            if not line.lstrip().startswith("#") and STOPS_READING.search(line)]
+
+
+def check(root):
+    return check_names(root) + check_pipes(root)
 
 
 GOOD = {
     "scripts/report.py": "import sys\n\nLIMIT = 1\n\n\ndef row(value):\n    status = value > LIMIT\n"
                          "    return [f'{status} {len(part)}' for part in sys.argv]\n",
     "scripts/check": "#!/usr/bin/env python3\nprint(__file__)\n",
-    "scripts/build": "#!/usr/bin/env bash\necho \"$1\"\n",
+    "scripts/build": "#!/usr/bin/env bash\n# never: ls | head -n 1\nls | shuf -n 3 | grep x | sed -n 1,2p\nls || head -n 1 list\n",
 }
 BAD = [
     ("old name in a text", {"scripts/report.py": "def row():\n    status = 1\n    return f'{verdict}'\n"}),
     ("a local of another function", {"tests/x.py": "def a():\n    b = 1\n\n\ndef c():\n    return b\n"}),
+    ("head in a pipe", {"scripts/build": "#!/usr/bin/env bash\nls | sort -R | head -n 100 | xargs rm\n"}),
+    ("a quiet grep in a pipe", {"scripts/lib.sh": "ls | grep -iq x\n"}),
+    ("sed that quits", {".ci/run": "#!/usr/bin/env bash\nls |\n  sort | sed -n '1,4p;5q'\n"}),
     ("a module that is not imported", {"scripts/check": "#!/usr/bin/env python3\njson.dumps(1)\n"}),
 ]
 
