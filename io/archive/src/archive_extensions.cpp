@@ -24,6 +24,9 @@ ExtensionEntry new_entry(std::string_view format) {
   if (format == kOctomapFormat) {
     entry.name = "octree";
     entry.file = "octree.ot";
+  } else if (format == kOctreeTwinFormat) {
+    entry.name = "octree_twin";
+    entry.file = "octree.bt";
   } else if (format == kObjectsFormat) {
     entry.name = "objects";
     entry.file = "objects.jsonl";
@@ -65,6 +68,7 @@ class ExtensionReader {
 
   Result<std::vector<Finding>> read() {
     if (entry_.format == kOctomapFormat) return read_octree();
+    if (entry_.format == kOctreeTwinFormat) return leave_octree_twin();
     if (entry_.format == kClassGridFormat) return read_class_grid();
     if (archive_.extension_entries.contains(entry_.format) || already_read()) {
       return fail(ErrorCode::kMalformedFile, "a second '" + entry_.format + "'", owner_);
@@ -107,6 +111,18 @@ class ExtensionReader {
     kept.extra = without_octree_options(kept.extra);
     keep_entry(archive_, std::move(kept));
     return std::move(tree.findings);
+  }
+
+  /// It holds nothing that the octree does not, and is made anew with each archive. Its bytes are
+  /// looked at for their CRC.
+  Result<std::vector<Finding>> leave_octree_twin() {
+    HYPERMAP_TRY(members_.take(entry_.file, owner_, limits_.max_octree_bytes));
+    if (archive_.octree) return std::vector<Finding>{};
+    return std::vector<Finding>{
+        {Severity::kWarning,
+         with_source({.code = ErrorCode::kMalformedFile,
+                      .what = "the octree that it stands for is not there, so it is left out"},
+                     source())}};
   }
 
   Result<std::vector<Finding>> read_class_grid() {
@@ -174,11 +190,16 @@ void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
 
 Result<void> put_octree(WrittenExtensions& written, const MapArchive& archive) {
   if (!archive.octree) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(to_octomap_tree(*archive.octree)));
+  const OctomapTree tree = to_octomap_tree(*archive.octree);
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(tree));
+  HYPERMAP_ASSIGN_OR_RETURN(std::string twin, write_octomap_binary(tree));
   ExtensionEntry entry = entry_of(archive, kOctomapFormat);
   std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
   append_keys(keys, entry.extra);
   entry.extra = make_map(std::move(keys));
+  ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
+  twin_entry.frame_id = entry.frame_id;
+  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(twin)};
   put(written, std::move(entry), std::move(bytes));
   return {};
 }

@@ -9,6 +9,7 @@
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,17 @@ namespace hypermap {
                                                           const std::string& owner,
                                                           const ArchiveLimits& limits);
 
+struct OctreeTwin {
+  ExtensionEntry entry;
+  std::string bytes;
+};
+
 /// All extensions of a map in a fixed order, and their files.
 struct WrittenExtensions {
   std::vector<ExtensionEntry> entries;
   std::vector<OpaqueFile> files;
+  /// Beside those, where no file of the map has its name.
+  std::optional<OctreeTwin> octree_twin = std::nullopt;
 };
 [[nodiscard]] Result<WrittenExtensions> write_extensions(const MapArchive& archive);
 

@@ -30,8 +30,12 @@ constexpr std::array<std::string_view, 3> kTransformKeys{
     "frame_id", "child_frame_id", "transform_pose"};
 constexpr std::array<std::string_view, 5> kExtensionKeys{
     "format", "version", "name", "frame_id", "file"};
-constexpr std::array kLayerFormats{
-    kOctomapFormat, kObjectsFormat, kClassesFormat, kClassGridFormat, kProvenanceFormat};
+constexpr std::array kLayerFormats{kOctomapFormat,
+                                   kOctreeTwinFormat,
+                                   kObjectsFormat,
+                                   kClassesFormat,
+                                   kClassGridFormat,
+                                   kProvenanceFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;
 constexpr std::size_t kMaxFieldBytes = 256;

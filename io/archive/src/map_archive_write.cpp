@@ -8,6 +8,7 @@
 #include "hypermap/io/codec/zip_writer.hpp"
 #include "layers/layer_files.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iterator>
 #include <utility>
@@ -17,6 +18,17 @@ namespace {
 
 void append_files(std::vector<OpaqueFile>& files, std::vector<OpaqueFile> more) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
+}
+
+/// The twin is named after its octree, the first extension; its file comes last and takes no other
+/// file's name.
+void append_twin(HypermapConfig& config, std::vector<OpaqueFile>& files, OctreeTwin twin) {
+  const auto has_its_name = [&twin](const OpaqueFile& file) {
+    return file.name == twin.entry.file;
+  };
+  if (std::any_of(files.begin(), files.end(), has_its_name)) return;
+  files.push_back({.name = twin.entry.file, .bytes = std::move(twin.bytes)});
+  config.extensions.insert(config.extensions.begin() + 1, std::move(twin.entry));
 }
 
 /// The configuration, then the files of layers and extensions in its order, then the rest.
@@ -35,6 +47,7 @@ Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
   config.extensions = std::move(extensions.entries);
   append_files(files, std::move(extensions.files));
   append_files(files, archive.opaque_files);
+  if (extensions.octree_twin) append_twin(config, files, *std::move(extensions.octree_twin));
   files.insert(files.begin(),
                {.name = std::string(kConfigName), .bytes = write_hypermap_config(config)});
   return files;

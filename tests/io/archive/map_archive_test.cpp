@@ -70,7 +70,8 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
                                    "classes.yaml",
                                    "class_grid_0.yaml",
                                    "class_grid_0.png",
-                                   "provenance.yaml"));
+                                   "provenance.yaml",
+                                   "octree.bt"));
   const std::string config = member_of(bytes, "hmap_config.yaml");
   const std::size_t extensions = config.find("extensions:");
   ASSERT_NE(extensions, std::string::npos);

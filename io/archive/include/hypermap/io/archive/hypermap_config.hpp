@@ -35,6 +35,8 @@ struct LayerEntry {
 
 /// Formats of extensions that are read here, all at version 1. `octomap` is any `.ot` or `.bt`.
 inline constexpr std::string_view kOctomapFormat = "octomap";
+/// The occupancy of the semantic octree alone, for OctoMap's own programs; never read back.
+inline constexpr std::string_view kOctreeTwinFormat = "hypermap-octree-twin";
 inline constexpr std::string_view kObjectsFormat = "hypermap-objects";
 inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
