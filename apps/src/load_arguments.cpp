@@ -19,6 +19,12 @@ void LoadArguments::add_to(CLI::App& command) {
   add("--max-edge-tests", sums.max_edge_tests, "of edges, for shapes that cross themselves");
   add("--max-opaque-bytes", sums.max_opaque_bytes, "of members that nothing here reads");
   add("--max-octree-nodes", sums.max_octree_nodes, "of all octrees of an archive");
+  command
+      .add_flag_callback(
+          "--confined",
+          [this] { limits.reach = FileReach::kOwnFolder; },
+          "a configuration or map_server YAML may name files of its own folder alone")
+      ->group("Limits of what is read");
 }
 
 StopCheck stop_when_interrupted() {

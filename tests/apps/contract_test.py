@@ -157,6 +157,21 @@ class Limits(Case):
                 shutil.rmtree(self.folder / "lab", ignore_errors=True)
             self.assertIn(0, outcomes)
 
+    @unittest.skipIf(IS_SANITIZED, "sanitizers reserve addresses")
+    def test_a_picture_without_memory_says_so(self):
+        output = self.folder / "a.png"
+        outcomes = set()
+        for megabytes in range(300, 1500, 60):
+            result = limited("snapshot", self.archive, "--output", output, RLIMIT_AS=megabytes << 20)
+            with self.subTest(megabytes=megabytes):
+                self.assertIn(result.returncode, (0, 3), result.stderr)
+                for reason in ("font", "install"):
+                    self.assertNotIn(reason, result.stderr)
+                self.assertEqual(output.exists(), result.returncode == 0)
+            output.unlink(missing_ok=True)
+            outcomes.add(result.returncode)
+        self.assertEqual(outcomes, {0, 3})
+
 
 class Targets(Case):
     def map_to(self, output, *more):
@@ -216,6 +231,25 @@ class Targets(Case):
         after = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         self.assertEqual(before, after)
         self.assertEqual(run(*mapping, "--output", dataset / "map.hmap").returncode, 0)
+
+    def test_a_strangers_files_may_be_kept_to_their_folder(self):
+        theirs = self.folder / "theirs"
+        theirs.mkdir()
+        (self.folder / "ours.yaml").write_text("- {name: sink, shape: 'POLYGON((0 0,1 0,1 1,0 0))'}\n")
+        (self.folder / "ours.pgm").write_bytes(b"P5 1 1 255\n\0")
+        config, grid = theirs / "map.yaml", theirs / "grid.yaml"
+        config.write_text("layers:\n- {class: SemanticLayer, name: s, frame_id: map, load_file: true, "
+                          "file: ../ours.yaml}\n")
+        grid.write_text("image: ../ours.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                        "occupied_thresh: 0.65\nfree_thresh: 0.2\nmode: trinary\n")
+        for file, field in ((config, "layers[0].file"), (grid, "image")):
+            for command in (["info", file], ["check", file]):
+                with self.subTest(command):
+                    self.assertEqual(run(*command).returncode, 0)
+                    refused = run(*command, "--confined")
+                    self.assertEqual(refused.returncode, 2, refused.stderr)
+                    self.assertIn(field, refused.stdout + refused.stderr)
+                    self.assertIn(f"lies outside {theirs.resolve()}", refused.stdout + refused.stderr)
 
 
 if __name__ == "__main__":

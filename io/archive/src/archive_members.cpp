@@ -19,6 +19,8 @@ Unexpected ArchiveMembers::refusal(const std::string& owner, std::string what) c
 Result<void> ArchiveMembers::check(std::string_view name, const std::string& owner) const {
   const auto checked = check_name(name);
   if (checked) return {};
+  if (checked.error().code == ErrorCode::kIo)
+    return tl::make_unexpected(with_source(checked.error(), source_of(name)));
   return refusal(owner, "leads out of the archive or is no file name: " + checked.error().what);
 }
 
@@ -88,7 +90,8 @@ Result<std::string> FolderMembers::start_of(std::string_view name, std::size_t m
 }
 
 Result<void> FolderMembers::check_name(std::string_view name) const {
-  if (!name.empty() && name.find('\0') == std::string_view::npos) return {};
+  if (!name.empty() && name.find('\0') == std::string_view::npos)
+    return check_reach(reach_, folder_, name);
   return fail(ErrorCode::kMalformedFile, "'" + printable(name) + "'");
 }
 

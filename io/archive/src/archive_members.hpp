@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/codec/file_reach.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
@@ -112,8 +113,10 @@ class ZipMembers final : public ArchiveMembers {
 /// Files of a bare configuration: relative to it, or absolute.
 class FolderMembers final : public ArchiveMembers {
  public:
-  FolderMembers(const std::filesystem::path& config, LoadBudget budget)
-      : ArchiveMembers(config.string(), std::move(budget)), folder_(config.parent_path()) {}
+  FolderMembers(const std::filesystem::path& config, LoadBudget budget, FileReach reach)
+      : ArchiveMembers(config.string(), std::move(budget)),
+        folder_(config.parent_path()),
+        reach_(reach) {}
   [[nodiscard]] SourceName source_of(std::string_view name) const override {
     return {.file = (folder_ / name).string()};
   }
@@ -133,6 +136,7 @@ class FolderMembers final : public ArchiveMembers {
 
  private:
   std::filesystem::path folder_;
+  FileReach reach_;
 };
 
 }  // namespace hypermap

@@ -175,7 +175,7 @@ Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
     HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
     if (is_zip) return read_zip(std::move(source), path.string(), limits, layers, stop);
     HYPERMAP_TRY(expect_configuration(path));
-    FolderMembers members(path, LoadBudget(limits.sums, stop));
+    FolderMembers members(path, LoadBudget(limits.sums, stop), limits.reach);
     return read_all(members, path.filename().string(), path.string(), limits, layers);
   });
 }

@@ -43,13 +43,15 @@ Result<FileSummary> check_image(const std::filesystem::path& path, ImageSize exp
                      {}};
 }
 
-Result<FileSummary> check_map(const std::filesystem::path& path) {
+Result<FileSummary> check_map(const std::filesystem::path& path, const FileCheckOptions& options) {
   constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxTextBytes));
   HYPERMAP_ASSIGN_OR_RETURN(auto metadata, parse_map_metadata(text, SourceName{path.string()}));
   const std::filesystem::path image = path.parent_path() / metadata.value.image;
   std::error_code ec;
-  if (!std::filesystem::exists(image, ec)) {
+  const FileReach reach = options.limits.reach;
+  const bool may_be_read = check_reach(reach, path.parent_path(), metadata.value.image).has_value();
+  if (may_be_read && !std::filesystem::exists(image, ec)) {
     FileSummary out{"map without its image", std::move(metadata.findings)};
     out.findings.push_back({Severity::kWarning,
                             {.code = ErrorCode::kNotFound,
@@ -58,7 +60,7 @@ Result<FileSummary> check_map(const std::filesystem::path& path) {
                              .field = "image"}});
     return out;
   }
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path));
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path, MapDialect::kMapServer, reach));
   const GridGeometry& geometry = loaded.value.grid.geometry();
   return FileSummary{
       "map of " + std::to_string(geometry.cols) + " x " + std::to_string(geometry.rows) + " cells",

@@ -20,7 +20,7 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
     case FileKind::kOctree:
       return check_octree(path);
     case FileKind::kMap:
-      return check_map(path);
+      return check_map(path, options);
     case FileKind::kSemantic:
       return check_semantic(path, options);
     case FileKind::kImage:
@@ -34,7 +34,7 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
     case FileKind::kDetections:
       return check_detections(path);
     case FileKind::kConfig:
-      return check_config(path);
+      return check_config(path, options.limits.reach);
     case FileKind::kDataset:
       return check_dataset(path);
     default:

@@ -23,7 +23,8 @@ struct FileSummary {
                                                 const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_octree(const std::filesystem::path& path);
 /// The description, and the image that it names; one that is absent is a finding.
-[[nodiscard]] Result<FileSummary> check_map(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_map(const std::filesystem::path& path,
+                                            const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_semantic(const std::filesystem::path& path,
                                                  const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_image(const std::filesystem::path& path,
@@ -37,8 +38,8 @@ struct FileSummary {
                                                    ImageSize expected);
 [[nodiscard]] Result<FileSummary> check_detections(const std::filesystem::path& path);
 /// A file of options, or a bare map configuration as text; files that it names and that are absent
-/// are findings.
-[[nodiscard]] Result<FileSummary> check_config(const std::filesystem::path& path);
+/// are findings, those out of reach errors among them.
+[[nodiscard]] Result<FileSummary> check_config(const std::filesystem::path& path, FileReach reach);
 /// A folder, every frame of it, or a description (`dataset.yaml`) as text.
 [[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path);
 

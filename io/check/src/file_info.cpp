@@ -29,8 +29,8 @@ DescribedFile describe_octree(const std::filesystem::path& path) {
   return Loaded<FileInfo>{describe(archive), std::move(loaded.findings)};
 }
 
-DescribedFile describe_map(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path));
+DescribedFile describe_map(const std::filesystem::path& path, FileReach reach) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_map(path, MapDialect::kMapServer, reach));
   MapArchive archive;
   HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "map"}, std::move(loaded.value)}));
   return Loaded<FileInfo>{describe(archive), std::move(loaded.findings)};
@@ -54,7 +54,7 @@ Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
     case FileKind::kOctree:
       return describe_octree(path);
     case FileKind::kMap:
-      return describe_map(path);
+      return describe_map(path, limits.reach);
     default:
       return describe_archive(path, limits, stop);
   }

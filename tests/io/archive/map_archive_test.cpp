@@ -238,6 +238,9 @@ TEST(MapArchive, ABareConfigurationMayNameFilesAnywhereAndIsSavedWithThemInside)
   const auto bytes = write_archive(loaded->value);
   ASSERT_TRUE(bytes) << to_string(bytes.error());
   EXPECT_THAT(member_of(*bytes, "semantic"), HasSubstr("sink"));
+  const auto confined = load_archive(dir / "config" / "map.yaml", {.reach = FileReach::kOwnFolder});
+  ASSERT_FALSE(confined);
+  EXPECT_THAT(to_string(confined.error()), HasSubstr("layers[0].file: leads out of the archive"));
 }
 
 TEST(MapArchive, FilesThatAreNoArchivesAreSaidToBeNone) {

@@ -153,11 +153,17 @@ Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
 }
 
 Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
-                                        MapDialect dialect) {
+                                        MapDialect dialect,
+                                        FileReach reach) {
   const SourceName source{.file = yaml_path.string()};
   HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(yaml_path, YamlLimits{}.max_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(Loaded<MapMetadata> metadata, parse_map_metadata(yaml, source));
-  const std::filesystem::path image_path = yaml_path.parent_path() / metadata.value.image;
+  const std::filesystem::path folder = yaml_path.parent_path();
+  if (auto within = check_reach(reach, folder, metadata.value.image); !within) {
+    within.error().field = "image";
+    return tl::make_unexpected(with_source(std::move(within).error(), source));
+  }
+  const std::filesystem::path image_path = folder / metadata.value.image;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                             read_file(image_path, ImageLimits().max_file_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image,

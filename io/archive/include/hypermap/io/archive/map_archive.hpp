@@ -13,6 +13,7 @@
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/archive/provenance.hpp"
+#include "hypermap/io/codec/file_reach.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
@@ -80,10 +81,11 @@ struct ArchiveLimits {
   std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;   ///< Of an octree.
   std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;  ///< Of our own octree.
   BudgetLimits sums = {};                                    ///< Of all members together.
+  FileReach reach = FileReach::kAnywhere;                    ///< Of a bare configuration.
 };
 
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
-/// anywhere (absolute); distinguished by content.
+/// anywhere (absolute) within `limits.reach`; distinguished by content.
 ///
 /// Everything is parsed aside; what is returned is whole. `layers` are the types of layers that
 /// are loaded; those of other classes are kept as they are.

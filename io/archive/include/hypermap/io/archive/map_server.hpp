@@ -11,6 +11,7 @@
 #include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/codec/file_reach.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/source_name.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
@@ -68,11 +69,12 @@ struct MapMetadata {
                                                             MapDialect dialect,
                                                             const LoadBudget& budget = {});
 
-/// A map on disk; the image is looked for beside the YAML file.
+/// A map on disk; the image is looked for beside the YAML file, within `reach`.
 /// Findings: also an image whose name says that it is another (hashed_image_name).
-/// Errors: those above, of read_image_file, and kIo. Nothing is half loaded.
+/// Errors: those above, of read_image_file and check_reach, and kIo. Nothing is half loaded.
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
-                                                      MapDialect dialect = MapDialect::kMapServer);
+                                                      MapDialect dialect = MapDialect::kMapServer,
+                                                      FileReach reach = FileReach::kAnywhere);
 
 /// The bytes of a map's two files.
 struct MapFiles {
