@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -111,25 +112,35 @@ int status_of(ExitCode code) {
   return signal == 0 ? static_cast<int>(code) : 128 + signal;
 }
 
+/// The status of a run, whatever it throws.
+int run_program(int argc, const char* const* argv) try {
+  return status_of(parse_and_run(argc, argv));
+} catch (const std::bad_alloc&) {
+  std::fprintf(stderr, "hypermap: out of memory\n");
+  return static_cast<int>(ExitCode::kSystem);
+} catch (const std::system_error& error) {  // no thread, no file
+  std::fprintf(stderr, "hypermap: %s\n", error.what());
+  return static_cast<int>(ExitCode::kSystem);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "hypermap: internal error: %s\n", error.what());
+  return static_cast<int>(ExitCode::kInternal);
+}
+
 }  // namespace
 }  // namespace hypermap::app
 
 int main(int argc, char** argv) {
-  using hypermap::app::ExitCode;
   // A reader that goes away and a limit on file sizes are reported by errors, not by signals.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   hypermap::app::watch_interruptions();
-  try {
-    return hypermap::app::status_of(hypermap::app::parse_and_run(argc, argv));
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "hypermap: out of memory\n");
-    return static_cast<int>(ExitCode::kSystem);
-  } catch (const std::system_error& error) {  // no thread, no file
-    std::fprintf(stderr, "hypermap: %s\n", error.what());
-    return static_cast<int>(ExitCode::kSystem);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "hypermap: internal error: %s\n", error.what());
-    return static_cast<int>(ExitCode::kInternal);
-  }
+  const int status = hypermap::app::run_program(argc, argv);
+  std::fflush(nullptr);
+#if defined(HYPERMAP_FINALISERS)
+  return status;
+#else
+  // All is written. What libraries do after main (drivers end threads, compilers free their pools)
+  // may fail where memory is short, and must not become the status of the run.
+  std::_Exit(status);
+#endif
 }

@@ -6,6 +6,7 @@
 //   HYPERMAP_FAULTS_LOG  file that gets a line "<call> <path>" for each of them
 //   HYPERMAP_FAULT       "<number, from 1 on> <errno>", or "<number> kill"; a full disk (ENOSPC)
 //   stays full
+//   HYPERMAP_FAULT_AT_EXIT  set: what libraries do after main() ends in abort()
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -53,6 +54,10 @@ std::string path_of(int descriptor) {
 
 std::string path_of(int folder, const char* name) {
   return name[0] == '/' || folder == AT_FDCWD ? name : path_of(folder) + "/" + name;
+}
+
+[[gnu::destructor]] void fail_at_exit() {
+  if (!environment("HYPERMAP_FAULT_AT_EXIT").empty()) std::abort();
 }
 
 void note(const char* call, const std::string& path) {

@@ -8,6 +8,7 @@ Usage: faults_test.py PROGRAM [unittest args]"""
 
 import functools
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -175,6 +176,22 @@ class Pictures(FaultCase):
             self.skipTest("no EGL here")
         self.check_faults(lambda: (self.out / "a.png").write_bytes(OLD),
                           [*snapshot, self.out / "a.png"], count=SAMPLE // 2)
+
+
+class Finalisers(FaultCase):
+    """Libraries of drivers end threads and free pools after main(), and may fail at that."""
+
+    def test_the_exit_code_is_that_of_the_work(self):
+        env = os.environ | {"LD_PRELOAD": os.environ["HYPERMAP_FAULTS_PRELOAD"], "HYPERMAP_FAULT_AT_EXIT": "1"}
+        archive = Inputs.objects(0.1)
+        picture = self.folder / "a.png"
+        for code, command in ((0, ["--version"]), (0, ["info", archive]), (0, ["snapshot", archive, "--output", picture]),
+                              (2, ["info", picture]), (3, ["info", self.folder / "none.hmap"]), (4, ["unknown"])):
+            with self.subTest(command):
+                ended = run(*command, env=env)
+                self.assertEqual(ended.returncode, code, ended.stderr)
+                self.assertEqual(ended.stdout, run(*command).stdout)
+        self.assertTrue(picture.stat().st_size)
 
 
 class Detections(FaultCase):
