@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_painter.hpp"
 
+#include "rendering/address_space.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
 #include <opencv2/core.hpp>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -48,12 +51,26 @@ cv::Point fine_point(double x_px, double y_px) {
           static_cast<int>(std::lround(y_px * kUnits))};
 }
 
+/// FreeType maps the file and has tables of less than its size beside it; this is ample for both.
+constexpr std::size_t kTimesFontSize = 4;
+
+/// Whether a font could not be loaded for want of memory: FreeType does not say why.
+bool is_short_of_memory_for(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto num_bytes = std::filesystem::file_size(file, unknown);
+  return !unknown && num_bytes > 0 && !has_address_space(kTimesFontSize * num_bytes);
+}
+
+/// None when the file holds no font. Throws std::bad_alloc.
 cv::Ptr<cv::freetype::FreeType2> load_font(const std::filesystem::path& file) {
   try {
     cv::Ptr<cv::freetype::FreeType2> font = cv::freetype::createFreeType2();
     font->loadFontData(file.string(), 0);
     return font;
-  } catch (const cv::Exception&) {
+  } catch (const cv::Exception& exception) {
+    if (exception.code == cv::Error::StsNoMem || is_short_of_memory_for(file)) {
+      throw std::bad_alloc();
+    }
     return nullptr;
   }
 }
@@ -137,7 +154,7 @@ TextPainter::TextPainter(TextPainter&&) noexcept = default;
 TextPainter& TextPainter::operator=(TextPainter&&) noexcept = default;
 TextPainter::~TextPainter() = default;
 
-Result<TextPainter> TextPainter::create(const std::filesystem::path& font_file) {
+Result<TextPainter> TextPainter::create(const std::filesystem::path& font_file) try {
   auto impl = std::make_unique<Impl>();
   if (!font_file.empty()) {
     impl->regular = load_font(font_file);
@@ -152,6 +169,8 @@ Result<TextPainter> TextPainter::create(const std::filesystem::path& font_file) 
   if (impl->bold == nullptr) impl->bold = impl->regular;
   impl->east_asian = find_east_asian_font();
   return TextPainter(std::move(impl));
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::kOutOfMemory, "no memory for a font");
 }
 
 bool TextPainter::can_write(const std::string& text) const {

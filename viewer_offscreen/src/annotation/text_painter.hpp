@@ -28,7 +28,8 @@ struct TextStyle {
 class TextPainter {
  public:
   /// `font_file` empty: DejaVu Sans where systems keep it.
-  /// Errors: kUnavailable naming the places looked at; kNotFound when `font_file` is no font.
+  /// Errors: kUnavailable naming the places looked at; kNotFound when `font_file` is no font;
+  /// kOutOfMemory.
   [[nodiscard]] static Result<TextPainter> create(const std::filesystem::path& font_file);
 
   TextPainter(TextPainter&&) noexcept;

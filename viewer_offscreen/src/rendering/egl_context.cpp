@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/rendering/egl_context.hpp"
 
+#include "address_space.hpp"
 #include "egl_api.hpp"
 
 #include <epoxy/gl.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -16,6 +18,9 @@ namespace {
 
 constexpr std::string_view kRemedy =
     "; install an OpenGL driver (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri libopengl0)";
+
+/// Mesa's llvmpipe and its compiler take 640 MB on two cores, and may crash where they get less.
+constexpr std::size_t kDriverBytes = std::size_t{768} << 20U;
 
 /// A display that may give a context, and how a person would call it.
 struct Candidate {
@@ -193,6 +198,11 @@ EglContext& EglContext::operator=(EglContext&&) noexcept = default;
 EglContext::~EglContext() = default;
 
 Result<EglContext> EglContext::create() {
+  if (!has_address_space(kDriverBytes)) {
+    return fail(ErrorCode::kOutOfMemory,
+                "a driver of OpenGL may take " + std::to_string(kDriverBytes >> 20U) +
+                    " MiB of memory, more than there is or than the process may have");
+  }
   if (const auto libraries = open_gl_libraries(); !libraries) {
     return fail(libraries.error().code,
                 "images need OpenGL through EGL: " + libraries.error().what + std::string(kRemedy));

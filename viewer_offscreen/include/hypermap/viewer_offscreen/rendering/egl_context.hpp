@@ -24,7 +24,8 @@ class EglContext {
  public:
   /// Tries Mesa's surfaceless platform, then each EGL device, then the default display; on each,
   /// OpenGL 4.5 core, then 3.3 core.
-  /// Errors: kUnavailable naming every way tried, what each answered, and what to install.
+  /// Errors: kOutOfMemory when a driver might not find enough; kUnavailable naming every way tried,
+  /// what each answered, and what to install.
   [[nodiscard]] static Result<EglContext> create();
 
   EglContext(EglContext&&) noexcept;
