@@ -1,37 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
+#include "bounds_index.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-namespace bg = boost::geometry;
-using RPoint = bg::model::point<double, 2, bg::cs::cartesian>;
-using RBox = bg::model::box<RPoint>;
-using REntry = std::pair<RBox, std::uint64_t>;
-using RTree = bg::index::rtree<REntry, bg::index::rstar<16>>;  // R*: [hypermap] 2.5.3
 using Ids = std::vector<std::uint64_t>;
-
-RBox to_box(const Rect& rect) {
-  return {{rect.min.x(), rect.min.y()}, {rect.max.x(), rect.max.y()}};
-}
-
-REntry entry_of(const SemanticObject& object) {
-  return {to_box(bounds_of(object)), object.id};
-}
 
 Unexpected invalid(const SemanticObject& object, std::string what, std::string field) {
   Error error{
@@ -110,8 +92,8 @@ Rect bounds_of(const SemanticObject& object) {
 
 struct SemanticLayer::Impl {
   std::vector<SemanticObject> objects;  // ascending ids
-  RTree tree;
-  std::map<std::string, std::set<std::uint64_t>, std::less<>> ids_of_name;  // by canonical name
+  BoundsIndex index;
+  std::set<std::pair<std::string, std::uint64_t>> names;  // canonical names, with ids
 
   auto place(std::uint64_t id) {
     return std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
@@ -120,14 +102,30 @@ struct SemanticLayer::Impl {
     const auto found = std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
     return found != objects.end() && found->id == id ? &*found : nullptr;
   }
+  /// Under which name the object is found. Requires: it is there.
+  [[nodiscard]] auto name_of(const SemanticObject& object) const {
+    return names.find({canonical_class_name(object.name), object.id});
+  }
+  /// Names the object, then changes the index; neither when memory ends. Tells the name's place.
+  template <class Change>
+  auto announce(const SemanticObject& object, const Change& change) {
+    const auto [name, is_new] = names.emplace(canonical_class_name(object.name), object.id);
+    try {
+      change();
+    } catch (...) {
+      if (is_new) names.erase(name);
+      throw;
+    }
+    return name;
+  }
   /// Ids of those whose bounds meet the box and whose shape passes the exact test.
   template <class ExactTest>
-  [[nodiscard]] Ids select(const RBox& box, const ExactTest& meets) const {
+  [[nodiscard]] Ids select(const Rect& rect, const ExactTest& meets) const {
     Ids ids;
-    for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
-      const SemanticObject& object = *find(it->second);
-      if (std::any_of(object.parts.begin(), object.parts.end(), meets)) ids.push_back(object.id);
-    }
+    index.for_each(objects, rect, [&](std::uint64_t id) {
+      const SemanticObject& object = *find(id);
+      if (std::any_of(object.parts.begin(), object.parts.end(), meets)) ids.push_back(id);
+    });
     return sorted(std::move(ids));
   }
 };
@@ -155,12 +153,9 @@ Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects)
       objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
   if (duplicate != objects.end()) return invalid(*duplicate, "is borne by two objects", "id");
   SemanticLayer layer;
-  std::vector<REntry> entries;
-  for (const SemanticObject& object : objects) {
-    entries.push_back(entry_of(object));
-    layer.impl_->ids_of_name[canonical_class_name(object.name)].insert(object.id);
-  }
-  layer.impl_->tree = RTree(entries.begin(), entries.end());
+  for (const SemanticObject& object : objects)
+    layer.impl_->names.emplace(canonical_class_name(object.name), object.id);
+  layer.impl_->index = BoundsIndex(objects);
   layer.impl_->objects = std::move(objects);
   return layer;
 }
@@ -172,28 +167,32 @@ Result<void> SemanticLayer::add(SemanticObject object) {
     return fail(
         ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
   }
-  impl_->tree.insert(entry_of(object));
-  impl_->ids_of_name[canonical_class_name(object.name)].insert(object.id);
-  impl_->objects.insert(impl_->place(object.id), std::move(object));
+  auto& objects = impl_->objects;
+  if (objects.size() == objects.capacity()) objects.reserve(2 * objects.size() + 1);
+  impl_->announce(object, [&] { impl_->index.insert(objects, object); });
+  objects.insert(impl_->place(object.id), std::move(object));
   return {};
 }
 
 Result<void> SemanticLayer::replace(SemanticObject object) {
-  if (find(object.id) == nullptr) {
+  const SemanticObject* const old = find(object.id);
+  if (old == nullptr) {
     return fail(ErrorCode::kNotFound, "no object has the id " + std::to_string(object.id), "id");
   }
   HYPERMAP_TRY(validate(object));
-  erase(object.id);
-  return add(std::move(object));
+  const auto old_name = impl_->name_of(*old);
+  const auto name =
+      impl_->announce(object, [&] { impl_->index.replace(impl_->objects, *old, object); });
+  if (name != old_name) impl_->names.erase(old_name);
+  *impl_->place(object.id) = std::move(object);
+  return {};
 }
 
 bool SemanticLayer::erase(std::uint64_t id) {
   const SemanticObject* object = find(id);
   if (object == nullptr) return false;
-  impl_->tree.remove(entry_of(*object));
-  const auto named = impl_->ids_of_name.find(canonical_class_name(object->name));
-  named->second.erase(id);
-  if (named->second.empty()) impl_->ids_of_name.erase(named);
+  impl_->names.erase(impl_->name_of(*object));
+  impl_->index.remove(impl_->objects, *object);
   impl_->objects.erase(impl_->place(id));
   return true;
 }
@@ -212,13 +211,11 @@ const SemanticObject* SemanticLayer::find(std::uint64_t id) const {
 
 std::vector<std::uint64_t> SemanticLayer::at(const Eigen::Vector2d& point) const {
   if (!point.allFinite()) return {};
-  return impl_->select(to_box({point, point}),
-                       [&](const Polygon& part) { return contains(part, point); });
+  return impl_->select({point, point}, [&](const Polygon& part) { return contains(part, point); });
 }
 
 std::vector<std::uint64_t> SemanticLayer::in(const Polygon& area) const {
-  return impl_->select(to_box(bounds(area)),
-                       [&](const Polygon& part) { return intersects(part, area); });
+  return impl_->select(bounds(area), [&](const Polygon& part) { return intersects(part, area); });
 }
 
 std::vector<std::uint64_t> SemanticLayer::named(std::string_view name) const {
@@ -228,9 +225,14 @@ std::vector<std::uint64_t> SemanticLayer::named(std::string_view name) const {
 }
 
 std::vector<std::uint64_t> SemanticLayer::of_class(std::string_view name) const {
-  const auto found = impl_->ids_of_name.find(canonical_class_name(name));
-  if (found == impl_->ids_of_name.end()) return {};
-  return {found->second.begin(), found->second.end()};
+  const std::string canonical = canonical_class_name(name);
+  Ids ids;
+  for (auto it = impl_->names.lower_bound({canonical, 0});
+       it != impl_->names.end() && it->first == canonical;
+       ++it) {
+    ids.push_back(it->second);
+  }
+  return ids;
 }
 
 bool operator==(const SemanticLayer& a, const SemanticLayer& b) {

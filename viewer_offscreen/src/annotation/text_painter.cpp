@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_painter.hpp"
 
-#include "rendering/address_space.hpp"
 #include "hypermap/core/base/utf8.hpp"
+#include "rendering/address_space.hpp"
 
 #include <opencv2/core.hpp>
 #include <opencv2/freetype.hpp>

@@ -46,7 +46,9 @@ struct SemanticObject {
 [[nodiscard]] Rect bounds_of(const SemanticObject& object);
 
 /// A set of objects with an R-tree over their bounds. A value: copying copies the objects and the
-/// tree. Frame: that of the hypermap layer that holds it.
+/// tree. Frame: that of the hypermap layer that holds it. An edit that fails, also for want of
+/// memory, leaves the layer as it was; one that ended within the tree costs the next questions a
+/// look at all objects.
 ///
 /// As a layer: its string is the object's name, asked for in any spelling of it, its integer the
 /// object's id, its position the centroid.
