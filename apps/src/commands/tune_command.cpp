@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "dataset_arguments.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/segmentation/segmentation_trace.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
+#include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "tables.hpp"
 
@@ -11,6 +13,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -24,7 +27,7 @@ struct TuneArguments {
   std::optional<std::size_t> detection;
   std::optional<std::string> output;
   std::string policy = "foreground";
-  std::optional<std::string> angle_deg;
+  std::optional<double> angle_deg;
   std::optional<std::string> curvature;
   std::optional<std::string> leaf_size_m;
   bool no_outliers = false;
@@ -32,9 +35,15 @@ struct TuneArguments {
 };
 
 constexpr const char* kPolicyOption = "segmentation.policy";
-constexpr const char* kAngleOption = "segmentation.region_growing.angle_threshold_deg";
+constexpr const char* kAngleOption = "segmentation.region_growing.angle_threshold_rad";
 constexpr const char* kCurvatureOption = "segmentation.region_growing.curvature_threshold";
 constexpr const char* kLeafOption = "segmentation.leaf_size_m";
+
+/// As the option's text.
+std::optional<std::string> radians_of(std::optional<double> angle_deg) {
+  if (!angle_deg) return std::nullopt;
+  return number_text(*angle_deg * std::numbers::pi / 180.0);
+}
 
 /// The source's own values for a source's policy, then what was asked for.
 Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) {
@@ -53,7 +62,7 @@ Result<GeometricSegmentationOptions> options_of(const TuneArguments& arguments) 
   }
   HYPERMAP_ASSIGN_OR_RETURN(all,
                             with_flags(std::move(all),
-                                       {{kAngleOption, arguments.angle_deg},
+                                       {{kAngleOption, radians_of(arguments.angle_deg)},
                                         {kCurvatureOption, arguments.curvature},
                                         {kLeafOption, arguments.leaf_size_m}}));
   return all.mapper.objects.segmentation;
@@ -178,7 +187,7 @@ void add_tune_command(CLI::App& program, Action& action) {
       ->check(value_of_option(kPolicyOption))
       ->capture_default_str();
   command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")
-      ->check(value_of_option(kAngleOption));
+      ->check(number_in(0.0, 90.0));
   command.add_option("--curvature", arguments->curvature, "region growing: of points that lead on")
       ->check(value_of_option(kCurvatureOption));
   command.add_option("--leaf-size", arguments->leaf_size_m, "voxel grid, metres; 0 leaves it out")

@@ -12,7 +12,6 @@
 #include <pcl/segmentation/impl/region_growing.hpp>
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
 namespace hypermap {
@@ -101,8 +100,7 @@ std::vector<PointIndices> grow_regions(std::span<const Eigen::Vector3f> points,
   growing.setInputNormals(normals);
   growing.setSearchMethod(tree);
   growing.setNumberOfNeighbours(static_cast<unsigned int>(options.region_neighbours));
-  growing.setSmoothnessThreshold(
-      static_cast<float>(options.angle_threshold_deg * std::numbers::pi / 180.0));
+  growing.setSmoothnessThreshold(static_cast<float>(options.angle_threshold_rad));
   growing.setCurvatureThreshold(static_cast<float>(options.curvature_threshold));
   growing.setMinClusterSize(static_cast<pcl::uindex_t>(options.region_min_points));
   std::vector<pcl::PointIndices> regions;

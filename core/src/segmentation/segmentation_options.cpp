@@ -3,6 +3,7 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 
+#include <numbers>
 #include <string>
 
 namespace hypermap {
@@ -70,13 +71,13 @@ constexpr OptionRow kForegroundRows[] = {
 };
 
 constexpr OptionRow kRegionGrowingRows[] = {
-    option::number<&Growing::angle_threshold_deg>(
-        "angle_threshold_deg",
-        option::above(0, 90),
-        {.unit = "degrees",
-         .source = "[hypermap] 5.2.2",
+    option::number<&Growing::angle_threshold_rad>(
+        "angle_threshold_rad",
+        option::above(0, std::numbers::pi / 2.0),
+        {.unit = "rad",
+         .source = "[hypermap] 5.2.2, 20 degrees",
          .effect = "Largest angle between normals of neighbours.",
-         .hypermap = 20.0}),
+         .hypermap = 20.0 * std::numbers::pi / 180.0}),
     option::number<&Growing::curvature_threshold>(
         "curvature_threshold",
         {0, 1000},

@@ -49,7 +49,7 @@ TEST(Presets, HypermapIsItsText) {
   const ObjectPipelineOptions o = preset(PresetName::kHypermap);
   // [hypermap] 3.4.4, 5.2.2
   EXPECT_EQ(o.segmentation.policy, SegmentationPolicy::kRegionGrowing);
-  EXPECT_DOUBLE_EQ(o.segmentation.region_growing.angle_threshold_deg, 20.0);
+  EXPECT_DOUBLE_EQ(o.segmentation.region_growing.angle_threshold_rad, 0.3490658503988659);
   EXPECT_DOUBLE_EQ(o.segmentation.region_growing.curvature_threshold, 1.0);
   // [hypermap] 3.4.5
   EXPECT_EQ(o.association.policy, AssociationPolicy::kOverlap);

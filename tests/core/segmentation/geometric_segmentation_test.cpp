@@ -212,7 +212,7 @@ TEST(SegmentationPresets, AreThoseOfTheSources) {
   EXPECT_EQ(smap.depth_slack_m, 0.2);
   const GeometricSegmentationOptions hypermap = hypermap_segmentation();  // [hypermap] 5.2.2
   EXPECT_EQ(hypermap.policy, SegmentationPolicy::kRegionGrowing);
-  EXPECT_EQ(hypermap.region_growing.angle_threshold_deg, 20.0);
+  EXPECT_DOUBLE_EQ(hypermap.region_growing.angle_threshold_rad, 0.3490658503988659);  // 20 degrees
   EXPECT_EQ(hypermap.region_growing.curvature_threshold, 1.0);
   for (const auto& options : {smap, hypermap, GeometricSegmentationOptions{}}) {
     EXPECT_TRUE(validate(options).has_value());
@@ -233,8 +233,8 @@ TEST(SegmentationRules, NameTheBrokenField) {
   options.foreground.plane_min_share = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(validate(options).error().field, "foreground.plane_min_share");
   options = {};
-  options.region_growing.angle_threshold_deg = 0.0;
-  EXPECT_EQ(validate(options).error().field, "region_growing.angle_threshold_deg");
+  options.region_growing.angle_threshold_rad = 0.0;
+  EXPECT_EQ(validate(options).error().field, "region_growing.angle_threshold_rad");
   options = {};
   options.cluster_max_points = 10;
   EXPECT_EQ(validate(options).error().field, "cluster_max_points");

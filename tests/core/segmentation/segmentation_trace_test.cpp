@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace hypermap {
 namespace {
@@ -67,7 +68,7 @@ TEST(SegmentationTrace, ShowsMoreAndSmallerRegionsAtThreeDegreesThanAtTwenty) {
   const SceneView view = corner_view();
   GeometricSegmentationOptions options = hypermap_segmentation();
   const auto regions_of = [&](double angle_deg) {
-    options.region_growing.angle_threshold_deg = angle_deg;
+    options.region_growing.angle_threshold_rad = angle_deg * std::numbers::pi / 180.0;
     return trace_segmentation(view.frame, the_box(view), options).steps.at(2);
   };
   const SegmentationStep coarse = regions_of(20.0);

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/wkt.hpp"
 
-#include <array>
-#include <charconv>
+#include "hypermap/core/base/number_text.hpp"
+
 #include <cstddef>
 #include <string>
 
 namespace hypermap {
 namespace {
 
-std::string number(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return std::string(digits.data(), end.ptr);
-}
-
 void append_ring(std::string& out, const Ring& ring) {
   out += "(";
   for (const Eigen::Vector2d& point : ring)
-    out += number(point.x()) + " " + number(point.y()) + ",";
-  out += number(ring.front().x()) + " " + number(ring.front().y()) + ")";
+    out += number_text(point.x()) + " " + number_text(point.y()) + ",";
+  out += number_text(ring.front().x()) + " " + number_text(ring.front().y()) + ")";
 }
 
 void append_polygon(std::string& out, const Polygon& polygon) {

@@ -11,6 +11,7 @@
 #include "hypermap/core/segmentation/segment.hpp"
 
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -74,8 +75,8 @@ struct ForegroundOptions {
 
 /// Policy `kRegionGrowing`.
 struct RegionGrowingOptions {
-  /// Largest angle between normals of neighbours of one region, theta_th. Unit: degree.
-  double angle_threshold_deg = 20.0;
+  /// Largest angle between normals of neighbours of one region, theta_th. Unit: radian.
+  double angle_threshold_rad = 20.0 * std::numbers::pi / 180.0;
   /// Points of less curvature hand the region on, c_th. No unit.
   double curvature_threshold = 1.0;
   /// Points around a point that its normal is fitted to. Not in the source.
