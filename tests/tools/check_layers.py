@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Includes follow the arrows that the CMake files declare between libraries and rooms, every declared arrow is used, the
-drawing in ARCHITECTURE.md has the same arrows, and third-party headers stay where they belong. `--arrows` prints the arrows."""
+drawing in ARCHITECTURE.md has the same arrows, third-party headers stay where they belong, and a library links what its
+sources include. `--arrows` prints the arrows."""
 
 import collections
 import re
@@ -11,20 +12,33 @@ import source_tree
 
 # Third-party headers that any public header may include.
 PUBLIC_EVERYWHERE = ("Eigen/", "tl/expected.hpp")
-# Third-party headers of the sources of these libraries only.
-SOURCES_IN = {
-    "pcl/": ("core",),
-    "octomap/": (),  # the oracle of tests only
-    "embree3/": ("octree_semantic", "simulator"),
-    "opencv2/": ("detector", "viewer_offscreen"),
-    "yaml-cpp/": ("codec",),
-    "zlib.h": ("codec",),
-    "png.h": ("codec",),
-    "jpeglib.h": ("codec",),
-    "nlohmann/": ("exports", "jobs", "apps"),
-    "epoxy/": ("viewer_offscreen",),
-    "CLI/": ("apps",),
+# Third-party headers: the target that their includer links, and the libraries whose sources may include them.
+ANYWHERE = None
+THIRD_PARTY = {
+    "Eigen/": ("Eigen3::Eigen", ANYWHERE),
+    "tl/expected.hpp": ("tl::expected", ANYWHERE),
+    "boost/": ("Boost::headers", ANYWHERE),
+    "tbb/": ("TBB::tbb", ANYWHERE),
+    "pcl/": ("PclLite::pcl", ("core",)),
+    "octomap/": ("octomap", ()),  # the oracle of tests only
+    "embree3/": ("embree", ("octree_semantic", "simulator")),
+    "hwy/": ("hwy::hwy", ("octree_semantic",)),
+    "opencv2/core": ("opencv_core", ("detector", "viewer_offscreen")),
+    "opencv2/dnn": ("opencv_dnn", ("detector",)),
+    "opencv2/freetype": ("opencv_freetype", ("viewer_offscreen",)),
+    "opencv2/imgproc": ("opencv_imgproc", ("detector", "viewer_offscreen")),
+    "yaml-cpp/": ("yaml-cpp", ("codec",)),
+    "zlib.h": ("ZLIB::ZLIB", ("codec",)),
+    "png.h": ("PNG::PNG", ("codec",)),
+    "jpeglib.h": ("JPEG::JPEG", ("codec",)),
+    "jerror.h": ("JPEG::JPEG", ("codec",)),
+    "nlohmann/": ("nlohmann_json::nlohmann_json", ("exports", "jobs", "apps")),
+    "epoxy/": ("epoxy", ("viewer_offscreen",)),
+    "xxhash.h": ("XxHash::headers", ("archive",)),
+    "CLI/": ("CLI11::CLI11", ("apps",)),
 }
+# Of the C library.
+SYSTEM = re.compile(r"^(dirent|dlfcn|fcntl|poll|unistd|sys/\w+)\.h$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"^[a-z_0-9]+$")
@@ -42,6 +56,8 @@ class Library:
         self.name, self.folder = name, folder
         self.public = set(OURS.findall(sections.get("PUBLIC_LINK", "")))
         self.private = set(OURS.findall(sections.get("PRIVATE_LINK", "")))
+        links = sections.get("PUBLIC_LINK", "") + " " + sections.get("PRIVATE_LINK", "")
+        self.links = set(links.replace("$<BUILD_INTERFACE:", " ").replace(">", " ").split())
         self.rooms = {}
         for room in re.findall(r'"([^"]+)"', sections.get("ROOMS", "")):
             source, _, targets = room.partition("->")
@@ -114,11 +130,28 @@ def public_problem(bracket, target):
     return f"third-party header in a public header: {target}"
 
 
-def source_problem(library, target):
-    for prefix, owners in SOURCES_IN.items():
-        if target.startswith(prefix) and library.name not in owners:
+def linked(library, known):
+    """Targets that a library links, through the public links of others too."""
+    found = set(library.links)
+    for name in OURS.findall(" ".join(library.links)):
+        if name in known:
+            found |= linked(known[name], known)
+    return found
+
+
+def source_problem(library, bracket, target, known):
+    """Of a third-party header: its place, and whether its target is linked."""
+    if bracket == '"' or STANDARD.match(target) or SYSTEM.match(target):
+        return None
+    for prefix, (needed, owners) in THIRD_PARTY.items():
+        if not target.startswith(prefix):
+            continue
+        if owners is not ANYWHERE and library.name not in owners:
             return f"{target} belongs to {', '.join(owners) or 'tests'} only"
-    return None
+        is_public = target.startswith(PUBLIC_EVERYWHERE)
+        links = linked(library, known) if is_public else library.links
+        return None if needed in links else f"{library.name} includes {target} and does not link {needed}"
+    return f"{target} is of no third-party package that is known here"
 
 
 class Findings:
@@ -128,7 +161,7 @@ class Findings:
 
 def check_include(findings, known, library, name, line, match):
     bracket, target = match.groups()
-    found = [source_problem(library, target)]
+    found = [source_problem(library, bracket, target, known)]
     if ".." in target.split("/"):
         found.append(f"relative include {target}")
     if "/include/" in name:
@@ -211,7 +244,8 @@ def print_arrows(root):
 
 
 GOOD = {
-    "core/CMakeLists.txt": 'hypermap_add_module(core SOURCES a.cpp ROOMS "base" "objects -> base" PUBLIC_LINK Eigen3::Eigen)\n',
+    "core/CMakeLists.txt": 'hypermap_add_module(core SOURCES a.cpp ROOMS "base" "objects -> base" PUBLIC_LINK Eigen3::Eigen '
+                           'PRIVATE_LINK $<BUILD_INTERFACE:PclLite::pcl>)\n',
     "projection/CMakeLists.txt": "hypermap_add_module(projection SOURCES a.cpp PUBLIC_LINK hypermap::core)\n",
     "io/codec/CMakeLists.txt": "hypermap_add_module(codec SOURCES a.cpp\n  PRIVATE_LINK hypermap::core)\n",
     "ARCHITECTURE.md": "text\n\n    projection -> core\n    codec -> core\n",
@@ -237,6 +271,8 @@ BAD = [
     ("a drawing that is not the code's", {"ARCHITECTURE.md": "    projection -> core\n    codec -> core, projection\n"}),
     ("PCL in public", {"core/include/hypermap/core/base/x.hpp": "#include <pcl/point_types.h>\n"}),
     ("PCL outside core", {"io/codec/src/x.cpp": "#include <pcl/point_types.h>\n"}),
+    ("a package that is not linked", {"core/src/base/x.cpp": "#include <boost/geometry.hpp>\n"}),
+    ("a package that nobody knows", {"core/src/base/x.cpp": "#include <lz4.h>\n"}),
     ("private header in public", {"core/include/hypermap/core/base/x.hpp": '#include "x_detail.hpp"\n'}),
     ("upward path", {"core/src/base/x.cpp": '#include "../secret.hpp"\n'}),
 ]
