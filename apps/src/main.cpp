@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "interruption.hpp"
@@ -75,7 +76,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   program.fallthrough();
   CommonOptions common;
   program.add_option("--progress", common.progress, "when to show progress on stderr")
-      ->transform(CLI::IsMember({"auto", "always", "never"}, CLI::ignore_case))
+      ->transform(one_of({"auto", "always", "never"}))
       ->capture_default_str();
 
   Action action;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_flags.hpp"
 
-#include "hypermap/core/base/preset_name.hpp"
+#include "choices.hpp"
 #include "number_lists.hpp"
 
 #include <CLI/Validators.hpp>
@@ -44,6 +44,12 @@ CLI::Validator value_of_option(const std::string& name) {
   return {check, range_with_unit(option.range, option.unit), name};
 }
 
+CLI::Validator choice_of_option(const std::string& name) {
+  const OptionDescription option = description_of(name);
+  assert(!option.choices.empty());
+  return one_of(option.choices);
+}
+
 std::string default_of_option(const std::string& name) {
   return description_of(name).value;
 }
@@ -60,11 +66,6 @@ CLI::Validator value_of_field(const OptionTable& table, std::string_view name) {
     return checked ? std::string() : checked.error().what;
   };
   return {check, range_with_unit(to_string(row.range), row.unit), std::string(name)};
-}
-
-CLI::Validator name_of_preset() {
-  const auto names = preset_names();
-  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()), CLI::ignore_case);
 }
 
 Result<MapOptions> with_flags(MapOptions options, std::initializer_list<OptionFlag> flags) {

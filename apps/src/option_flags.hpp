@@ -19,15 +19,16 @@ namespace hypermap::app {
 /// Accepts what an options file may say of the option `name`. Requires: there is one.
 [[nodiscard]] CLI::Validator value_of_option(const std::string& name);
 
+/// For `transform`: one_of the names of the option `name`.
+/// Requires: there is one, and it is a choice.
+[[nodiscard]] CLI::Validator choice_of_option(const std::string& name);
+
 /// What a map's option is unless it is set, for the help of its flag. Requires: there is one.
 [[nodiscard]] std::string default_of_option(const std::string& name);
 
 /// Accepts a number that the field `name` of a struct with this table may hold.
 /// Requires: the table has a count or number of that name in itself, not in a section.
 [[nodiscard]] CLI::Validator value_of_field(const OptionTable& table, std::string_view name);
-
-/// Accepts the name of a preset.
-[[nodiscard]] CLI::Validator name_of_preset();
 
 /// What a command line says of an option, if anything.
 struct OptionFlag {

@@ -143,6 +143,9 @@ class Names(Case):
         for arguments in (["QUERY", self.archive, "--Layer", "Occupancy", "--STRING", "free"],
                           ["info", self.archive, "--JSON"], ["config", "--preset", "SMAP"],
                           ["export", self.archive, "--format", "OctoMap", "--output", self.folder / "a.ot"],
+                          ["export", self.archive, "--format", "Color OctoMap", "--output", self.folder / "c.ot"],
+                          ["map", "--input", self.dataset, "--output", self.folder / "b.hmap", "--mode", "Discretize",
+                           "--up", "-Y"],
                           ["check", "--as", "Archive", self.archive]):
             with self.subTest(arguments):
                 result = run(*arguments)
@@ -150,13 +153,49 @@ class Names(Case):
 
     def test_the_nearest_name_is_told(self):
         output = ["--output", self.folder / "x"]
-        for arguments, status, told in ((["export", self.archive, "--format", "plyy", *output], 4, '"ply"'),
-                                        (["snapshot", self.archive, "--layers", "voxel", *output], 4, '"voxels"'),
-                                        (["query", self.archive, "--layer", "ocupancy", "--at", "0,0"], 2, '"occupancy"')):
+        mapping = ["map", "--input", self.dataset, *output]
+        query = ["query", self.archive, "--layer"]
+        for arguments, status, told in (
+                ([*mapping, "--preset", "Hypermpa"], 4, "hypermap"), (["config", "--preset", "smpa"], 4, "smap"),
+                ([*mapping, "--mode", "projectiv"], 4, "projective"), ([*mapping, "--up", "flor"], 4, "floor"),
+                ([*mapping, "--progress", "nver"], 4, "never"),
+                (["tune", "--input", self.dataset, "--frame", "0", "--policy", "foregrund"], 4, "foreground"),
+                (["simulate", *output, "--detector", "noizy"], 4, "noisy"),
+                (["simulate", *output, "--scene", "labratory"], 2, "laboratory"),
+                (["check", self.archive, "--as", "archiv"], 4, "archive"),
+                (["export", self.archive, "--format", "geojsn", *output], 4, "geojson"),
+                (["export", self.archive, "--format", "ros-map", "--layer", "ocupancy", *output], 2, "occupancy"),
+                (["snapshot", self.archive, "--layers", "voxel", *output], 4, "voxels"),
+                (["snapshot", self.archive, "--view", "topp", *output], 4, "top"),
+                (["eval", "--map", self.archive, "--truth", self.archive, "--layer", "semantc"], 2, "semantic"),
+                ([*query, "ocupancy", "--at", "0,0"], 2, "occupancy"),
+                ([*query, "octree", "--at", "0,0", "--frame", "mpa"], 2, "map"),
+                (["query", self.archive, "--nearest", "chair", "--at", "0,0", "--frame", "mpa"], 2, "map"),
+                ([*query, "occupancy", "--string", "Fre"], 0, "Free")):
             with self.subTest(arguments):
                 result = run(*arguments)
-                self.assertEqual(result.returncode, status)
-                self.assertIn("did you mean " + told, result.stderr)
+                self.assertEqual(result.returncode, status, result.stderr)
+                self.assertIn(f'did you mean "{told}"?', result.stderr)
+        self.assert_names()
+
+    def test_options_files_and_descriptions_tell_the_nearest_choice(self):
+        config = self.folder / "options.yaml"
+        for text, told in (("preset: smpa", "smap"), ("integration: {mode: exat}", "exact")):
+            config.write_text(text + "\n")
+            refused = run("check", "--as", "config", config)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(f'did you mean "{told}"?', refused.stdout)
+
+    def test_a_name_that_is_far_from_all_choices_lists_them(self):
+        result = run("config", "--preset", "garden")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn('--preset: must be one of default, smap, hypermap, is "garden"\n', result.stderr)
+        axis = run("map", "--input", self.dataset, "--output", self.folder / "x", "--up", "_x")
+        self.assertEqual(axis.returncode, 4, "x or -x?")
+
+    def test_a_state_of_space_that_is_nowhere_is_no_unknown_class(self):
+        free = run("query", self.archive, "--layer", "occupancy", "--string", "free", "--area", "90 90,91 90,91 91")
+        self.assertEqual((free.returncode, free.stderr), (0, ""))
 
     def test_an_empty_export_says_so(self):
         result = run("export", self.archive, "--format", "geojson", "--output", self.folder / "a.local.geojson")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
 #include "hypermap/io/check/file_check.hpp"
 #include "interruption.hpp"
@@ -52,16 +53,11 @@ ExitCode check_and_print(const std::string& file, const FileCheckOptions& option
 
 void add_check_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<CheckArguments>();
-  const std::vector<std::string> kinds(file_kind_names().begin(), file_kind_names().end());
   CLI::App& command =
       *program.add_subcommand("check", "Check any file of a kind that is read here");
   command.add_option("files", arguments->files, "files, or folders of datasets")->required();
-  command
-      .add_option("--as",
-                  arguments->kind,
-                  "archive octree map image depth semantic trajectory intrinsics detections config "
-                  "dataset (default: found by content)")
-      ->transform(CLI::IsMember(kinds, CLI::ignore_case));
+  command.add_option("--as", arguments->kind, "what the files are (default: found by content)")
+      ->transform(one_of(file_kind_names()));
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT that images must have");
   command.add_flag("--strict", arguments->strict, "findings are errors");
   arguments->load.add_to(command);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
+#include "hypermap/core/base/preset_name.hpp"
 #include "hypermap/io/options/options_file.hpp"
-#include "option_flags.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +56,7 @@ void add_config_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand(
       "config", "Every option as a file for --config: value, unit, range, source, effect");
   command.add_option("--preset", arguments->preset, "whose values")
-      ->transform(name_of_preset())
+      ->transform(one_of(preset_names()))
       ->capture_default_str();
   command.add_option("--config", arguments->file, "an options file to complete");
   command.add_flag("--json", arguments->json, "one JSON document");

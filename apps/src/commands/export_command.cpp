@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
@@ -41,11 +42,9 @@ void add_export_command(CLI::App& program, Action& action) {
   CLI::App& command =
       *program.add_subcommand("export", "A map in the forms that other programs read");
   command.add_option("file", arguments->file, "archive or configuration")->required();
-  command
-      .add_option("--format",
-                  arguments->format,
-                  "ros-map, class-grids, octomap, color-octomap, ply or geojson")
-      ->required();
+  command.add_option("--format", arguments->format, "of the output")
+      ->required()
+      ->transform(one_of(export_format_names()));
   command
       .add_option("--output",
                   arguments->request.output,
@@ -63,19 +62,18 @@ void add_export_command(CLI::App& program, Action& action) {
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
                  "hypermap export lab.hmap --format ply --class chair --output chairs.ply"});
   command.callback([arguments, &action] {
-    const auto format = parse_export_format(arguments->format);
-    if (!format) throw CLI::ValidationError("export", to_string(format.error()));
+    const auto format = parse_export_format(arguments->format).value();
     const auto& output = arguments->request.output;
-    const bool is_ros_map = *format == ExportFormat::kRosMap;
+    const bool is_ros_map = format == ExportFormat::kRosMap;
     keep_apart("--output",
                is_ros_map ? ros_map_yaml(output) : output,
                {arguments->file, arguments->palette});
-    if (*format == ExportFormat::kGeojson &&
+    if (format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",
                                  "must end in .local.geojson: it is in metres of the map");
     }
-    arguments->request.format = *format;
+    arguments->request.format = format;
     action = [arguments] {
       const auto written = run(*arguments);
       if (!written) return report(written.error());

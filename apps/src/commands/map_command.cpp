@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -200,14 +201,14 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--preset",
                   arguments.preset,
                   "where options start from; hypermap takes a second or more a frame")
-      ->transform(name_of_preset())
+      ->transform(one_of(preset_names()))
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
   command
       .add_option("--mode",
                   arguments.mode,
                   "what frees space: every ray, one per voxel, or projection (default)")
-      ->check(value_of_option("integration.mode"));
+      ->transform(choice_of_option("integration.mode"));
   command
       .add_option("--resolution",
                   arguments.resolution_m,
@@ -221,7 +222,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       ->check(value_of_option("integration.max_range_m"));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
-      ->transform(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z", "floor"}, CLI::ignore_case));
+      ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));
   command
       .add_option("--transient",
                   arguments.transient,

@@ -10,6 +10,7 @@
 #include <CLI/Validators.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -150,13 +151,17 @@ ExitCode report_refusal(Error error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
-/// Nothing was found: the name may be misspelt.
-void print_hint(const MapArchive& archive, const std::string& text) {
-  if (archive.classes.find(text)) return;
+/// Nothing was found: the name may be misspelt. The states of space are no names of objects.
+void print_hint(const MapArchive& archive, const MapQuery& query) {
+  const std::string& text = *query.text;
+  std::vector<std::string> names(archive.classes.names().begin(), archive.classes.names().end());
+  if (query.layer != kObjectsLayer) names.insert(names.end(), {"Free", "Occupied", "Unknown"});
+  const auto is_said = [&](const std::string& name) { return is_spelling_of(name, text); };
+  if (archive.classes.find(text) || std::ranges::any_of(names, is_said)) return;
   std::fprintf(stderr,
                "query: no class of this map is called \"%s\"%s\n",
                printable(text).c_str(),
-               did_you_mean(text, archive.classes.names()).c_str());
+               did_you_mean(text, names).c_str());
 }
 
 ExitCode run(const QueryRequest& request) {
@@ -170,7 +175,7 @@ ExitCode run(const QueryRequest& request) {
   } else {
     print_table(*answers);
   }
-  if (answers->found.empty() && request.query.text) print_hint(loaded->value, *request.query.text);
+  if (answers->found.empty() && request.query.text) print_hint(loaded->value, request.query);
   return ExitCode::kDone;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
 #include "command.hpp"
 #include "data_dir.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
@@ -65,7 +66,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--detector", arguments->detector, "how well it sees")
-      ->transform(CLI::IsMember({"perfect", "noisy"}, CLI::ignore_case))
+      ->transform(one_of({"perfect", "noisy"}))
       ->capture_default_str();
   command
       .add_option("--pose-noise", arguments->simulation.pose_noise, "drift of the recorded poses")

@@ -184,7 +184,7 @@ void add_tune_command(CLI::App& program, Action& action) {
   command
       .add_option(
           "--policy", arguments->policy, "how objects are separated from their surroundings")
-      ->check(value_of_option(kPolicyOption))
+      ->transform(choice_of_option(kPolicyOption))
       ->capture_default_str();
   command.add_option("--angle", arguments->angle_deg, "region growing: degrees between normals")
       ->check(number_in(0.0, 90.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/nearest_name.hpp"
 
+#include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
 #include <algorithm>
@@ -38,6 +39,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) {
+    text.append(text.empty() ? "" : ", ").append(printable(name));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view name,
@@ -62,6 +71,25 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
 std::string did_you_mean(std::string_view name, std::span<const std::string> known) {
   const std::vector<std::string_view> views(known.begin(), known.end());
   return did_you_mean(name, views);
+}
+
+std::string not_one_of(std::string_view name, std::span<const std::string_view> choices) {
+  return "must be one of " + listed(choices) + ", is \"" + printable(name) + "\"" +
+         did_you_mean(name, choices);
+}
+
+std::string not_one_of(std::string_view name, std::span<const std::string> choices) {
+  const std::vector<std::string_view> views(choices.begin(), choices.end());
+  return not_one_of(name, views);
+}
+
+std::string nothing_named(std::string_view kind,
+                          std::string_view name,
+                          std::span<const std::string> known) {
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  return "no " + std::string(kind) + " is named \"" + printable(name) + "\"" +
+         did_you_mean(name, views) + " (there are: " + (known.empty() ? "none" : listed(views)) +
+         ")";
 }
 
 }  // namespace hypermap

@@ -6,6 +6,7 @@
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,11 +60,26 @@ std::string conditions_of(const MapQuery& query, const ClassRegistry& classes) {
   return text;
 }
 
+/// A frame is known when a layer or a transform has it.
+Result<void> check_frame(const MapArchive& archive, const std::string& frame_id) {
+  if (frame_id.empty()) return {};
+  std::set<std::string> known;
+  for (const Layer& layer : archive_layers(archive)) known.insert(layer.info.frame_id);
+  for (const FrameTransform& transform : archive.hypermap.frames().transforms()) {
+    known.insert(transform.frame_id);
+    known.insert(transform.child_frame_id);
+  }
+  if (known.contains(frame_id)) return {};
+  const std::vector<std::string> names(known.begin(), known.end());
+  return fail(ErrorCode::kNotFound, nothing_named("frame", frame_id, names), "frame_id");
+}
+
 }  // namespace
 
 Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, query.layer));
   if (layer.content->is_flat()) HYPERMAP_TRY(check_flat(query));
+  HYPERMAP_TRY(check_frame(archive, query.frame_id));
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto found,
       query_layer(layer,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/dataset_description.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -67,12 +69,12 @@ Result<Value> choose(const YamlNode& root,
   const auto node = root.find(key);
   if (!node) return fallback;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node->as_string());
-  std::string names;
+  std::vector<std::string_view> names;
   for (const Choice<Value>& choice : choices) {
     if (choice.name == text) return choice.value;
-    names += (names.empty() ? "" : ", ") + std::string(choice.name);
+    names.push_back(choice.name);
   }
-  return Unexpected(node->error("must be one of " + names + ", is " + printable(text)));
+  return Unexpected(node->error(not_one_of(text, names)));
 }
 
 /// A path that stays in the folder.

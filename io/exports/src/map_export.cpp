@@ -4,6 +4,7 @@
 #include "export_parts.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -11,13 +12,9 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormats{
-    {{"ros-map", ExportFormat::kRosMap},
-     {"class-grids", ExportFormat::kClassGrids},
-     {"octomap", ExportFormat::kOctomap},
-     {"color-octomap", ExportFormat::kColorOctomap},
-     {"ply", ExportFormat::kPly},
-     {"geojson", ExportFormat::kGeojson}}};
+/// In the order of the enumerators.
+constexpr std::array<std::string_view, 6> kExportFormats{
+    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson"};
 
 /// What a format does without.
 Result<void> check_request(const ExportRequest& request) {
@@ -46,18 +43,16 @@ Result<void> check_suffix(const ExportRequest& request) {
 
 }  // namespace
 
+std::span<const std::string_view> export_format_names() {
+  return kExportFormats;
+}
+
 Result<ExportFormat> parse_export_format(std::string_view name) {
-  std::string known;
-  std::vector<std::string_view> names;
-  for (const auto& [known_name, format] : kExportFormats) {
-    if (is_spelling_of(known_name, name)) return format;
-    known += (known.empty() ? "" : ", ") + std::string(known_name);
-    names.push_back(known_name);
-  }
-  return fail(
-      ErrorCode::kInvalidArgument,
-      "must be one of " + known + ", is '" + printable(name) + "'" + did_you_mean(name, names),
-      "--format");
+  const auto found = std::ranges::find_if(
+      kExportFormats, [&](std::string_view known) { return is_spelling_of(known, name); });
+  if (found != kExportFormats.end())
+    return static_cast<ExportFormat>(found - kExportFormats.begin());
+  return fail(ErrorCode::kInvalidArgument, not_one_of(name, kExportFormats), "--format");
 }
 
 Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,

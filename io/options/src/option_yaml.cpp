@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_yaml.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 
 #include <algorithm>
@@ -42,7 +43,9 @@ Result<double> chosen(const OptionRow& row, const YamlNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
   const auto found = std::find(row.choices.begin(), row.choices.end(), text);
   if (found != row.choices.end()) return static_cast<double>(found - row.choices.begin());
-  return Unexpected(node.error("must be one of " + range_text(row) + ", is " + printable(text)));
+  std::vector<std::string_view> names(row.choices.begin(), row.choices.end());
+  if (row.may_be_none) names.push_back(kNone);
+  return Unexpected(node.error(not_one_of(text, names)));
 }
 
 Result<double> scalar(const OptionRow& row, const YamlNode& node) {

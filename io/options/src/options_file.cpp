@@ -82,11 +82,7 @@ Result<void> set_option(MapOptions& options, std::string_view name, std::string_
 Result<ObjectPipelineOptions> preset_from(const YamlNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, node.as_string());
   if (const auto name = preset_of(text)) return preset(*name);
-  std::string names;
-  for (const std::string_view name : preset_names()) {
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  }
-  return Unexpected(node.error("must be one of " + names + ", is " + printable(text)));
+  return Unexpected(node.error(not_one_of(text, preset_names())));
 }
 
 std::string comment_of(const OptionRow& row) {
@@ -127,6 +123,7 @@ std::vector<OptionDescription> describe_options(const MapOptions& options) {
                    .value = yaml_text(option),
                    .unit = std::string(row.unit),
                    .range = range_text(row),
+                   .choices = {row.choices.begin(), row.choices.end()},
                    .source = std::string(row.source),
                    .effect = std::string(row.effect)});
   }

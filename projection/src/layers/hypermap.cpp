@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/hypermap.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/utf8.hpp"
 #include "hypermap/projection/layers/layer_members.hpp"
 
@@ -120,12 +121,10 @@ const Layer* Hypermap::find(std::string_view name) const {
 
 Result<const Layer*> Hypermap::at(std::string_view name) const {
   if (const Layer* found = find(name)) return found;
-  std::string known;
-  for (const Layer& layer : layers_) known += (known.empty() ? "" : ", ") + layer.info.name;
-  return fail(
-      ErrorCode::kNotFound,
-      "no layer is named " + printable(name) + "; there are: " + (known.empty() ? "none" : known),
-      "layer");
+  std::vector<std::string> known;
+  known.reserve(layers_.size());
+  for (const Layer& layer : layers_) known.push_back(layer.info.name);
+  return fail(ErrorCode::kNotFound, nothing_named("layer", name, known), "layer");
 }
 
 }  // namespace hypermap

@@ -35,5 +35,21 @@ TEST(NearestName, AHintIsPutAfterWhatIsSaid) {
   EXPECT_EQ(did_you_mean("unicorn", known), "");
 }
 
+TEST(NotOneOf, NamesAllChoicesWhatWasSaidAndTheNearest) {
+  EXPECT_EQ(
+      not_one_of("tabel", kKnown),
+      "must be one of chair, table, stable, Dining Table, is \"tabel\", did you mean \"table\"?");
+  const std::vector<std::string> known{"a\tb"};
+  EXPECT_EQ(not_one_of("c\nd", known), "must be one of a\\x09b, is \"c\\x0ad\"");
+}
+
+TEST(NothingNamed, TellsTheNearestAndWhatThereIs) {
+  const std::vector<std::string> known{"occupancy", "semantic"};
+  EXPECT_EQ(nothing_named("layer", "ocupancy", known),
+            "no layer is named \"ocupancy\", did you mean \"occupancy\"? (there are: occupancy, "
+            "semantic)");
+  EXPECT_EQ(nothing_named("frame", "lab", {}), "no frame is named \"lab\" (there are: none)");
+}
+
 }  // namespace
 }  // namespace hypermap

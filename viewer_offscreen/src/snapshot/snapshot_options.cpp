@@ -66,8 +66,10 @@ constexpr std::array<std::pair<std::string_view, bool SnapshotLayers::*>, 6> kLa
 }};
 
 std::vector<std::string_view> names_of_layers() {
-  std::vector<std::string_view> names{"all"};
+  std::vector<std::string_view> names;
+  names.reserve(kLayerNames.size() + 1);
   for (const auto& [name, member] : kLayerNames) names.push_back(name);
+  names.emplace_back("all");
   return names;
 }
 
@@ -115,10 +117,11 @@ std::string_view take_part(std::string_view& rest, std::string_view separators) 
 }
 
 Unexpected no_view(std::string_view text) {
-  return fail(
-      ErrorCode::kInvalidArgument,
-      "must be top, iso or seven numbers x y z qx qy qz qw, is \"" + printable(text, 80) + "\"",
-      "view");
+  constexpr std::array<std::string_view, 2> kNamed{"top", "iso"};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be top, iso or seven numbers x y z qx qy qz qw, is \"" + printable(text, 80) +
+                  "\"" + did_you_mean(text, kNamed),
+              "view");
 }
 
 Result<SnapshotView> parse_pose(std::string_view text) {
@@ -182,11 +185,7 @@ Result<SnapshotLayers> parse_snapshot_layers(std::string_view text) {
       known = true;
     }
     if (!known) {
-      return fail(
-          ErrorCode::kInvalidArgument,
-          "must be of voxels, objects, occupancy, semantic, trajectory, overlay, all; is \"" +
-              printable(name, 80) + "\"" + did_you_mean(name, names_of_layers()),
-          "layers");
+      return fail(ErrorCode::kInvalidArgument, not_one_of(name, names_of_layers()), "layers");
     }
   } while (!rest.empty());
   return layers;

@@ -99,17 +99,10 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   }
   if (found != layers.end()) return std::move(*found);
   if (name == kObjectsLayer) return objects_layer(archive);
-  std::string known;
   std::vector<std::string> names;
   names.reserve(layers.size());
-  for (const Layer& layer : layers) {
-    known += (known.empty() ? "" : ", ") + layer.info.name;
-    names.push_back(layer.info.name);
-  }
-  return fail(ErrorCode::kNotFound,
-              "no layer is named " + printable(name) + did_you_mean(name, names) +
-                  " (there are: " + (known.empty() ? "none" : known) + ")",
-              "layer");
+  for (const Layer& layer : layers) names.push_back(layer.info.name);
+  return fail(ErrorCode::kNotFound, nothing_named("layer", name, names), "layer");
 }
 
 }  // namespace hypermap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/file_kind.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 
@@ -185,11 +186,7 @@ std::string_view name_of(FileKind kind) {
 Result<FileKind> file_kind(std::string_view name) {
   const auto found = std::find(kFileKindNames.begin(), kFileKindNames.end(), name);
   if (found != kFileKindNames.end()) return static_cast<FileKind>(found - kFileKindNames.begin());
-  std::string names;
-  for (const std::string_view known : kFileKindNames)
-    names += (names.empty() ? "" : ", ") + std::string(known);
-  return fail(
-      ErrorCode::kInvalidArgument, "must be one of " + names + ", is " + printable(name), "kind");
+  return fail(ErrorCode::kInvalidArgument, not_one_of(name, kFileKindNames), "kind");
 }
 
 Result<FileKind> find_file_kind(const fs::path& path) {

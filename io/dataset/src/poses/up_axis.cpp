@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/dataset/up_axis.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -206,12 +207,12 @@ Result<MapFromInput> map_from_input_axis(std::string_view axis) {
                                        {"-y", -Eigen::Vector3d::UnitY()},
                                        {"z", Eigen::Vector3d::UnitZ()},
                                        {"-z", -Eigen::Vector3d::UnitZ()}}};
+  std::vector<std::string_view> names;
   for (const NamedAxis& named : axes) {
     if (named.name == axis) return MapFromInput(turn_to_z(named.direction));
+    names.push_back(named.name);
   }
-  return fail(ErrorCode::kInvalidArgument,
-              "must be one of x, -x, y, -y, z, -z, is " + printable(axis),
-              "up");
+  return fail(ErrorCode::kInvalidArgument, not_one_of(axis, names), "up");
 }
 
 std::string to_string(const FloorEstimate& estimate) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/scene_file.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "scene_yaml.hpp"
 
@@ -206,10 +207,10 @@ Result<std::filesystem::path> find_scene(const std::string& name_or_path,
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
-  std::string what = "no such file, and no scene of that name ships";
-  for (const std::string& name : names)
-    what += (&name == names.data() ? "; there are " : ", ") + name;
-  return tl::make_unexpected(Error{ErrorCode::kNotFound, std::move(what), name_or_path});
+  return tl::make_unexpected(
+      Error{ErrorCode::kNotFound,
+            "no such file, and " + nothing_named("shipped scene", name_or_path, names),
+            name_or_path});
 }
 
 }  // namespace hypermap

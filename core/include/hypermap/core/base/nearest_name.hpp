@@ -22,4 +22,15 @@ namespace hypermap {
                                        std::span<const std::string_view> known);
 [[nodiscard]] std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
+/// `must be one of a, b, is "c"`, and the nearest: what is said of a choice that is none.
+[[nodiscard]] std::string not_one_of(std::string_view name,
+                                     std::span<const std::string_view> choices);
+[[nodiscard]] std::string not_one_of(std::string_view name, std::span<const std::string> choices);
+
+/// `no layer is named "c"`, the nearest, `(there are: a, b)`: what is said of the name of a `kind`
+/// that is not there. Boundary: `(there are: none)`.
+[[nodiscard]] std::string nothing_named(std::string_view kind,
+                                        std::string_view name,
+                                        std::span<const std::string> known);
+
 }  // namespace hypermap

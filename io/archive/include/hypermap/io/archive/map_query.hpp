@@ -53,7 +53,8 @@ struct MapAnswers {
 /// Asks a layer of `archive_layers`. Without a condition one that is not flat tells all it has.
 ///
 /// Boundary: an empty list is a normal answer.
-/// Errors: those of hypermap_query.hpp; kInvalidArgument, naming the member of MapQuery, when a
+/// Errors: those of hypermap_query.hpp; kNotFound for a frame that no layer and no transform has,
+/// with the nearest and all that there are; kInvalidArgument, naming the member of MapQuery, when a
 /// flat layer is asked nothing, at a height, for a point together with another condition, or for
 /// text and value together.
 [[nodiscard]] Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query);

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,8 +26,10 @@ enum class ExportFormat {
                   ///< height and box of the objects that they stand for.
 };
 
-/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", in any spelling. Errors:
-/// kInvalidArgument listing them.
+/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson".
+[[nodiscard]] std::span<const std::string_view> export_format_names();
+
+/// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
 [[nodiscard]] Result<ExportFormat> parse_export_format(std::string_view name);
 
 /// The YAML file that an export as kRosMap to `output` writes: a stem, or a name in .yaml or .pgm.

@@ -33,10 +33,11 @@ struct MapOptions {
 /// What `hypermap config` prints of one option.
 struct OptionDescription {
   std::string name;
-  std::string value;   ///< As it stands in a file.
-  std::string unit;    ///< "m", "px", "log-odds" ...; empty for counts, shares and choices.
-  std::string range;   ///< "0 .. 100", or the names of a choice.
-  std::string source;  ///< Where the default comes from.
+  std::string value;  ///< As it stands in a file.
+  std::string unit;   ///< "m", "px", "log-odds" ...; empty for counts, shares and choices.
+  std::string range;  ///< "0 .. 100", or the names of a choice.
+  std::vector<std::string> choices;  ///< These names one by one; empty for all else.
+  std::string source;                ///< Where the default comes from.
   std::string effect;
 };
 
