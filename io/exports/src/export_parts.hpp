@@ -16,9 +16,11 @@ using WrittenFiles = std::vector<std::filesystem::path>;
 [[nodiscard]] Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
                                                                       const ExportRequest& request);
 
-/// The layer that was asked for, in any spelling. Errors: kNotFound, which says so when the name is
-/// that of a class.
-[[nodiscard]] Result<const Layer*> named_layer(const MapArchive& archive, const std::string& name);
+/// The layer that was asked for, in any spelling. Errors: kNotFound; where the name is that of a
+/// class it says how the format, or another one, gives what the map has of it.
+/// Requires: `request.layer`.
+[[nodiscard]] Result<const Layer*> named_layer(const MapArchive& archive,
+                                               const ExportRequest& request);
 
 /// The layer that was asked for, or the first with this content.
 /// Errors: kNotFound, kUnsupported.
@@ -26,7 +28,7 @@ template <class Content>
 [[nodiscard]] Result<const Layer*> wanted_layer(const MapArchive& archive,
                                                 const ExportRequest& request) {
   if (request.layer) {
-    HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, named_layer(archive, *request.layer));
+    HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, named_layer(archive, request));
     if (layer->content.as<Content>() != nullptr) return layer;
     return fail(
         ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);

@@ -41,6 +41,20 @@ Result<void> check_suffix(const ExportRequest& request) {
               "--output");
 }
 
+/// How to get what the map has of a class that was taken for a layer.
+std::string class_hint(const MapArchive& archive,
+                       const std::string& class_name,
+                       ExportFormat format) {
+  const std::string known = printable(class_name);
+  const std::string option = "--class \"" + known + "\"";
+  if (format != ExportFormat::kRosMap) return known + " is a class: " + option;
+  const bool has_grid = std::ranges::any_of(archive.class_grids, [&](const ClassGrid& grid) {
+    return is_spelling_of(grid.class_name, class_name);
+  });
+  if (!has_grid) return known + " is a class of which the map has no grid";
+  return known + " is a class, whose grid is had by: --format class-grids " + option;
+}
+
 }  // namespace
 
 std::span<const std::string_view> export_format_names() {
@@ -63,15 +77,15 @@ Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archiv
   return std::optional(std::set<ClassId>(ids->begin(), ids->end()));
 }
 
-Result<const Layer*> named_layer(const MapArchive& archive, const std::string& name) {
+Result<const Layer*> named_layer(const MapArchive& archive, const ExportRequest& request) {
+  const std::string& name = *request.layer;
   if (const Layer* layer = archive.hypermap.find(name)) return layer;
   for (const Layer& layer : archive.hypermap.layers()) {
     if (is_spelling_of(layer.info.name, name)) return &layer;
   }
   Error unknown = archive.hypermap.at(name).error();
   if (const auto id = archive.classes.find(name)) {
-    const std::string known = printable(archive.classes.name(*id));
-    unknown.what += "; " + known + " is a class: --class \"" + known + "\"";
+    unknown.what += "; " + class_hint(archive, archive.classes.name(*id), request.format);
   }
   return Unexpected(std::move(unknown));
 }

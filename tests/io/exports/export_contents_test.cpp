@@ -80,6 +80,27 @@ TEST(ExportNames, AreTakenInAnySpelling) {
   EXPECT_THAT(refused.error().what, HasSubstr("chair is a class: --class \"chair\""));
 }
 
+TEST(ExportNames, AClassAsLayerOfARosMapLeadsToItsGrid) {
+  MapArchive archive = test::sample_archive();
+  archive.class_grids.clear();
+  const test::TempDir dir;
+  const ExportRequest request{
+      .format = ExportFormat::kRosMap, .output = dir / "a", .layer = "Chair", .classes = {}};
+  const auto without = export_map(archive, request);
+  ASSERT_FALSE(without);
+  EXPECT_THAT(without.error().what, HasSubstr("(there are: occupancy, semantic)"));
+  EXPECT_THAT(without.error().what, HasSubstr("chair is a class of which the map has no grid"));
+  archive.class_grids.push_back({.class_name = "chair", .grid = test::sample_grid(100)});
+  const auto with = export_map(archive, request);
+  ASSERT_FALSE(with);
+  EXPECT_THAT(with.error().what, HasSubstr("--format class-grids --class \"chair\""));
+  const ExportRequest helped{.format = ExportFormat::kClassGrids,
+                             .output = dir / "grids",
+                             .layer = {},
+                             .classes = {"chair"}};
+  EXPECT_EQ(export_map(archive, helped).value().size(), 3U);
+}
+
 TEST(ExportNames, WhatAFormatDoesNotHaveIsRefused) {
   const MapArchive archive = test::sample_archive();
   const test::TempDir dir;
