@@ -39,4 +39,11 @@ CLI::Validator one_of(std::span<const std::string_view> names) {
   return one_of(std::vector<std::string>(names.begin(), names.end()));
 }
 
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t begin = type.find(":{");
+  if (begin == std::string::npos || !type.ends_with('}')) return {};
+  return CLI::detail::split(type.substr(begin + 2, type.size() - begin - 3), ',');
+}
+
 }  // namespace hypermap::app

@@ -17,4 +17,7 @@ namespace hypermap::app {
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> names);
 [[nodiscard]] CLI::Validator one_of(std::span<const std::string_view> names);
 
+/// The names that one_of gave the option; none when it has another validator, or none.
+[[nodiscard]] std::vector<std::string> choices_of(const CLI::Option& option);
+
 }  // namespace hypermap::app

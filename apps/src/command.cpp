@@ -4,6 +4,29 @@
 #include <cstdio>
 
 namespace hypermap::app {
+namespace {
+
+constexpr ExitStatus kExitStatuses[] = {
+    {"0", "done"},
+    {"1", "done with findings: a difference, a warning, a repair made while reading"},
+    {"2",
+     "content refused, limits included; any finding under --strict; more than --max-skipped frames "
+     "lost, none of them by the system"},
+    {"3",
+     "the system: reading or writing failed (of frames: more than --max-skipped lost, one of them "
+     "so), no memory, no EGL"},
+    {"4", "the command line is wrong"},
+    {"5", "a fault of the program"},
+    {"130, 143",
+     "SIGINT or SIGTERM came: long commands ended after the frame in hand, or while an archive was "
+     "loaded, and wrote nothing but checkpoints asked for; others finished"},
+};
+
+}  // namespace
+
+std::span<const ExitStatus> exit_statuses() {
+  return kExitStatuses;
+}
 
 ExitCode exit_code_of(const Error& error) {
   switch (error.code) {

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 
 namespace hypermap::app {
@@ -23,6 +24,15 @@ enum class ExitCode : int {
   kUsage = 4,     ///< The command line is wrong.
   kInternal = 5,  ///< A fault of the program.
 };
+
+/// What the number says with which the program ends.
+struct ExitStatus {
+  const char* numbers;
+  const char* meaning;
+};
+
+/// All of them, as docs/CLI.md lists them.
+[[nodiscard]] std::span<const ExitStatus> exit_statuses();
 
 /// The exit code of `error`.
 [[nodiscard]] ExitCode exit_code_of(const Error& error);

@@ -11,7 +11,7 @@ void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
   const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {
     command.add_option(flag, limit, what)
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::NonNegativeNumber.description("at least 0"))
         ->capture_default_str()
         ->group("Limits of what is read");
   };

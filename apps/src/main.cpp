@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "choices.hpp"
-#include "command.hpp"
+#include "command_line.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "interruption.hpp"
-#include "version.hpp"
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <poll.h>
 #include <unistd.h>
 
@@ -67,30 +63,8 @@ std::string unknown_words(const CLI::App& program) {
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
-  CLI::App program("Semantic volumetric maps from posed RGB-D frames and detections");
-  program.name("hypermap");
-  program.set_version_flag("--version", std::string("hypermap ") + kVersion);
-  program.require_subcommand(1);
-  program.ignore_case();
-  program.option_defaults()->ignore_case();
-  program.fallthrough();
-  CommonOptions common;
-  program.add_option("--progress", common.progress, "when to show progress on stderr")
-      ->transform(one_of({"auto", "always", "never"}))
-      ->capture_default_str();
-
-  Action action;
-  add_simulate_command(program, common, action);
-  add_detect_command(program, common, action);
-  add_map_command(program, common, action);
-  add_info_command(program, action);
-  add_config_command(program, action);
-  add_query_command(program, action);
-  add_export_command(program, action);
-  add_snapshot_command(program, action);
-  add_eval_command(program, action);
-  add_tune_command(program, action);
-  add_check_command(program, action);
+  CommandLine command_line;
+  CLI::App& program = command_line.program;
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -104,7 +78,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
     }
     return is_help_requested ? flushed(ExitCode::kDone) : ExitCode::kUsage;
   }
-  return flushed(action());
+  return flushed(command_line.action());
 }
 
 /// What the shell says of a program that a signal ended; the work itself was ended in good order.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_lists.hpp"
 
+#include "hypermap/core/base/number_text.hpp"
 #include "tables.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ CLI::Validator number_in(double min, double max) {
     return "must be a number in " + fixed(min, 3) + " .. " + fixed(max, 0) + ", is '" +
            printable(text) + "'";
   };
-  return {check, "NUMBER"};
+  return {check, number_text(min) + " .. " + number_text(max)};
 }
 
 Result<std::vector<double>> parse_numbers(const std::string& text,

@@ -1,5 +1,6 @@
-# Installs the build into a fresh prefix, builds the consumers and the examples against it and runs them; asks for a
-# component that does not exist. Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... -DCXX=... -DCXX_FLAGS=...
+# Installs the build into a fresh prefix, looks for the manual there, builds the consumers and the examples against it and
+# runs them; asks for a component that does not exist. Called with -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=...
+# -DCXX=... -DCXX_FLAGS=...
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -9,6 +10,11 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+foreach(file share/man/man1/hypermap.1 share/man/man1/hypermap-map.1 share/bash-completion/completions/hypermap)
+  if(NOT EXISTS ${WORK_DIR}/prefix/${file})
+    message(FATAL_ERROR "not installed: ${file}")
+  endif()
+endforeach()
 set(configure -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
               -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
 foreach(consumer all by_components examples)

@@ -205,21 +205,18 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");
   command
-      .add_option("--mode",
-                  arguments.mode,
-                  "what frees space: every ray, one per voxel, or projection (default)")
-      ->transform(choice_of_option("integration.mode"));
+      .add_option(
+          "--mode", arguments.mode, "what frees space: every ray, one per voxel, or projection")
+      ->transform(choice_of_option("integration.mode"))
+      ->default_str(default_of_option("integration.mode"));
+  command.add_option("--resolution", arguments.resolution_m, "edge of a voxel")
+      ->check(value_of_option("octree.resolution_m"))
+      ->default_str(default_of_option("octree.resolution_m"));
   command
-      .add_option("--resolution",
-                  arguments.resolution_m,
-                  "edge of a voxel (default " + default_of_option("octree.resolution_m") + ")")
-      ->check(value_of_option("octree.resolution_m"));
-  command
-      .add_option("--max-range",
-                  arguments.max_range_m,
-                  "farther depth only frees, and shows no object (default " +
-                      default_of_option("integration.max_range_m") + ")")
-      ->check(value_of_option("integration.max_range_m"));
+      .add_option(
+          "--max-range", arguments.max_range_m, "farther depth only frees, and shows no object")
+      ->check(value_of_option("integration.max_range_m"))
+      ->default_str(default_of_option("integration.max_range_m"));
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));
@@ -240,7 +237,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       .add_option("--checkpoint-every",
                   arguments.job.checkpoint_every,
                   "save OUTPUT.checkpoint after every N frames, until the map is saved")
-      ->check(CLI::Range(1, 1000000000));
+      ->check(CLI::Range(1, 1000000000).description("1 .. 1000000000"));
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
@@ -248,7 +245,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                    arguments.job.strict,
                    "a finding before the first frame ends the run; any finding ends with 2");
   command.add_option("--threads", arguments.num_threads, "0: one for each core")
-      ->check(CLI::Range(0, 256))
+      ->check(CLI::Range(0, 256).description("0 .. 256"))
       ->capture_default_str();
   command.add_option("--stats", arguments.stats, "JSON file for counts and times");
   arguments.load.add_to(command);

@@ -63,7 +63,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->check(value_of_field(table, "num_frames"))
       ->capture_default_str();
   command.add_option("--seed", arguments->simulation.seed, "of arrangement, noise and detector")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::NonNegativeNumber.description("at least 0"))
       ->capture_default_str();
   command.add_option("--detector", arguments->detector, "how well it sees")
       ->transform(one_of({"perfect", "noisy"}))

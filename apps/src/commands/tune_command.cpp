@@ -176,10 +176,10 @@ void add_tune_command(CLI::App& program, Action& action) {
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
   command.add_option("--frame", arguments->frame, "which frame, counted from 0")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber.description("at least 0"));
   command
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber.description("at least 0"));
   command.add_option("--output", arguments->output, "folder for an image of each step");
   command
       .add_option(
