@@ -17,6 +17,13 @@ def depth_png(width, height, value):
             _chunk(b"IDAT", zlib.compress(rows)) + _chunk(b"IEND", b""))
 
 
+def color_png(width, height, value):
+    """An RGB PNG of one grey."""
+    rows = (b"\0" + bytes([value, value, value]) * width) * height
+    return (b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+            _chunk(b"IDAT", zlib.compress(rows)) + _chunk(b"IEND", b""))
+
+
 def make_dataset(folder, stamps=("1.0", "1.1"), size=(32, 24)):
     """TUM layout, no colour: a wall 1 m before a camera that stands still 1 m above the ground."""
     width, height = size

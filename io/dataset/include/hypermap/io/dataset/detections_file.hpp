@@ -3,7 +3,7 @@
 /// Detections of any detector as files: read in three forms, written in two.
 ///
 /// Forms: frame JSON (one object, or one per line), COCO JSON (results list, or object with
-/// `images`, `categories` and `annotations`), plain text (a file per image). See io/README.md.
+/// `images`, `categories` and `annotations`), plain text (a file per image): docs/DETECTIONS.md.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
