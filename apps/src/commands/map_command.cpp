@@ -4,6 +4,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "load_arguments.hpp"
+#include "map_hints.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -18,7 +19,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -86,6 +86,8 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.num_frames,
               report.num_detections,
               report.num_segments);
+  if (report.num_resumed > 0)
+    std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
   std::printf("%zu objects (and %zu tentative), %zu occupied and %zu free voxels\n",
               report.num_objects,
@@ -94,48 +96,14 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.leaves.free);
   std::printf("%.1f s, %.1f frames a second; written to %s\n",
               report.seconds.wall,
-              static_cast<double>(report.num_frames) / report.seconds.wall,
+              static_cast<double>(report.num_frames - report.num_resumed) / report.seconds.wall,
               arguments.job.output.c_str());
-}
-
-/// Says before the work what takes longer than a camera's next frame does.
-void warn_of_slow_options(const MappingJob& job) {
-  if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
-  std::fprintf(stderr,
-               "map: segmentation by region growing takes a second or more for each frame\n");
-}
-
-/// Files of the dataset's folder that look like detections and are not read unless named.
-std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code unreadable;
-  for (std::filesystem::directory_iterator entry(folder, unreadable), end;
-       !unreadable && entry != end;
-       entry.increment(unreadable)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_found = name == "detections.json" || name == "detections.jsonl";
-    if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
-      names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// What a map without objects may lack.
-void print_hints(const MappingReport& report, const MapArguments& arguments) {
-  if (arguments.job.model || !arguments.detections.empty() || report.num_detections > 0) return;
-  std::fprintf(stderr,
-               "map: nothing was detected: --detections FILE or --model FILE names objects\n");
-  for (const std::string& name : unused_detections(arguments.dataset.input)) {
-    std::fprintf(
-        stderr, "map: not used: %s in the input; --detections names it\n", printable(name).c_str());
-  }
 }
 
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
-  warn_of_slow_options(*job);
+  print_hints_before(*job);
   if (arguments.stats) {
     if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
   }
@@ -145,7 +113,11 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
     mapped = run_mapping(
         *job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
   }
-  if (!mapped) return report(mapped.error());
+  if (!mapped) {
+    const ExitCode refused = report(mapped.error());
+    print_hint_at_resuming(mapped.error(), *job);
+    return refused;
+  }
   ExitCode worst = ExitCode::kDone;
   for (const Error& skipped : mapped->skipped) {
     worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));
@@ -153,7 +125,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
   if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
   print(*mapped, arguments);
-  print_hints(*mapped, arguments);
+  print_hints_after(*mapped, *job);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
   return written ? worst : report(written.error());
@@ -240,6 +212,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.job.checkpoint_every,
                   "save OUTPUT.checkpoint after every N frames, until the map is saved")
       ->check(CLI::Range(1, 1000000000));
+  command.add_flag("--resume",
+                   arguments.job.resume,
+                   "go on from OUTPUT.checkpoint, which the same command left when it was "
+                   "interrupted");
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
@@ -263,7 +239,9 @@ void keep_outputs_apart(const MapArguments& arguments) {
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");
   const std::filesystem::path checkpoint =
-      arguments.job.checkpoint_every > 0 ? checkpoint_path(arguments.job.output) : "";
+      arguments.job.checkpoint_every > 0 || arguments.job.resume
+          ? checkpoint_path(arguments.job.output)
+          : "";
   keep_apart("--stats", stats, read);
   keep_apart("--stats", stats, {arguments.job.output, checkpoint});
   keep_apart("--checkpoint-every", checkpoint, read);
