@@ -26,7 +26,8 @@ class Resuming(unittest.TestCase):
     def setUpClass(cls):
         cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-resuming-"))
         cls.dataset = cls.shared / "lab"
-        cls.simulated = run("simulate", "--frames", NUM_FRAMES, "--seed", 5, "--detector", "noisy", "--output", cls.dataset)
+        cls.simulated = run("simulate", "--frames", NUM_FRAMES, "--seed", 5, "--detector", "noisy",
+                            "--output", cls.dataset)
         cls.whole = cls.shared / "whole.hmap"
         cls.mapped = run("map", "--input", cls.dataset, "--output", cls.whole)
 
@@ -113,7 +114,9 @@ class Resuming(unittest.TestCase):
         there = digest(self.checkpoint)
         begin = f"hypermap: {self.checkpoint}: "
         for more, words in ((["--stride", 2], "stride: is 2, must be that of the run to go on with, 1"),
-                            (["--first", 1], "first: is 1, must be"), (["--max-frames", 5], "max_frames: is 5, must be"),
+                            (["--first", 1], "first: is 1, must be"),
+                            (["--max-frames", 5], "max_frames: is 5, must be"),
+                            (["--keep-classes", "chair"], "wanted_classes: is"),
                             (["--up", "y"], "up: is y, must be"),
                             (["--resolution", 0.2], "octree.resolution_m: is 0.2, must be"),
                             (["--max-range", 3], "integration.max_range_m: is 3"),

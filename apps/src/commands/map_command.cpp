@@ -31,6 +31,7 @@ struct MapArguments {
   MappingJob job;
   std::vector<std::string> detections;
   std::vector<std::string> transient;
+  std::vector<std::string> kept_classes;
   std::string preset = "default";
   std::optional<std::string> config;
   std::optional<std::string> mode;
@@ -74,6 +75,8 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
+  auto& wanted = job.mapper.wanted_class_names;
+  wanted.insert(wanted.end(), arguments.kept_classes.begin(), arguments.kept_classes.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.placement, placement_of(arguments.transform));
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
@@ -86,6 +89,8 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.num_frames,
               report.num_detections,
               report.num_segments);
+  if (report.num_filtered > 0)
+    std::printf("%zu detections left out by their class\n", report.num_filtered);
   if (report.num_resumed > 0)
     std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
@@ -199,6 +204,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.transient,
                   "transient classes, separated by commas: they update neither objects nor voxels")
       ->delimiter(',');
+  add_keep_classes(command, arguments.kept_classes);
   auto* append =
       command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   add_append_options(command, *append, arguments);

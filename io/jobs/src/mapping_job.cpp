@@ -30,6 +30,7 @@ std::size_t peak_rss_bytes() {
 void count(const FrameReport& frame, MappingReport& report) {
   ++report.num_frames;
   report.num_detections += frame.num_detections;
+  report.num_filtered += frame.num_transient;
   report.num_segments += frame.num_segments;
   report.num_visibility_skipped += frame.visibility_evaluated ? 0U : 1U;
   report.points.num_hits += frame.integration.num_hits;

@@ -21,6 +21,7 @@ std::string to_json(const MappingReport& report) {
                             {"not_finite", points.num_not_finite},
                             {"outside_volume", points.num_outside_volume}};
   json["detections"] = report.num_detections;
+  json["detections_filtered"] = report.num_filtered;
   json["segments"] = report.num_segments;
   json["frames_unjudged"] = report.num_visibility_skipped;
   json["objects"] = report.num_objects;

@@ -2,7 +2,6 @@
 #include "mapping_run.hpp"
 
 #include "appended_input.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
@@ -11,32 +10,17 @@
 #include "map_agreement.hpp"
 #include "resumed_run.hpp"
 #include "run_settings.hpp"
+#include "unknown_names.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace hypermap {
 namespace {
-
-/// Names of no class that the input speaks of: they may be misspelt.
-std::vector<Finding> unknown_names(std::span<const std::string> names,
-                                   const char* option,
-                                   const ClassRegistry& classes) {
-  std::vector<Finding> findings;
-  for (const std::string& name : names) {
-    if (classes.find(name)) continue;
-    findings.push_back({.error = {.code = ErrorCode::kNotFound,
-                                  .what = "no class of the input is called \"" + printable(name) +
-                                          "\"" + did_you_mean(name, classes.names()),
-                                  .field = option}});
-  }
-  return findings;
-}
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));

@@ -92,6 +92,7 @@ struct MappingReport {
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
   std::vector<Finding> findings;  ///< Of the dataset, of class names, of layers, of checkpoints.
   std::size_t num_detections = 0;
+  std::size_t num_filtered = 0;  ///< Detections of a class that is transient or not wanted.
   std::size_t num_segments = 0;
   std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
   IntegrationReport points;                ///< Summed over the frames.
