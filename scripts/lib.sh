@@ -68,13 +68,52 @@ configure() {
   rm -f "$log"
 }
 
-# build PRESET [TARGET...]: configures and builds.
+# build PRESET [TARGET...]: configures and builds; quiet unless it fails.
 build() {
   local preset=$1
   shift
   configure "$preset"
   say "building $preset with $jobs jobs"
-  local targets=()
-  if [ $# -gt 0 ]; then targets=(--target "$@"); fi
-  (cd "$root" && cmake --build --preset "$preset" -j "$jobs" "${targets[@]}" -- --quiet)
+  run_build "$preset" "$@" -- --quiet
+}
+
+# build_showing_progress PRESET [TARGET...]: the same, and shows how far it is: on a terminal in ninja's own line, else in
+# a line for each tenth.
+build_showing_progress() {
+  local preset=$1
+  shift
+  configure "$preset"
+  say "building $preset with $jobs jobs; the first time takes minutes"
+  if [ -t 1 ] && [ "${TERM:-dumb}" != dumb ]; then
+    NINJA_STATUS='[%f of %t, %p] ' run_build "$preset" "$@"
+  else
+    NINJA_STATUS='[%f/%t] ' run_build "$preset" "$@" | only_tenths
+  fi
+}
+
+# run_build PRESET [TARGET...] [-- NINJA_ARGUMENT...]
+run_build() {
+  local preset=$1 targets=()
+  shift
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    targets+=("$1")
+    shift
+  done
+  if [ ${#targets[@]} -gt 0 ]; then targets=(--target "${targets[@]}"); fi
+  (cd "$root" && cmake --build --preset "$preset" -j "$jobs" "${targets[@]}" "$@")
+}
+
+# only_tenths: of ninja's lines "[done/all] step" those with which another tenth is done, as "built 12 of 120 files"; all
+# that is no such line (errors, warnings) as it is.
+only_tenths() {
+  awk '
+    /^ninja: (Entering directory|no work to do)/ { next }
+    match($0, /^\[[0-9]+\/[0-9]+\] /) {
+      split(substr($0, 2, RLENGTH - 3), count, "/")
+      tenth = int(10 * count[1] / count[2])
+      if (tenth > shown) { printf "built %d of %d files\n", count[1], count[2]; fflush() }
+      if (tenth > shown) shown = tenth
+      next
+    }
+    { print; fflush() }'
 }

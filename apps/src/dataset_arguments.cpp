@@ -53,4 +53,13 @@ Result<OnnxDetectorOptions> DatasetArguments::detector() const {
   return options;
 }
 
+void add_keep_classes(CLI::App& command, std::vector<std::string>& names) {
+  command
+      .add_option("--keep-classes",
+                  names,
+                  "the only classes whose detections count, separated by commas; others are left "
+                  "out")
+      ->delimiter(',');
+}
+
 }  // namespace hypermap::app

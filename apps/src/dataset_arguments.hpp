@@ -32,4 +32,7 @@ struct DatasetArguments {
   [[nodiscard]] Result<OnnxDetectorOptions> detector() const;
 };
 
+/// The only classes whose detections are used or written.
+void add_keep_classes(CLI::App& command, std::vector<std::string>& names);
+
 }  // namespace hypermap::app

@@ -3,13 +3,16 @@
 /// How far long work has come, on stderr.
 #pragma once
 
+#include "hypermap/core/base/progress_line.hpp"
+
 #include <cstddef>
 #include <string>
 
 namespace hypermap::app {
 
-/// One line that is written over while work goes on: "mapping 120/200". Silent unless stderr is a
-/// terminal or `when` is "always".
+/// One line that is written over while work goes on, "mapping 120/200 (60 %), 41.2 a second, 2 s
+/// left"; where stderr is no terminal a line for each per cent. Silent unless stderr is a terminal
+/// or `when` is "always".
 class Progress {
  public:
   /// `when` is auto, always or never.
@@ -24,13 +27,12 @@ class Progress {
   [[nodiscard]] bool update(std::size_t done, std::size_t total);
 
  private:
-  void show(std::size_t done, std::size_t total);
+  void write_over(std::string line);
 
-  std::string what_;
-  bool visible_ = false;
-  bool on_terminal_ = false;
-  bool line_open_ = false;
-  std::size_t last_percent_ = 101;
+  bool on_terminal_;
+  bool visible_;
+  ProgressLine line_;
+  std::size_t open_columns_ = 0;  ///< Of the line that the cursor stands at the end of; 0: none.
 };
 
 }  // namespace hypermap::app

@@ -16,7 +16,7 @@ import subprocess
 import tempfile
 import unittest
 
-from faults import FaultCase, OLD
+from faults import KILL, FaultCase, OLD, with_fault
 from program import DATA, IS_SANITIZED, digest, run
 from tiny_dataset import make_dataset
 
@@ -99,6 +99,45 @@ class MoreMapping(Mapping):
         shutil.copytree(Inputs.tiny, self.folder / "tiny")
         self.command[2] = self.folder / "tiny"
         self.check_faults(self.prepare, self.command, count=2 * SAMPLE, below=self.folder / "tiny")
+
+
+class Resumed(Mapping):
+    """The checkpoint stays until the map is there."""
+
+    def setUp(self):
+        super().setUp()
+        self.saved = self.folder / "saved.checkpoint"
+        self.save_checkpoint([*self.command, "--checkpoint-every", 1])
+
+    def save_checkpoint(self, command):
+        """That after the first of two frames: the run is killed at the last call that leaves it."""
+        self.fill(lambda: None)
+        log = self.folder / "log"
+        with_fault(command, self.out, self.working, log=log)
+        last = len(log.read_text().splitlines())
+        checkpoint = self.out / "a.hmap.checkpoint"
+        while not checkpoint.exists():
+            self.assertGreater(last, 0)
+            self.fill(lambda: None)
+            with_fault(command, self.out, self.working, (last, KILL))
+            last -= 1
+        shutil.copy(checkpoint, self.saved)
+
+    def pieces(self):
+        return {name: content for name, content in super().pieces().items() if name != "a.hmap.checkpoint"}
+
+    def prepare(self):
+        super().prepare()
+        shutil.copy(self.saved, self.out / "a.hmap.checkpoint")
+
+    def check_next(self, command, prefix):
+        if (self.out / "a.hmap.checkpoint").exists():
+            super().check_next(command, prefix)
+        else:
+            self.assertEqual(self.pieces(), self.new)
+
+    def test_a_run_that_goes_on(self):
+        self.check_faults(self.prepare, [*self.command, "--resume"], count=SAMPLE)
 
 
 class Namespaces(Mapping):

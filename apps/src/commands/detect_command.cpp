@@ -5,8 +5,11 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -15,6 +18,7 @@ struct DetectArguments {
   DatasetArguments dataset;
   std::string model;
   std::string output;
+  std::vector<std::string> kept_classes;
 };
 
 Result<DetectionJobReport> run(const DetectArguments& arguments, const std::string& progress_when) {
@@ -24,9 +28,24 @@ Result<DetectionJobReport> run(const DetectArguments& arguments, const std::stri
   job.output = arguments.output;
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  job.wanted_class_names = arguments.kept_classes;
   Progress progress("detecting", progress_when);
   return run_detection(
       job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
+}
+
+ExitCode print(const DetectionJobReport& done, const DetectArguments& arguments) {
+  std::printf("%zu detections in %zu frames, written to %s\n",
+              done.num_detections,
+              done.num_frames,
+              arguments.output.c_str());
+  if (done.num_filtered > 0)
+    std::printf("%zu detections of other classes left out\n", done.num_filtered);
+  ExitCode worst = ExitCode::kDone;
+  for (const Error& skipped : done.skipped)
+    worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));
+  for (const Finding& finding : done.findings) worst = std::max(worst, report(finding));
+  return worst;
 }
 
 }  // namespace
@@ -39,6 +58,7 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
   command.add_option("--model", arguments->model, "network in ONNX form")->required();
   command.add_option("--output", arguments->output, "COCO results; a line an image when .jsonl")
       ->required();
+  add_keep_classes(command, arguments->kept_classes);
   show_examples(command,
                 {"hypermap detect --input lab --model yolox_nano.onnx --output detections.jsonl"});
   command.callback([arguments, &common, &action] {
@@ -49,13 +69,7 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
                 arguments->dataset.classes.value_or("")});
     action = [arguments, &common] {
       const auto done = run(*arguments, common.progress);
-      if (!done) return report(done.error());
-      std::printf("%zu detections in %zu frames, written to %s\n",
-                  done->num_detections,
-                  done->num_frames,
-                  arguments->output.c_str());
-      for (const Error& skipped : done->skipped) report(Finding{Severity::kWarning, skipped});
-      return done->skipped.empty() ? ExitCode::kDone : ExitCode::kFindings;
+      return done ? print(*done, *arguments) : report(done.error());
     };
   });
 }

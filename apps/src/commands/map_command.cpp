@@ -5,6 +5,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "load_arguments.hpp"
+#include "map_hints.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -19,7 +20,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -32,6 +32,7 @@ struct MapArguments {
   MappingJob job;
   std::vector<std::string> detections;
   std::vector<std::string> transient;
+  std::vector<std::string> kept_classes;
   std::string preset = "default";
   std::optional<std::string> config;
   std::optional<std::string> mode;
@@ -75,6 +76,8 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
+  auto& wanted = job.mapper.wanted_class_names;
+  wanted.insert(wanted.end(), arguments.kept_classes.begin(), arguments.kept_classes.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.placement, placement_of(arguments.transform));
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
@@ -87,6 +90,10 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.num_frames,
               report.num_detections,
               report.num_segments);
+  if (report.num_filtered > 0)
+    std::printf("%zu detections left out by their class\n", report.num_filtered);
+  if (report.num_resumed > 0)
+    std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
   std::printf("%zu objects (and %zu tentative), %zu occupied and %zu free voxels\n",
               report.num_objects,
@@ -95,48 +102,14 @@ void print(const MappingReport& report, const MapArguments& arguments) {
               report.leaves.free);
   std::printf("%.1f s, %.1f frames a second; written to %s\n",
               report.seconds.wall,
-              static_cast<double>(report.num_frames) / report.seconds.wall,
+              static_cast<double>(report.num_frames - report.num_resumed) / report.seconds.wall,
               arguments.job.output.c_str());
-}
-
-/// Says before the work what takes longer than a camera's next frame does.
-void warn_of_slow_options(const MappingJob& job) {
-  if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
-  std::fprintf(stderr,
-               "map: segmentation by region growing takes a second or more for each frame\n");
-}
-
-/// Files of the dataset's folder that look like detections and are not read unless named.
-std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code unreadable;
-  for (std::filesystem::directory_iterator entry(folder, unreadable), end;
-       !unreadable && entry != end;
-       entry.increment(unreadable)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_found = name == "detections.json" || name == "detections.jsonl";
-    if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
-      names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// What a map without objects may lack.
-void print_hints(const MappingReport& report, const MapArguments& arguments) {
-  if (arguments.job.model || !arguments.detections.empty() || report.num_detections > 0) return;
-  std::fprintf(stderr,
-               "map: nothing was detected: --detections FILE or --model FILE names objects\n");
-  for (const std::string& name : unused_detections(arguments.dataset.input)) {
-    std::fprintf(
-        stderr, "map: not used: %s in the input; --detections names it\n", printable(name).c_str());
-  }
 }
 
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
-  warn_of_slow_options(*job);
+  print_hints_before(*job);
   if (arguments.stats) {
     if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
   }
@@ -146,7 +119,11 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
     mapped = run_mapping(
         *job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
   }
-  if (!mapped) return report(mapped.error());
+  if (!mapped) {
+    const ExitCode refused = report(mapped.error());
+    print_hint_at_resuming(mapped.error(), *job);
+    return refused;
+  }
   ExitCode worst = ExitCode::kDone;
   for (const Error& skipped : mapped->skipped) {
     worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));
@@ -154,7 +131,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
   if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
   print(*mapped, arguments);
-  print_hints(*mapped, arguments);
+  print_hints_after(*mapped, *job);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
   return written ? worst : report(written.error());
@@ -225,6 +202,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.transient,
                   "transient classes, separated by commas: they update neither objects nor voxels")
       ->delimiter(',');
+  add_keep_classes(command, arguments.kept_classes);
   auto* append =
       command.add_flag("--append", arguments.job.append, "go on from the archive at --output");
   add_append_options(command, *append, arguments);
@@ -238,6 +216,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.job.checkpoint_every,
                   "save OUTPUT.checkpoint after every N frames, until the map is saved")
       ->check(CLI::Range(1, 1000000000).description("1 .. 1000000000"));
+  command.add_flag("--resume",
+                   arguments.job.resume,
+                   "go on from OUTPUT.checkpoint, which the same command left when it was "
+                   "interrupted");
   command.add_option("--max-skipped", arguments.job.max_skipped_share, "share of frames to lose")
       ->check(number_in(0.0, 1.0))
       ->capture_default_str();
@@ -261,7 +243,9 @@ void keep_outputs_apart(const MapArguments& arguments) {
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");
   const std::filesystem::path checkpoint =
-      arguments.job.checkpoint_every > 0 ? checkpoint_path(arguments.job.output) : "";
+      arguments.job.checkpoint_every > 0 || arguments.job.resume
+          ? checkpoint_path(arguments.job.output)
+          : "";
   keep_apart("--stats", stats, read);
   keep_apart("--stats", stats, {arguments.job.output, checkpoint});
   keep_apart("--checkpoint-every", checkpoint, read);

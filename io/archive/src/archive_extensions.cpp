@@ -33,9 +33,12 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kClassesFormat) {
     entry.name = "classes";
     entry.file = "classes.yaml";
-  } else {
+  } else if (format == kProvenanceFormat) {
     entry.name = "provenance";
     entry.file = "provenance.yaml";
+  } else {
+    entry.name = "checkpoint";
+    entry.file = "checkpoint.yaml";
   }
   return entry;
 }
@@ -75,7 +78,8 @@ class ExtensionReader {
     }
     if (entry_.format == kObjectsFormat) return read_objects();
     if (entry_.format == kClassesFormat) return read_classes();
-    return read_provenance();
+    if (entry_.format == kProvenanceFormat) return read_provenance();
+    return read_checkpoint();
   }
 
  private:
@@ -86,7 +90,8 @@ class ExtensionReader {
     if (entry_.format == kObjectsFormat)
       return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
-    return !archive_.provenance.empty();
+    if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
+    return archive_.checkpoint.kind != ValueKind::kNull;
   }
 
   Result<std::vector<Finding>> read_octree() {
@@ -176,6 +181,16 @@ class ExtensionReader {
     return std::move(provenance.findings);
   }
 
+  Result<std::vector<Finding>> read_checkpoint() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_text_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(YamlDocument document, parse_yaml(bytes, source()));
+    HYPERMAP_TRY(document.root().as_map());
+    archive_.checkpoint = std::move(document.value);
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
+  }
+
   MapArchive& archive_;
   ArchiveMembers& members_;
   const ExtensionEntry& entry_;
@@ -245,6 +260,11 @@ Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archiv
   return {};
 }
 
+void put_checkpoint(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.checkpoint.kind == ValueKind::kNull) return;
+  put(written, entry_of(archive, kCheckpointFormat), write_yaml(archive.checkpoint));
+}
+
 Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
   for (const Layer& layer : archive.hypermap.layers()) {
     if (is_strict_form(layer)) continue;
@@ -273,6 +293,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   put_classes(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));
+  put_checkpoint(written, archive);
   HYPERMAP_TRY(put_layers(written, archive));
   return written;
 }

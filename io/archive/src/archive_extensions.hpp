@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What our archives hold beyond the strict form: octree, objects, classes, class grids,
-/// provenance, layers of other classes.
+/// provenance, a run's checkpoint, layers of other classes.
 #pragma once
 
 #include "archive_members.hpp"

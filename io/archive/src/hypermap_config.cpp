@@ -35,7 +35,8 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kObjectsFormat,
                                    kClassesFormat,
                                    kClassGridFormat,
-                                   kProvenanceFormat};
+                                   kProvenanceFormat,
+                                   kCheckpointFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;
 constexpr std::size_t kMaxFieldBytes = 256;

@@ -78,6 +78,7 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
   if (a.octree.has_value() != b.octree.has_value() || !(tree_of(a) == tree_of(b))) return "octree";
   if (!(a.class_grids == b.class_grids)) return "class grids";
   if (!(a.provenance == b.provenance)) return "provenance";
+  if (!(a.checkpoint == b.checkpoint)) return "checkpoint";
   if (!(a.octomaps == b.octomaps)) return "octomaps";
   if (!(a.foreign_extensions == b.foreign_extensions)) return "foreign extensions";
   if (!(a.opaque_files == b.opaque_files)) return "opaque files";

@@ -126,6 +126,7 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
   for (Provenance& run : archive.provenance) {
     run.map_from_input = MapFromInput(map_from_old.isometry() * run.map_from_input.isometry());
   }
+  archive.checkpoint = {};  // no run goes on from a map that was moved
   return archive;
 }
 

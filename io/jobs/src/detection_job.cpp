@@ -4,9 +4,13 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
+#include "unknown_names.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -17,6 +21,23 @@ DatasetOptions images_only(DatasetOptions options) {
   options.find_detections = false;
   options.read_color = true;
   return options;
+}
+
+/// The classes of these names that are known; none when all are wanted.
+std::optional<std::vector<ClassId>> wanted_classes(std::span<const std::string> names,
+                                                   const ClassRegistry& classes) {
+  if (names.empty()) return std::nullopt;
+  std::vector<ClassId> ids;
+  ids.reserve(names.size());
+  for (const std::string& name : names) {
+    if (const auto id = classes.find(name)) ids.push_back(*id);
+  }
+  return ids;
+}
+
+bool is_of_one(const Detection& detection, const std::vector<ClassId>& ids) {
+  const auto best = best_class(detection.class_scores);
+  return best && std::find(ids.begin(), ids.end(), best->id) != ids.end();
 }
 
 Result<std::string> as_text(std::span<const FrameDetections> frames, const DetectionJob& job) {
@@ -39,13 +60,19 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
                             OnnxDetector::load(job.model, job.detector, classes));
   HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
                             open_dataset(job.input, images_only(job.dataset), classes));
+  const auto wanted = wanted_classes(job.wanted_class_names, classes);
   DetectionJobReport report;
+  report.findings = unknown_names(job.wanted_class_names, "wanted_classes", classes);
   std::vector<FrameDetections> frames;
   for (std::size_t i = 0; i < dataset->size(); ++i) {
     const auto frame = dataset->read(i);
-    const auto found = frame ? detector.detect(frame->color)
-                             : Result<std::vector<Detection>>(Unexpected(frame.error()));
+    auto found = frame ? detector.detect(frame->color)
+                       : Result<std::vector<Detection>>(Unexpected(frame.error()));
     if (found) {
+      if (wanted) {
+        report.num_filtered +=
+            std::erase_if(*found, [&](const Detection& one) { return !is_of_one(one, *wanted); });
+      }
       frames.push_back(named(*found,
                              classes,
                              frame->name,

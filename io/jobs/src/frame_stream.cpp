@@ -6,8 +6,8 @@
 
 namespace hypermap {
 
-FrameStream::FrameStream(const DatasetReader& dataset, bool ahead)
-    : dataset_(dataset), ahead_(ahead) {
+FrameStream::FrameStream(const DatasetReader& dataset, bool ahead, std::size_t first)
+    : dataset_(dataset), ahead_(ahead), next_(first) {
   if (ahead_) start();
 }
 

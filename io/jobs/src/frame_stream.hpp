@@ -13,15 +13,15 @@ namespace hypermap {
 /// At most one frame is read ahead. Destroying the stream waits for it.
 class FrameStream {
  public:
-  /// `ahead`: read on another thread; else no thread is started and nothing is read before it is
-  /// asked for. The frames are the same. Requires: `dataset` outlives it.
-  FrameStream(const DatasetReader& dataset, bool ahead);
+  /// Frames from `first` on. `ahead`: read on another thread; else no thread is started and nothing
+  /// is read before it is asked for. The frames are the same. Requires: `dataset` outlives it.
+  FrameStream(const DatasetReader& dataset, bool ahead, std::size_t first = 0);
   FrameStream(const FrameStream&) = delete;
   FrameStream& operator=(const FrameStream&) = delete;
   ~FrameStream() = default;
 
   /// The next frame or its error, in order; what the reader throws is thrown here.
-  /// Requires: called at most dataset.size() times.
+  /// Requires: called at most dataset.size() - first times.
   [[nodiscard]] Result<RgbdFrame> next();
 
  private:
@@ -29,7 +29,7 @@ class FrameStream {
 
   const DatasetReader& dataset_;
   bool ahead_;
-  std::size_t next_ = 0;
+  std::size_t next_;
   std::future<Result<RgbdFrame>> pending_;
 };
 

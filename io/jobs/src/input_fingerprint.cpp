@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -58,14 +59,28 @@ std::string recording_hash(const RgbdFrame& frame) {
   return hash.text();
 }
 
-void InputFingerprint::add(const RgbdFrame& frame) {
-  if (first_frame_.empty()) first_frame_ = recording_hash(frame);
+std::string frame_hash(const RgbdFrame& frame) {
+  InputHash hash;
   const Eigen::Matrix4d pose = frame.map_from_camera.isometry().matrix();
-  add_stamp(hash_, frame.stamp);
-  add_camera(hash_, frame.camera);
-  hash_.add(bytes_of(std::span<const double>(pose.data(), 16)));
-  hash_.add(bytes_of(frame.depth_m.pixels()));
-  for (const Detection& detection : frame.detections) hypermap::add(hash_, detection);
+  add_stamp(hash, frame.stamp);
+  add_camera(hash, frame.camera);
+  hash.add(bytes_of(std::span<const double>(pose.data(), 16)));
+  hash.add(bytes_of(frame.depth_m.pixels()));
+  for (const Detection& detection : frame.detections) add(hash, detection);
+  return hash.text();
+}
+
+InputFingerprint::InputFingerprint(std::string text, std::string first_frame)
+    : text_(std::move(text)), first_frame_(std::move(first_frame)) {}
+
+std::string InputFingerprint::add(const RgbdFrame& frame) {
+  if (first_frame_.empty()) first_frame_ = recording_hash(frame);
+  std::string added = frame_hash(frame);
+  InputHash hash;
+  hash.add(text_);
+  hash.add(added);
+  text_ = hash.text();
+  return added;
 }
 
 }  // namespace hypermap

@@ -30,6 +30,7 @@ std::size_t peak_rss_bytes() {
 void count(const FrameReport& frame, MappingReport& report) {
   ++report.num_frames;
   report.num_detections += frame.num_detections;
+  report.num_filtered += frame.num_transient;
   report.num_segments += frame.num_segments;
   report.num_visibility_skipped += frame.visibility_evaluated ? 0U : 1U;
   report.points.num_hits += frame.integration.num_hits;
@@ -53,15 +54,6 @@ Error about(Error error, const std::string& frame_name) {
   return error;
 }
 
-Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector) {
-  if (!detector || frame.color.empty()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector->detect(frame.color));
-  frame.detections.insert(frame.detections.end(),
-                          std::make_move_iterator(found.begin()),
-                          std::make_move_iterator(found.end()));
-  return {};
-}
-
 Result<FrameReport> map_frame(MappingRun& run,
                               std::size_t index,
                               Result<RgbdFrame> frame,
@@ -72,8 +64,9 @@ Result<FrameReport> map_frame(MappingRun& run,
   report.seconds.detect += watch.lap();
   frame->index += run.index_offset;
   HYPERMAP_ASSIGN_OR_RETURN(FrameReport done, run.mapper->integrate(*frame));
-  run.fingerprint.add(*frame);
+  run.last = {.position = index, .hash = run.fingerprint.add(*frame)};
   run.next_frame_index = frame->index + 1;
+  if (run.first.hash.empty()) run.first = run.last;
   run.places.push_back({index, frame->map_from_camera.origin().xyz});
   return done;
 }
@@ -102,20 +95,26 @@ Result<void> check_losses(const MappingReport& report, const MappingJob& job, st
   return Unexpected(std::move(error));
 }
 
-/// Derives the layers, saves all to `path` and returns what is to be said of the layers.
-Result<std::vector<Finding>> save_map(MapArchive& archive,
-                                      const std::filesystem::path& path,
-                                      const MappingRun& run,
-                                      const MappingJob& job,
-                                      MappingSeconds& seconds) {
+/// Derives the layers, saves all to `path` and returns what became of the layers.
+Result<DerivedLayers> save_map(MapArchive& archive,
+                               const std::filesystem::path& path,
+                               const MappingJob& job,
+                               MappingSeconds& seconds) {
   StopWatch watch;
-  HYPERMAP_ASSIGN_OR_RETURN(const DerivedLayers derived,
+  HYPERMAP_ASSIGN_OR_RETURN(DerivedLayers derived,
                             derive_layers(archive, job.mapper.objects, job.layers));
-  auto findings = findings_of(derived, run.places, *run.dataset, job.output);
   seconds.project += watch.lap();
   HYPERMAP_TRY(save_archive(archive, path, {.limits = job.limits}));
   seconds.write += watch.lap();
-  return findings;
+  return derived;
+}
+
+/// What is to be said of the layers.
+std::vector<Finding> findings_of_layers(const DerivedLayers& derived,
+                                        const MappingRun& run,
+                                        const MappingJob& job) {
+  if (derived.outlying.empty()) return findings_of(derived, {}, *run.dataset, job.output);
+  return findings_of(derived, all_places(run), *run.dataset, job.output);
 }
 
 /// What is thrown ends no run without its map being rescued.
@@ -124,14 +123,22 @@ auto guarded_run(const Work& work) -> decltype(work()) {
   return guarded(ErrorCode::kUnavailable, "the map", work);
 }
 
-/// The run goes on whatever becomes of it; the first failure is said.
+/// The run goes on whatever becomes of it; the first failure is said. `num_positions`: frames of
+/// the input that were mapped or skipped.
 void save_checkpoint(MappingRun& run,
                      const MappingJob& job,
                      MappingReport& report,
-                     const std::string& frame_name) {
+                     std::size_t num_positions) {
+  const std::string frame_name = run.dataset->frame_name(num_positions - 1);
   const auto saved = guarded_run([&] {
     MapArchive archive = map_of(run, job);
-    return save_map(archive, checkpoint_path(job.output), run, job, report.seconds);
+    archive.checkpoint = to_tree({.num_positions = num_positions,
+                                  .first = run.first,
+                                  .last = run.last,
+                                  .skipped_positions = run.skipped_positions,
+                                  .report = report,
+                                  .settings = run.settings});
+    return save_map(archive, checkpoint_path(job.output), job, report.seconds);
   });
   if (saved) {
     run.checkpoint_of = frame_name;
@@ -147,25 +154,26 @@ Result<void> map_frames(MappingRun& run,
                         const MappingJob& job,
                         MappingReport& report,
                         const JobProgress& progress) {
-  FrameStream stream(*run.dataset, job.mapper.num_threads > 1);
+  const std::size_t begin = run.num_resumed_positions;
+  FrameStream stream(*run.dataset, job.mapper.num_threads > 1, begin);
   const std::size_t total = run.dataset->size();
-  for (std::size_t i = 0; i < total; ++i) {
+  for (std::size_t i = begin; i < total; ++i) {
     StopWatch watch;
     auto frame = stream.next();
     report.seconds.read += watch.lap();
-    const std::string name = run.dataset->frame_name(i);
     const auto done = map_frame(run, i, std::move(frame), report);
     if (done) {
       count(*done, report);
     } else if (spares_other_frames(done.error())) {
-      report.skipped.push_back(about(done.error(), name));
+      report.skipped.push_back(about(done.error(), run.dataset->frame_name(i)));
+      run.skipped_positions.push_back(i);
       HYPERMAP_TRY(check_losses(report, job, total));
     } else {
-      return Unexpected(about(done.error(), name));
+      return Unexpected(about(done.error(), run.dataset->frame_name(i)));
     }
     const bool is_due = done && job.checkpoint_every > 0 && i + 1 < total &&
                         report.num_frames % job.checkpoint_every == 0;
-    if (is_due) save_checkpoint(run, job, report, name);
+    if (is_due) save_checkpoint(run, job, report, i + 1);
     if (progress && !progress(i + 1, total)) return interrupted();
   }
   return {};
@@ -185,7 +193,7 @@ Error ended_early(Error error,
                   const MappingRun& run,
                   const MappingJob& job,
                   const MappingReport& report) {
-  if (!spares_other_frames(error) && report.num_frames > 0) {
+  if (!spares_other_frames(error) && report.num_frames > report.num_resumed) {
     error = with_rescue(std::move(error), map_of(run, job), job.output, job.limits);
   }
   return naming_checkpoint(std::move(error), run, job);
@@ -195,7 +203,7 @@ Error ended_early(Error error,
 void remove_checkpoint(const MappingJob& job, MappingReport& report) {
   std::error_code failed;
   const bool is_there = std::filesystem::is_regular_file(checkpoint_path(job.output), failed);
-  if (job.checkpoint_every == 0 || !is_there) return;
+  if ((job.checkpoint_every == 0 && !job.resume) || !is_there) return;
   std::filesystem::remove(checkpoint_path(job.output), failed);
   if (!failed) return;
   report.findings.push_back({Severity::kWarning,
@@ -233,13 +241,13 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
     HYPERMAP_TRY(refuse_input_hash(run.fingerprint.text(), run.previous->provenance));
   }
   MapArchive archive = map_of(run, job);
-  auto findings =
-      guarded_run([&] { return save_map(archive, job.output, run, job, report.seconds); });
-  if (!findings) {
-    Error error = with_rescue(std::move(findings).error(), archive, job.output, job.limits);
+  auto derived = guarded_run([&] { return save_map(archive, job.output, job, report.seconds); });
+  if (!derived) {
+    Error error = with_rescue(std::move(derived).error(), archive, job.output, job.limits);
     return Unexpected(naming_checkpoint(std::move(error), run, job));
   }
-  std::move(findings->begin(), findings->end(), std::back_inserter(report.findings));
+  auto findings = findings_of_layers(*derived, run, job);
+  std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));
   remove_checkpoint(job, report);
   describe(archive, job, report);
   report.seconds.wall = whole.lap();

@@ -11,6 +11,7 @@ std::string to_json(const MappingReport& report) {
   const IntegrationReport& points = report.points;
   Json json;
   json["frames"] = report.num_frames;
+  json["frames_resumed"] = report.num_resumed;
   json["frames_skipped"] = report.skipped.size();
   json["skipped"] = Json::array();
   for (const Error& error : report.skipped) json["skipped"].push_back(to_string(error));
@@ -20,6 +21,7 @@ std::string to_json(const MappingReport& report) {
                             {"not_finite", points.num_not_finite},
                             {"outside_volume", points.num_outside_volume}};
   json["detections"] = report.num_detections;
+  json["detections_filtered"] = report.num_filtered;
   json["segments"] = report.num_segments;
   json["frames_unjudged"] = report.num_visibility_skipped;
   json["objects"] = report.num_objects;
@@ -35,8 +37,8 @@ std::string to_json(const MappingReport& report) {
                       {"visibility", seconds.visibility},
                       {"project", seconds.project},
                       {"write", seconds.write}};
-  json["frames_per_s"] =
-      seconds.wall > 0.0 ? static_cast<double>(report.num_frames) / seconds.wall : 0.0;
+  const auto num_mapped_now = static_cast<double>(report.num_frames - report.num_resumed);
+  json["frames_per_s"] = seconds.wall > 0.0 ? num_mapped_now / seconds.wall : 0.0;
   json["peak_rss_bytes"] = report.peak_rss_bytes;
   json["threads"] = report.num_threads;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

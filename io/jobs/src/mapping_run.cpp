@@ -2,38 +2,25 @@
 #include "mapping_run.hpp"
 
 #include "appended_input.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/dataset/reading_check.hpp"
 #include "hypermap/io/options/options_file.hpp"
 #include "map_agreement.hpp"
+#include "resumed_run.hpp"
+#include "run_settings.hpp"
+#include "unknown_names.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace hypermap {
 namespace {
-
-/// Names of no class that the input speaks of: they may be misspelt.
-std::vector<Finding> unknown_names(std::span<const std::string> names,
-                                   const char* option,
-                                   const ClassRegistry& classes) {
-  std::vector<Finding> findings;
-  for (const std::string& name : names) {
-    if (classes.find(name)) continue;
-    findings.push_back({.error = {.code = ErrorCode::kNotFound,
-                                  .what = "no class of the input is called \"" + printable(name) +
-                                          "\"" + did_you_mean(name, classes.names()),
-                                  .field = option}});
-  }
-  return findings;
-}
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
@@ -59,14 +46,25 @@ Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRe
 }
 
 Result<SemanticMapper> make_mapper(const MappingJob& job,
-                                   ClassRegistry& classes,
-                                   const std::optional<MapArchive>& previous) {
-  HYPERMAP_TRY(add_named_classes(job.mapper, classes));
-  if (!previous) return SemanticMapper::create(job.mapper, classes);
-  if (!previous->octree) {
+                                   const ClassRegistry& classes,
+                                   const MapArchive* map) {
+  if (map == nullptr) return SemanticMapper::create(job.mapper, classes);
+  if (!map->octree) {
     return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
   }
-  return SemanticMapper::resume(job.mapper, *previous->octree, previous->objects, classes);
+  return SemanticMapper::resume(job.mapper, *map->octree, map->objects, classes);
+}
+
+/// The mapper of a run that begins, or of one that goes on where `saved` ended.
+Result<SemanticMapper> open_mapper(MappingRun& run,
+                                   const MappingJob& job,
+                                   const std::optional<SavedRun>& saved,
+                                   MappingReport& report) {
+  HYPERMAP_TRY(add_named_classes(job.mapper, run.classes));
+  if (!saved) return make_mapper(job, run.classes, run.previous ? &*run.previous : nullptr);
+  HYPERMAP_TRY(refuse_other_run(run, job, *saved));
+  take_over(run, *saved, report);
+  return make_mapper(job, run.classes, &saved->map);
 }
 
 /// With a network at work, detections beside the data are read only when they were asked for.
@@ -117,17 +115,6 @@ ValueTree options_tree(const MapOptions& options) {
     entries.emplace_back(option.name, make_text(option.value));
   }
   return make_map(std::move(entries));
-}
-
-Provenance provenance(const MappingRun& run, const MappingJob& job) {
-  return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
-          .input = run.input_name,
-          .input_hash = run.fingerprint.text(),
-          .options = options_tree({job.mapper, job.layers}),
-          .map_from_input = run.dataset->map_from_input(),
-          .world = run.dataset->summary().world,
-          .first_frame_hash = run.fingerprint.first_frame(),
-          .next_frame_index = run.next_frame_index};
 }
 
 Result<GravityAlignment> align(const MappingRun& run, const MappingJob& job) {
@@ -182,6 +169,10 @@ Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingRe
 
 Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   HYPERMAP_TRY(check(job));
+  std::optional<SavedRun> saved;
+  if (job.resume) {
+    HYPERMAP_ASSIGN_OR_RETURN(saved, load_saved_run(job));
+  }
   MappingRun run;
   // Now, as the working folder may be gone when the map is saved.
   run.input_name =
@@ -205,18 +196,54 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
          unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
   append(report.findings,
          unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, make_mapper(job, run.classes, run.previous));
+  if (job.resume || job.checkpoint_every > 0) {
+    HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
   run.mapper.emplace(std::move(mapper));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;
 }
 
+Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector) {
+  if (!detector || frame.color.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector->detect(frame.color));
+  frame.detections.insert(frame.detections.end(),
+                          std::make_move_iterator(found.begin()),
+                          std::make_move_iterator(found.end()));
+  return {};
+}
+
+Provenance provenance_of(const MappingRun& run, const MappingJob& job) {
+  return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
+          .input = run.input_name,
+          .input_hash = run.fingerprint.text(),
+          .options = options_tree({job.mapper, job.layers}),
+          .map_from_input = run.dataset->map_from_input(),
+          .world = run.dataset->summary().world,
+          .first_frame_hash = run.fingerprint.first_frame(),
+          .next_frame_index = run.next_frame_index};
+}
+
+std::vector<FramePlace> all_places(const MappingRun& run) {
+  std::vector<FramePlace> places;
+  places.reserve(run.num_resumed_positions + run.places.size());
+  for (std::size_t i = 0; i < run.num_resumed_positions; ++i) {
+    if (std::ranges::binary_search(run.skipped_positions, i)) continue;
+    const auto frame = run.dataset->read(i);
+    if (frame) places.push_back({i, frame->map_from_camera.origin().xyz});
+  }
+  places.insert(places.end(), run.places.begin(), run.places.end());
+  return places;
+}
+
 MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   MapArchive archive = run.previous.value_or(MapArchive{});
+  archive.checkpoint = {};
   archive.classes = run.classes;
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
-  add_run(archive.provenance, provenance(run, job));
+  add_run(archive.provenance, provenance_of(run, job));
   return archive;
 }
 

@@ -12,7 +12,9 @@
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "input_fingerprint.hpp"
 #include "outlying_regions.hpp"
+#include "run_checkpoint.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,15 +32,31 @@ struct MappingRun {
   std::optional<OnnxDetector> detector;
   std::optional<SemanticMapper> mapper;
   InputFingerprint fingerprint;
-  std::uint64_t index_offset = 0;            ///< What the index of each frame grows by.
-  std::uint64_t next_frame_index = 0;        ///< After the newest frame in the map.
-  std::vector<FramePlace> places;            ///< Of the frames in the map.
-  std::optional<std::string> checkpoint_of;  ///< The frame whose checkpoint is on disk.
-  bool checkpoint_failed = false;            ///< Some checkpoint could not be saved; it was said.
+  std::uint64_t index_offset = 0;         ///< What the index of each frame grows by.
+  std::uint64_t next_frame_index = 0;     ///< After the newest frame in the map.
+  std::size_t num_resumed_positions = 0;  ///< Frames of the input before those of this process.
+  std::vector<FramePlace> places;         ///< Of the frames in the map, but those before.
+  NotedFrame first;                       ///< That was mapped, if any was.
+  NotedFrame last;                        ///< That was mapped, if any was.
+  std::vector<std::size_t> skipped_positions;  ///< Ascending.
+  ValueTree settings;                          ///< For checkpoints; else null.
+  std::optional<std::string> checkpoint_of;    ///< The frame whose checkpoint is on disk.
+  bool checkpoint_failed = false;              ///< Some checkpoint could not be saved; it was said.
 };
 
 /// Notes findings and the up axis in `report`. Errors: those of run_mapping that need no frame.
 [[nodiscard]] Result<MappingRun> open_run(const MappingJob& job, MappingReport& report);
+
+/// What the detector, if there is one, sees in the frame is put to its detections.
+/// Errors: those of OnnxDetector::detect.
+[[nodiscard]] Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector);
+
+/// What the map is to say of the run. Requires: the dataset is open and aligned.
+[[nodiscard]] Provenance provenance_of(const MappingRun& run, const MappingJob& job);
+
+/// The places of all frames in the map: those that were mapped before this process are read again,
+/// and left out when they cannot be. Cost: that of reading them.
+[[nodiscard]] std::vector<FramePlace> all_places(const MappingRun& run);
 
 /// The map as it is now, without layers of its own; those of a map that is gone on from are kept.
 [[nodiscard]] MapArchive map_of(const MappingRun& run, const MappingJob& job);

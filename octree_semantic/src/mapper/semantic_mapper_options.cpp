@@ -17,8 +17,7 @@ constexpr OptionRow kMapperRows[] = {
     option::section<&SemanticMapperOptions::visibility>("visibility"),
     option::section<&SemanticMapperOptions::objects>(""),
     option::names<&SemanticMapperOptions::wanted_class_names>(
-        "wanted_classes",
-        {.effect = "The only classes that reach the map; none: all.", .is_listed = false}),
+        "wanted_classes", {.effect = "The only classes that touch voxels and objects; none: all."}),
     option::count<&SemanticMapperOptions::num_threads>(
         "num_threads",
         {1, 256},

@@ -87,6 +87,26 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
   EXPECT_TRUE(loaded->value.hypermap == sample_archive().hypermap);
 }
 
+TEST(MapArchive, ACheckpointsNoteIsPartOfTheMap) {
+  MapArchive archive = sample_archive();
+  archive.checkpoint = make_map({{"positions", make_number(3)}, {"name", make_text("no: 1")}});
+  const std::string bytes = write_archive(archive).value();
+  const auto loaded = parse_archive(bytes, kArchiveSource);
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(all_findings(loaded->findings), "");
+  EXPECT_TRUE(loaded->value == archive);
+  EXPECT_FALSE(loaded->value == sample_archive());
+  EXPECT_EQ(write_archive(loaded->value).value(), bytes);
+  EXPECT_THAT(load_error(changed(bytes, {{"checkpoint.yaml", "- 1\n"}})),
+              HasSubstr("checkpoint.yaml"));
+  EXPECT_THAT(load_error(changed(bytes, {{"checkpoint.yaml", ""}})), HasSubstr("checkpoint.yaml"));
+  const std::string config = member_of(bytes, "hmap_config.yaml");
+  const std::string second =
+      "  - {format: hypermap-checkpoint, version: 1, name: again, frame_id: map, file: b.yaml}\n";
+  EXPECT_THAT(load_error(changed(bytes, {{"hmap_config.yaml", config + second}})),
+              HasSubstr("a second 'hypermap-checkpoint'"));
+}
+
 TEST(MapArchive, WhatIsNotUnderstoodIsKeptAndSaid) {
   const std::string bytes =
       zip_of({{"hmap_config.yaml",

@@ -208,6 +208,13 @@ TEST(TransformedMap, FramesOfTheSameInputStillFit) {
   EXPECT_LT((is - there.isometry() * was).norm(), kRoundingM);
 }
 
+TEST(TransformedMap, NoRunGoesOnFromAMapThatWasMoved) {
+  MapArchive old = whole_map();
+  old.checkpoint = make_map({{"positions", make_number(3)}});
+  const MapArchive moved = transformed(old, moved_by({2.5, -1.0, 0.3}, 0.4)).value();
+  EXPECT_EQ(moved.checkpoint, ValueTree{});
+}
+
 TEST(TransformedMap, AMovedMapIsWrittenAndReadAgain) {
   const MapArchive moved = transformed(whole_map(), moved_by({2.5, -1.0, 0.3}, 0.4)).value();
   const std::string bytes = write_archive(moved).value();

@@ -95,5 +95,13 @@ TEST_P(FrameStreamTest, MayBeLeftInTheMiddle) {
   EXPECT_LE(dataset.num_read(), 2U) << "at most one frame ahead";
 }
 
+TEST_P(FrameStreamTest, BeginsWhereItIsTold) {
+  const NumberedFrames dataset(false);
+  FrameStream stream(dataset, GetParam(), kNumFrames - 2);
+  EXPECT_EQ(stream.next()->index, kNumFrames - 2);
+  EXPECT_EQ(stream.next()->index, kNumFrames - 1);
+  EXPECT_EQ(dataset.num_read(), 2U);
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -70,6 +70,30 @@ TEST(MappingJob, StrictlyAFindingBeforeTheFirstFrameEndsTheRun) {
   EXPECT_EQ(report->findings.size(), 1U);
 }
 
+TEST(MappingJob, DetectionsOfClassesThatAreNotWantedAreCountedAndUpdateNoObject) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  test::write_text(folder.path() / "found.jsonl", test::chair_in("rgb/102.010.pgm"));
+  MappingJob job{.input = folder.path() / "recorded", .output = folder.path() / "map.hmap"};
+  job.dataset.detections = {folder.path() / "found.jsonl"};
+  job.mapper.wanted_class_names = {"CHAIR"};
+  const auto with_chair = run_mapping(job);
+  ASSERT_TRUE(with_chair) << to_string(with_chair.error());
+  EXPECT_EQ(with_chair->num_detections, 1U);
+  EXPECT_EQ(with_chair->num_filtered, 0U);
+  EXPECT_TRUE(with_chair->findings.empty());
+  job.mapper.wanted_class_names = {"chairs"};
+  const auto without = run_mapping(job);
+  ASSERT_TRUE(without) << to_string(without.error());
+  EXPECT_EQ(without->num_detections, 1U);
+  EXPECT_EQ(without->num_filtered, 1U);
+  EXPECT_EQ(without->num_segments, 0U);
+  ASSERT_EQ(without->findings.size(), 1U);
+  EXPECT_EQ(to_string(without->findings[0].error),
+            "wanted_classes: no class of the input is called \"chairs\", did you mean \"chair\"?");
+  EXPECT_NE(to_json(*without).find("\"detections_filtered\": 1"), std::string::npos);
+}
+
 TEST(MappingJob, CorrectedPosesAndGoingOnExcludeEachOther) {
   const auto refused = run_mapping({.output = "map.hmap", .poses = "poses.txt", .append = true});
   ASSERT_FALSE(refused);

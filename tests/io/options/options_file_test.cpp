@@ -61,6 +61,7 @@ TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
              "segmentation:\n  foreground:\n    max_planes: 5\n"
              "publication: {min_existence: none}\n"
              "transient_classes: [person, cat]\n"
+             "wanted_classes: [chair]\n"
              "projection: {max_height_m: 0.6}\n");
   const auto options = read_options(dir / "o.yaml", {});
   ASSERT_TRUE(options) << to_string(options.error());
@@ -70,6 +71,7 @@ TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
   expected.mapper.objects.segmentation.foreground.max_planes = 5;
   expected.mapper.objects.confirmation.min_existence = std::nullopt;
   expected.mapper.objects.transient_class_names = {"person", "cat"};
+  expected.mapper.wanted_class_names = {"chair"};
   expected.layers.max_height_m = 0.6;
   EXPECT_EQ(*options, expected);
 }

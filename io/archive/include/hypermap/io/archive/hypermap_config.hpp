@@ -41,6 +41,7 @@ inline constexpr std::string_view kObjectsFormat = "hypermap-objects";
 inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
 inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
+inline constexpr std::string_view kCheckpointFormat = "hypermap-checkpoint";
 
 /// A part of the map beyond the strict form: of a known format, or a layer whose class, registered
 /// by whoever reads, is the format.

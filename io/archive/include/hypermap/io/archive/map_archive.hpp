@@ -61,6 +61,9 @@ struct MapArchive {
   std::vector<ClassGrid> class_grids = {};
   /// Of each run that put frames into the map, oldest first; at most `kMaxRuns`.
   std::vector<Provenance> provenance = {};
+  /// Of a map that was saved while its newest run went on: what that run needs to go on from here,
+  /// as a map whose keys are the run's own (mapping_job.hpp). Null: the run is done.
+  ValueTree checkpoint = {};
   /// Unknown files and keys below come from archives of others; a new map leaves them empty.
   std::vector<OctomapExtension> octomaps = {};
   /// Extensions of unknown format, whole entries. Their files are among `opaque_files`.

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace hypermap {
@@ -21,12 +22,16 @@ struct DetectionJob {
   std::filesystem::path output;
   DatasetOptions dataset;
   OnnxDetectorOptions detector;
+  /// Names of the only classes whose detections are written, in any spelling; empty: all.
+  std::vector<std::string> wanted_class_names = {};
 };
 
 struct DetectionJobReport {
   std::size_t num_frames = 0;
-  std::size_t num_detections = 0;
-  std::vector<Error> skipped;  ///< Frames that could not be read, by name.
+  std::size_t num_detections = 0;  ///< Written.
+  std::size_t num_filtered = 0;    ///< Left out, being most probably of a class that is not wanted.
+  std::vector<Error> skipped;      ///< Frames that could not be read, by name.
+  std::vector<Finding> findings;   ///< Wanted classes that the network does not have.
 };
 
 /// Errors: those of open_dataset, OnnxDetector::load and of writing; kNotFound when no frame has a

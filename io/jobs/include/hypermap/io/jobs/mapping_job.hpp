@@ -56,8 +56,12 @@ struct MappingJob {
   /// Frames that are in the map already are mapped once more.
   bool force = false;
   /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
-  /// archive that a later run may go on from. It goes when the map itself is saved. 0: never.
+  /// archive that `resume` or a later run goes on from. It goes when the map is saved. 0: never.
   std::size_t checkpoint_every = 0;
+  /// Go on from `checkpoint_path(output)` where a run of the same job ended early, with the frames
+  /// after the last one in it: the map is, byte for byte, that of a run that was not interrupted.
+  /// Threads, limits, `checkpoint_every`, `max_skipped_share` and `strict` may be others.
+  bool resume = false;
   /// Of that archive, and of what is written in its place.
   ArchiveLimits limits = {};
   /// Ends the loading of that archive with kInterrupted.
@@ -83,10 +87,12 @@ struct MappingSeconds {
 };
 
 struct MappingReport {
-  std::size_t num_frames = 0;     ///< In the map.
+  std::size_t num_frames = 0;     ///< In the map, those before a checkpoint included.
+  std::size_t num_resumed = 0;    ///< Of these, those that the checkpoint had; not in `seconds`.
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
   std::vector<Finding> findings;  ///< Of the dataset, of class names, of layers, of checkpoints.
   std::size_t num_detections = 0;
+  std::size_t num_filtered = 0;  ///< Detections of a class that is transient or not wanted.
   std::size_t num_segments = 0;
   std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
   IntegrationReport points;                ///< Summed over the frames.
@@ -113,7 +119,9 @@ struct MappingReport {
 /// of the map (told before the work) or all its frames are those of one (told after it); with
 /// `strict` the first finding that there is before the first frame; those of
 /// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
-/// save_archive; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
+/// save_archive; with `resume` kNotFound when there is no checkpoint and kInvalidArgument, naming
+/// it, when its run had another version, input, settings or options, or was appended to another
+/// map; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
 /// naming one that is there and that the system did not give; kInterrupted. `output` is not written
 /// on an error. When the map cannot be saved or memory ends after a frame, the map is at
 /// `rescue_path(output)`, else in the working folder or that for temporary files, and the error

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a mapping job was asked for besides the options of the map, so that a run goes on from a
+/// checkpoint only as it began.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/dataset/dataset_reader.hpp"
+#include "hypermap/io/jobs/mapping_job.hpp"
+
+namespace hypermap {
+
+/// A map of texts: which frames of which files, by which detector, aligned how. Files that the job
+/// names are told by name and content, frames by their names. Not in it: where the input lies, and
+/// what changes no map (threads, limits, checkpoints, `max_skipped_share`, `strict`, `force`).
+///
+/// Errors: kIo for a file that cannot be read. Cost: reads each file that the job names.
+[[nodiscard]] Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& dataset);
+
+/// Errors: kInvalidArgument naming the first setting in which the two differ, and both values.
+[[nodiscard]] Result<void> refuse_other_settings(const ValueTree& now, const ValueTree& before);
+
+}  // namespace hypermap
