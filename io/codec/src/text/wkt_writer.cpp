@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/io/codec/wkt.hpp"
-
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/io/codec/wkt.hpp"
 
 #include <cstddef>
 #include <string>

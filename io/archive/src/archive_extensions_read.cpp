@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
-
+#include "extension_entries.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
@@ -8,56 +8,13 @@
 #include "layers/layer_files.hpp"
 #include "octree/octree_options_keys.hpp"
 
-#include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
 constexpr std::array<std::string_view, 1> kGridKeys{"class"};
-
-/// Name and file of a new archive's extension.
-ExtensionEntry new_entry(std::string_view format) {
-  ExtensionEntry entry{.format = std::string(format)};
-  if (format == kOctomapFormat) {
-    entry.name = "octree";
-    entry.file = "octree.ot";
-  } else if (format == kOctreeTwinFormat) {
-    entry.name = "octree_twin";
-    entry.file = "octree.bt";
-  } else if (format == kObjectsFormat) {
-    entry.name = "objects";
-    entry.file = "objects.jsonl";
-  } else if (format == kClassesFormat) {
-    entry.name = "classes";
-    entry.file = "classes.yaml";
-  } else if (format == kProvenanceFormat) {
-    entry.name = "provenance";
-    entry.file = "provenance.yaml";
-  } else {
-    entry.name = "checkpoint";
-    entry.file = "checkpoint.yaml";
-  }
-  return entry;
-}
-
-/// Name and stem of the i-th class grid of a new archive.
-std::string plain_grid_name(std::size_t i) {
-  return "class_grid_" + std::to_string(i);
-}
-
-ExtensionEntry entry_of(const MapArchive& archive, std::string_view format) {
-  const auto kept = archive.extension_entries.find(format);
-  return kept == archive.extension_entries.end() ? new_entry(format) : kept->second;
-}
-
-void keep_entry(MapArchive& archive, ExtensionEntry entry) {
-  if (entry == new_entry(entry.format)) return;
-  std::string format = entry.format;
-  archive.extension_entries.insert_or_assign(std::move(format), std::move(entry));
-}
 
 /// Reads one extension; members named after formats.
 class ExtensionReader {
@@ -198,83 +155,6 @@ class ExtensionReader {
   const ArchiveLimits& limits_;
 };
 
-void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
-  written.files.push_back({.name = entry.file, .bytes = std::move(bytes)});
-  written.entries.push_back(std::move(entry));
-}
-
-Result<void> put_octree(WrittenExtensions& written, const MapArchive& archive) {
-  if (!archive.octree) return {};
-  const OctomapTree tree = to_octomap_tree(*archive.octree);
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(tree));
-  HYPERMAP_ASSIGN_OR_RETURN(std::string twin, write_octomap_binary(tree));
-  ExtensionEntry entry = entry_of(archive, kOctomapFormat);
-  std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
-  append_keys(keys, entry.extra);
-  entry.extra = make_map(std::move(keys));
-  ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
-  twin_entry.frame_id = entry.frame_id;
-  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(twin)};
-  put(written, std::move(entry), std::move(bytes));
-  return {};
-}
-
-Result<void> put_objects(WrittenExtensions& written, const MapArchive& archive) {
-  if (archive.objects == ObjectMap()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_objects(archive.objects));
-  put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
-  return {};
-}
-
-void put_classes(WrittenExtensions& written, const MapArchive& archive) {
-  if (archive.classes.size() == 0) return;
-  std::vector<ValueTree> names;
-  for (const std::string& name : archive.classes.names()) names.push_back(make_text(name));
-  put(written,
-      entry_of(archive, kClassesFormat),
-      write_yaml(make_list(std::move(names)), YamlStyle::kBlock));
-}
-
-Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
-  for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
-    const ClassGrid& grid = archive.class_grids[i];
-    const std::string plain = plain_grid_name(i);
-    ExtensionEntry entry{.format = std::string(kClassGridFormat),
-                         .name = grid.name.empty() ? plain : grid.name,
-                         .frame_id = grid.frame_id,
-                         .file = grid.file.empty() ? plain : grid.file};
-    std::vector<ValueTree::Entry> keys{{"class", make_text(grid.class_name)}};
-    append_keys(keys, grid.extra);
-    entry.extra = make_map(std::move(keys));
-    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy(OccupancyLayer(grid.grid), entry.file));
-    std::move(files.begin(), files.end(), std::back_inserter(written.files));
-    written.entries.push_back(std::move(entry));
-  }
-  return {};
-}
-
-Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archive) {
-  if (archive.provenance.empty()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(archive.provenance));
-  put(written, entry_of(archive, kProvenanceFormat), std::move(bytes));
-  return {};
-}
-
-void put_checkpoint(WrittenExtensions& written, const MapArchive& archive) {
-  if (archive.checkpoint.kind == ValueKind::kNull) return;
-  put(written, entry_of(archive, kCheckpointFormat), write_yaml(archive.checkpoint));
-}
-
-Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
-  for (const Layer& layer : archive.hypermap.layers()) {
-    if (is_strict_form(layer)) continue;
-    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_layer(layer));
-    std::move(files.begin(), files.end(), std::back_inserter(written.files));
-    written.entries.push_back(extension_of(layer));
-  }
-  return {};
-}
-
 }  // namespace
 
 Result<std::vector<Finding>> read_extension(MapArchive& archive,
@@ -283,19 +163,6 @@ Result<std::vector<Finding>> read_extension(MapArchive& archive,
                                             const std::string& owner,
                                             const ArchiveLimits& limits) {
   return ExtensionReader(archive, members, entry, owner, limits).read();
-}
-
-Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
-  WrittenExtensions written;
-  HYPERMAP_TRY(put_octree(written, archive));
-  for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
-  HYPERMAP_TRY(put_objects(written, archive));
-  put_classes(written, archive);
-  HYPERMAP_TRY(put_class_grids(written, archive));
-  HYPERMAP_TRY(put_provenance(written, archive));
-  put_checkpoint(written, archive);
-  HYPERMAP_TRY(put_layers(written, archive));
-  return written;
 }
 
 }  // namespace hypermap

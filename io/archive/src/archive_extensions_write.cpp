@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "archive_extensions.hpp"
+#include "extension_entries.hpp"
+#include "hypermap/io/archive/object_json.hpp"
+#include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/codec/bounded_yaml.hpp"
+#include "hypermap/io/codec/value_keys.hpp"
+#include "layers/layer_files.hpp"
+#include "octree/octree_options_keys.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
+  written.files.push_back({.name = entry.file, .bytes = std::move(bytes)});
+  written.entries.push_back(std::move(entry));
+}
+
+Result<void> put_octree(WrittenExtensions& written, const MapArchive& archive) {
+  if (!archive.octree) return {};
+  const OctomapTree tree = to_octomap_tree(*archive.octree);
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(tree));
+  HYPERMAP_ASSIGN_OR_RETURN(std::string twin, write_octomap_binary(tree));
+  ExtensionEntry entry = entry_of(archive, kOctomapFormat);
+  std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
+  append_keys(keys, entry.extra);
+  entry.extra = make_map(std::move(keys));
+  ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
+  twin_entry.frame_id = entry.frame_id;
+  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(twin)};
+  put(written, std::move(entry), std::move(bytes));
+  return {};
+}
+
+Result<void> put_objects(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.objects == ObjectMap()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_objects(archive.objects));
+  put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
+  return {};
+}
+
+void put_classes(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.classes.size() == 0) return;
+  std::vector<ValueTree> names;
+  for (const std::string& name : archive.classes.names()) names.push_back(make_text(name));
+  put(written,
+      entry_of(archive, kClassesFormat),
+      write_yaml(make_list(std::move(names)), YamlStyle::kBlock));
+}
+
+Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
+  for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
+    const ClassGrid& grid = archive.class_grids[i];
+    const std::string plain = plain_grid_name(i);
+    ExtensionEntry entry{.format = std::string(kClassGridFormat),
+                         .name = grid.name.empty() ? plain : grid.name,
+                         .frame_id = grid.frame_id,
+                         .file = grid.file.empty() ? plain : grid.file};
+    std::vector<ValueTree::Entry> keys{{"class", make_text(grid.class_name)}};
+    append_keys(keys, grid.extra);
+    entry.extra = make_map(std::move(keys));
+    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy(OccupancyLayer(grid.grid), entry.file));
+    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    written.entries.push_back(std::move(entry));
+  }
+  return {};
+}
+
+Result<void> put_provenance(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.provenance.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_provenance(archive.provenance));
+  put(written, entry_of(archive, kProvenanceFormat), std::move(bytes));
+  return {};
+}
+
+void put_checkpoint(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.checkpoint.kind == ValueKind::kNull) return;
+  put(written, entry_of(archive, kCheckpointFormat), write_yaml(archive.checkpoint));
+}
+
+Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
+  for (const Layer& layer : archive.hypermap.layers()) {
+    if (is_strict_form(layer)) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(auto files, write_layer(layer));
+    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    written.entries.push_back(extension_of(layer));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
+  WrittenExtensions written;
+  HYPERMAP_TRY(put_octree(written, archive));
+  for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
+  HYPERMAP_TRY(put_objects(written, archive));
+  put_classes(written, archive);
+  HYPERMAP_TRY(put_class_grids(written, archive));
+  HYPERMAP_TRY(put_provenance(written, archive));
+  put_checkpoint(written, archive);
+  HYPERMAP_TRY(put_layers(written, archive));
+  return written;
+}
+
+}  // namespace hypermap
