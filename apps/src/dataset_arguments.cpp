@@ -18,10 +18,7 @@ void DatasetArguments::add_to(CLI::App& command) {
   command
       .add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
       ->required();
-  command.add_option("--dataset",
-                     description,
-                     "description of the folder, from outside it; must name intrinsics, depth, "
-                     "depth_scale, trajectory (docs/CLI.md)");
+  command.add_option("--dataset", description, kDescriptionHelp);
   command.add_option(
       "--classes", classes, "names of a model's outputs, one a line (default: COCO)");
   command.add_option("--first", first, "leave out so many frames at the start")

@@ -32,6 +32,10 @@ struct DatasetArguments {
   [[nodiscard]] Result<OnnxDetectorOptions> detector() const;
 };
 
+inline constexpr const char* kDescriptionHelp =
+    "description of the folder, from outside it; must name intrinsics, depth, depth_scale, "
+    "trajectory (docs/CLI.md)";
+
 /// The only classes whose detections are used or written.
 void add_keep_classes(CLI::App& command, std::vector<std::string>& names);
 

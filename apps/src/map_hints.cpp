@@ -67,7 +67,11 @@ void print_hint_at_resuming(const Error& error, const MappingJob& job) {
 }
 
 void print_hints_after(const MappingReport& report, const MappingJob& job) {
-  if (job.model || !job.dataset.detections.empty() || report.num_detections > 0) return;
+  if (job.model || report.num_detections > 0) return;
+  if (!job.dataset.detections.empty()) {
+    std::fprintf(stderr, "map: the files of --detections name nothing in the frames mapped\n");
+    return;
+  }
   std::fprintf(stderr,
                "map: nothing was detected: --detections FILE or --model FILE names objects\n");
   for (const std::string& name : unused_detections(job.input)) {

@@ -15,8 +15,11 @@
 namespace hypermap::app {
 namespace {
 
-constexpr double kRefreshS = 0.5;
-constexpr double kNeverS = std::numeric_limits<double>::infinity();
+/// A terminal's line is written over also within a per cent.
+double refresh_s(bool on_terminal) {
+  if (on_terminal) return 0.5;
+  return std::numeric_limits<double>::infinity();
+}
 
 /// Of the terminal; a large number when it does not say.
 std::size_t num_columns() {
@@ -30,7 +33,7 @@ std::size_t num_columns() {
 Progress::Progress(std::string what, const std::string& when)
     : on_terminal_(isatty(STDERR_FILENO) == 1),
       visible_(when == "always" || (when == "auto" && on_terminal_)),
-      line_(std::move(what), on_terminal_ ? kRefreshS : kNeverS) {}
+      line_(std::move(what), refresh_s(on_terminal_)) {}
 
 Progress::~Progress() {
   if (open_columns_ > 0) std::fputc('\n', stderr);

@@ -57,7 +57,7 @@ class KeptClasses(unittest.TestCase):
         self.assertEqual(stats["detections"], counts.total())
         self.assertEqual(stats["detections_filtered"], counts.total() - counts["chair"])
         self.assertLessEqual(stats["segments"], counts["chair"])
-        self.assertIn(f"{stats['detections_filtered']} detections left out by their class", result.stdout)
+        self.assertIn(f"{stats['detections_filtered']} of them left out by their class", result.stdout)
         self.assertEqual(classes, {"chair"})
 
     def test_names_are_taken_in_any_spelling_and_several_at_once(self):

@@ -185,6 +185,11 @@ class Misreadings(unittest.TestCase):
             checked = run("check", folder)
             self.assertEqual(checked.returncode, 1, checked.stderr)
             self.assertIn(f'"depth_scale: {scale}"', checked.stdout + checked.stderr)
+            outside = self.folder / "outside.yaml"
+            (folder / "dataset.yaml").rename(outside)
+            same = run("check", folder, "--dataset", outside)
+            self.assertEqual((same.returncode, same.stdout), (checked.returncode, checked.stdout))
+            self.assertEqual(run("info", folder, "--dataset", outside).returncode, 0)
 
     def test_what_is_described_right_is_left_alone_at_any_stride(self):
         for sequence in self.each():

@@ -151,6 +151,12 @@ class Names(Case):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 0, result.stderr)
 
+    def test_lists_are_separated_by_commas_or_repeated(self):
+        for more in (["--class", "chair,cup"], ["--class", "chair", "--class", "cup"]):
+            with self.subTest(more):
+                result = run("export", self.archive, "--format", "ply", "--output", self.folder / "a.ply", *more)
+                self.assertNotIn('"chair,cup"', result.stderr)
+
     def test_the_nearest_name_is_told(self):
         output = ["--output", self.folder / "x"]
         mapping = ["map", "--input", self.dataset, *output]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
 #include "command.hpp"
+#include "dataset_arguments.hpp"
 #include "hypermap/io/check/file_check.hpp"
 #include "interruption.hpp"
 #include "load_arguments.hpp"
@@ -18,6 +19,7 @@ struct CheckArguments {
   std::vector<std::string> files;
   std::optional<std::string> kind;
   std::optional<std::string> size;
+  std::optional<std::string> description;
   bool strict = false;
   LoadArguments load;
 };
@@ -59,14 +61,19 @@ void add_check_command(CLI::App& program, Action& action) {
   command.add_option("--as", arguments->kind, "what the files are (default: found by content)")
       ->transform(one_of(file_kind_names()));
   command.add_option("--size", arguments->size, "WIDTHxHEIGHT that images must have");
+  command.add_option("--dataset", arguments->description, kDescriptionHelp);
   command.add_flag("--strict", arguments->strict, "findings are errors");
   arguments->load.add_to(command);
-  show_examples(command, {"hypermap check lab.hmap", "hypermap check --as config options.yaml"});
+  show_examples(command,
+                {"hypermap check lab.hmap",
+                 "hypermap check --as config options.yaml",
+                 "hypermap check recording --dataset recording.yaml"});
   command.callback([arguments, &action] {
     FileCheckOptions options;
     options.strict = arguments->strict;
     options.limits = arguments->load.limits;
     options.stop = stop_when_interrupted();
+    options.description = arguments->description;
     if (arguments->kind) options.as = file_kind(*arguments->kind).value();
     if (arguments->size) {
       const auto size = parse_size(*arguments->size);

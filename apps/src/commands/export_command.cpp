@@ -53,7 +53,11 @@ void add_export_command(CLI::App& program, Action& action) {
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
-  command.add_option("--class", arguments->request.classes, "only this class; may be repeated");
+  command
+      .add_option("--class",
+                  arguments->request.classes,
+                  "only these classes, separated by commas; may be repeated")
+      ->delimiter(',');
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
   arguments->load.add_to(command);

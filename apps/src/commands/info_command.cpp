@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "dataset_arguments.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,6 +25,7 @@ using Json = nlohmann::ordered_json;
 
 struct InfoArguments {
   std::string file;
+  std::optional<std::string> description;
   bool json = false;
   LoadArguments load;
 };
@@ -144,8 +147,8 @@ ExitCode report_all(const std::vector<Finding>& findings) {
 }
 
 ExitCode run(const InfoArguments& arguments) {
-  const auto described =
-      describe_file(arguments.file, arguments.load.limits, stop_when_interrupted());
+  const auto described = describe_file(
+      arguments.file, arguments.load.limits, stop_when_interrupted(), arguments.description);
   if (!described) return report(described.error());
   const auto show = [&](const auto& info) {
     if (arguments.json) {
@@ -165,6 +168,7 @@ void add_info_command(CLI::App& program, Action& action) {
   CLI::App& command =
       *program.add_subcommand("info", "What is in an archive, octree, map_server YAML or dataset");
   command.add_option("file", arguments->file, "file, or folder of a dataset")->required();
+  command.add_option("--dataset", arguments->description, kDescriptionHelp);
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
   show_examples(command, {"hypermap info lab.hmap", "hypermap info lab --json"});

@@ -86,12 +86,10 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
 }
 
 void print(const MappingReport& report, const MapArguments& arguments) {
-  std::printf("%zu frames, %zu detections, %zu of them found in the depth\n",
-              report.num_frames,
-              report.num_detections,
-              report.num_segments);
+  std::printf("%zu frames, %zu detections, ", report.num_frames, report.num_detections);
   if (report.num_filtered > 0)
-    std::printf("%zu detections left out by their class\n", report.num_filtered);
+    std::printf("%zu of them left out by their class, ", report.num_filtered);
+  std::printf("%zu of them found in the depth\n", report.num_segments);
   if (report.num_resumed > 0)
     std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());

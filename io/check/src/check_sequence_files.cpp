@@ -112,14 +112,15 @@ Result<FileSummary> check_detections(const fs::path& path) {
                      std::move(loaded.findings)};
 }
 
-Result<FileSummary> check_dataset(const fs::path& path) {
+Result<FileSummary> check_dataset(const fs::path& path, const FileCheckOptions& options) {
   std::error_code ec;
   if (!fs::is_directory(path, ec)) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_dataset_description(path));
     return FileSummary{"description of a dataset", std::move(loaded.findings)};
   }
   ClassRegistry registry;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto reader, open_dataset(path, {}, registry));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto reader,
+                            open_dataset(path, {.description = options.description}, registry));
   HYPERMAP_ASSIGN_OR_RETURN(FileSummary summary, check_frames(*reader));
   add_misreadings(summary, *reader, path);
   return summary;

@@ -36,7 +36,7 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
     case FileKind::kConfig:
       return check_config(path, options.limits.reach);
     case FileKind::kDataset:
-      return check_dataset(path);
+      return check_dataset(path, options);
     default:
       break;
   }

@@ -41,6 +41,7 @@ struct FileSummary {
 /// are findings, those out of reach errors among them.
 [[nodiscard]] Result<FileSummary> check_config(const std::filesystem::path& path, FileReach reach);
 /// A folder, every frame of it, or a description (`dataset.yaml`) as text.
-[[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path,
+                                                const FileCheckOptions& options);
 
 }  // namespace hypermap

@@ -36,9 +36,11 @@ DescribedFile describe_map(const std::filesystem::path& path, FileReach reach) {
   return Loaded<FileInfo>{describe(archive), std::move(loaded.findings)};
 }
 
-DescribedFile describe_dataset(const std::filesystem::path& path) {
+DescribedFile describe_dataset(const std::filesystem::path& path,
+                               const std::optional<std::filesystem::path>& description) {
   ClassRegistry classes;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset, open_dataset(path, {}, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
+                            open_dataset(path, {.description = description}, classes));
   return Loaded<FileInfo>{dataset->summary(), dataset->summary().findings};
 }
 
@@ -46,11 +48,12 @@ DescribedFile describe_dataset(const std::filesystem::path& path) {
 
 Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
                                        const ArchiveLimits& limits,
-                                       const StopCheck& stop) {
+                                       const StopCheck& stop,
+                                       const std::optional<std::filesystem::path>& description) {
   HYPERMAP_ASSIGN_OR_RETURN(const FileKind kind, find_file_kind(path));
   switch (kind) {
     case FileKind::kDataset:
-      return describe_dataset(path);
+      return describe_dataset(path, description);
     case FileKind::kOctree:
       return describe_octree(path);
     case FileKind::kMap:

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -108,6 +111,20 @@ Finding boxes_outside(std::size_t num, const PinholeCamera& camera, const fs::pa
            .field = "bbox"}};
 }
 
+/// A file that speaks of none of the sequence's images is another sequence's.
+std::optional<Finding> find_foreign(const PairedDetections& paired) {
+  const std::vector<FrameDetections>& frames = paired.set.frames;
+  if (frames.empty() || paired.unpaired.size() < frames.size()) return std::nullopt;
+  const std::string first = frames.front().image.empty() ? "" : ", such as " + frames.front().image;
+  return Finding{
+      Severity::kWarning,
+      {.code = ErrorCode::kNotFound,
+       .what = "none of the " + std::to_string(frames.size()) +
+               " images that it speaks of is one of the dataset's" + printable(first, 200),
+       .file = paired.file,
+       .field = "image"}};
+}
+
 Result<void> read_detection_files(const DatasetOptions& options,
                                   Sequence& sequence,
                                   ClassRegistry& registry) {
@@ -127,6 +144,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
     PairedDetections paired =
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
+    if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
     paired.detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
     auto ids = register_classes(distinct_classes(paired.set.class_names), registry);
     if (!ids) return Unexpected(in_file(std::move(ids).error(), paired.file));

@@ -100,6 +100,11 @@ void pair_by_stamp(const std::vector<ListedFile>& depth,
   }
 }
 
+/// Whether a person named the files; else they are those that a layout may have.
+bool is_described(const DatasetDescription& description) {
+  return description.layout == DatasetDescription{}.layout;
+}
+
 Result<void> pair_images(const fs::path& folder,
                          const DatasetDescription& description,
                          SequenceIndex& index) {
@@ -107,6 +112,10 @@ Result<void> pair_images(const fs::path& folder,
   HYPERMAP_ASSIGN_OR_RETURN(const auto color, list_files(folder, description.color));
   index.num_depth = depth.size();
   index.num_color = color.size();
+  if (color.empty() && is_described(description) && !description.color.empty()) {
+    index.findings.push_back(
+        warning(folder, 0, "color", "no file is named " + printable(description.color)));
+  }
   if (depth.empty()) {
     return Unexpected(Error{.code = ErrorCode::kNotFound,
                             .what = "has no depth image " + description.depth,
@@ -127,6 +136,20 @@ Result<void> pair_images(const fs::path& folder,
 void attach(SequenceEntry& entry, const StampedPose& pose, const DatasetDescription& description) {
   entry.pose = as_optical(pose.input_from_camera, description);
   if (entry.number) entry.stamp = pose.stamp;
+}
+
+/// Numbered images have stamps that only stand for their numbers: those of poses are others.
+void explain_pairing(const fs::path& folder,
+                     const DatasetDescription& description,
+                     SequenceIndex& index) {
+  const auto is_lost = [](const SequenceEntry& entry) { return entry.number && !entry.pose; };
+  if (!std::all_of(index.entries.begin(), index.entries.end(), is_lost)) return;
+  const std::string reason =
+      "images have numbers, poses stamps: `pair_by: order` or `pair_by: number` says which belong "
+      "together";
+  index.findings.insert(index.findings.begin(),
+                        warning(folder / description.trajectory, 0, "pair_by", reason));
+  for (SequenceEntry& entry : index.entries) entry.missing_pose_reason = reason;
 }
 
 Result<void> attach_stamped(const fs::path& folder,
@@ -156,6 +179,7 @@ Result<void> attach_stamped(const fs::path& folder,
     if (found) attach(entry, poses[*found], description);
   }
   if (description.pair_by != PosePairing::kStamp) return {};
+  explain_pairing(folder, description, index);
   if (const auto mismatch = stamps_of_two_units(index.entries, poses, tolerance_ns)) {
     // First: it explains the lines that were skipped.
     index.findings.insert(index.findings.begin(),

@@ -18,9 +18,11 @@ namespace hypermap {
 struct FileCheckOptions {
   std::optional<FileKind> as = std::nullopt;  ///< Insisted on; none: found by content.
   ImageSize size = {};                        ///< What an image must measure; 0: any.
-  bool strict = false;                        ///< Findings become errors.
-  ArchiveLimits limits = {};                  ///< Of archives; the sums also of a semantic layer.
-  StopCheck stop = {};                        ///< Ends the reading of either with kInterrupted.
+  /// Of a dataset's folder, from outside it; none: what find_layout finds.
+  std::optional<std::filesystem::path> description = std::nullopt;
+  bool strict = false;        ///< Findings become errors.
+  ArchiveLimits limits = {};  ///< Of archives; the sums also of a semantic layer.
+  StopCheck stop = {};        ///< Ends the reading of either with kInterrupted.
 };
 
 struct FileCheckResult {

@@ -8,6 +8,7 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <variant>
 
 namespace hypermap {
@@ -18,11 +19,14 @@ using FileInfo = std::variant<ArchiveInfo, DatasetSummary>;
 /// Archives, bare configurations, octrees, map_server maps and datasets, told apart by content
 /// (`find_file_kind`). An octree or a map by itself is told of as an archive with this one part.
 ///
-/// `limits` are those of archives, whose reading `stop` ends.
+/// `limits` are those of archives, whose reading `stop` ends; `description` is that of a dataset's
+/// folder, from outside it.
 /// Errors: those of find_file_kind and of the kind's reader; what is of another kind is read, and
 /// refused, as an archive.
-[[nodiscard]] Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
-                                                     const ArchiveLimits& limits = {},
-                                                     const StopCheck& stop = {});
+[[nodiscard]] Result<Loaded<FileInfo>> describe_file(
+    const std::filesystem::path& path,
+    const ArchiveLimits& limits = {},
+    const StopCheck& stop = {},
+    const std::optional<std::filesystem::path>& description = std::nullopt);
 
 }  // namespace hypermap
