@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stamp_units.hpp"
 
+#include "hypermap/io/codec/text_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +44,14 @@ bool fit(std::span<const SequenceEntry> entries,
 }
 
 }  // namespace
+
+std::int64_t nanoseconds(double seconds) {
+  return std::llround(seconds * 1e9);
+}
+
+std::string seconds_text(double seconds) {
+  return stamp_text({nanoseconds(seconds)}) + " s";
+}
 
 std::optional<std::string> stamps_of_two_units(std::span<const SequenceEntry> entries,
                                                std::span<const StampedPose> poses,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether images and poses that do not find each other have stamps of two units.
+/// Units of stamps: nanoseconds of seconds, and whether images and poses have stamps of two units.
 #pragma once
 
 #include "hypermap/io/dataset/trajectory_file.hpp"
@@ -13,6 +13,10 @@
 #include <string_view>
 
 namespace hypermap {
+
+[[nodiscard]] std::int64_t nanoseconds(double seconds);
+/// "0.02 s"
+[[nodiscard]] std::string seconds_text(double seconds);
 
 /// What is said when fewer than half of the images, or of the poses where there are fewer of these,
 /// find each other, and at least half would if one side were in milli-, micro- or nanoseconds where

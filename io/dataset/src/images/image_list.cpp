@@ -179,6 +179,11 @@ Result<std::vector<ListedFile>> read_image_list(const fs::path& folder, const st
   return files;
 }
 
+Result<std::vector<ListedFile>> list_files(const fs::path& folder, const std::string& place) {
+  if (place.empty()) return std::vector<ListedFile>{};
+  return is_pattern(place) ? list_image_files(folder, place) : read_image_list(folder, place);
+}
+
 std::optional<std::uint64_t> number_in_name(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);

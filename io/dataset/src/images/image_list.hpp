@@ -37,6 +37,11 @@ struct ListedFile {
 [[nodiscard]] Result<std::vector<ListedFile>> read_image_list(const std::filesystem::path& folder,
                                                               const std::string& list);
 
+/// The files of a place: a pattern, a list, or none where it is empty.
+/// Errors: of list_image_files and read_image_list.
+[[nodiscard]] Result<std::vector<ListedFile>> list_files(const std::filesystem::path& folder,
+                                                         const std::string& place);
+
 /// The first run of digits in the last part of a path; none when there is none.
 [[nodiscard]] std::optional<std::uint64_t> number_in_name(std::string_view path);
 
