@@ -25,7 +25,7 @@ using ::testing::Not;
 class DatasetFindings : public ::testing::Test {
  protected:
   /// All that is said of the dataset when it is opened, a line each.
-  std::string said(const DatasetOptions& options = {}) {
+  [[nodiscard]] std::string said(const DatasetOptions& options = {}) const {
     ClassRegistry registry;
     const auto reader = opened(dataset_.folder, registry, options);
     std::string text;
@@ -35,7 +35,7 @@ class DatasetFindings : public ::testing::Test {
     return text;
   }
   /// The description with a line in place of the one of that key; without it when empty.
-  void describe(const std::string& key, const std::string& line) {
+  void describe(const std::string& key, const std::string& line) const {
     std::ifstream file(dataset_.folder / "dataset.yaml");
     std::string text;
     for (std::string old; std::getline(file, old);) {
