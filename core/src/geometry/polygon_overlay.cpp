@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -58,6 +60,20 @@ double intersection_area_m2(const Polygon& a, const Polygon& b) {
   return 0.0;
 }
 
+Ring to_ring(const FlatPolygon::ring_type& ring) {
+  Ring out;
+  out.reserve(ring.size());
+  for (const FlatPoint& p : ring) out.emplace_back(p.x(), p.y());
+  return out;
+}
+
+Polygon from_boost(const FlatPolygon& polygon) {
+  Polygon out;
+  out.outer = to_ring(polygon.outer());
+  for (const FlatPolygon::ring_type& hole : polygon.inners()) out.holes.push_back(to_ring(hole));
+  return out;
+}
+
 }  // namespace
 
 bool intersects(const Polygon& a, const Polygon& b) {
@@ -75,6 +91,23 @@ double jaccard(const Polygon& a, const Polygon& b) {
   const double common = intersection_area_m2(a, b);
   const double together = area_m2(a) + area_m2(b) - common;
   return together > 0.0 ? common / together : 0.0;
+}
+
+Result<std::vector<Polygon>> unite(std::span<const Polygon> polygons) {
+  BoostMultiPolygon all;
+  try {
+    for (const Polygon& polygon : polygons) {
+      BoostMultiPolygon merged;
+      bg::union_(all, to_boost(polygon, Eigen::Vector2d::Zero()), merged);
+      all = std::move(merged);
+    }
+  } catch (const bg::exception& error) {
+    return fail(ErrorCode::kInvalidArgument, error.what());
+  }
+  std::vector<Polygon> pieces;
+  pieces.reserve(all.size());
+  for (const FlatPolygon& piece : all) pieces.push_back(from_boost(piece));
+  return pieces;
 }
 
 }  // namespace hypermap

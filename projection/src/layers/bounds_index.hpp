@@ -7,14 +7,10 @@
 
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <utility>
+#include <vector>
 
 namespace hypermap {
 
@@ -26,9 +22,14 @@ class BoundsIndex {
  public:
   using Objects = std::span<const SemanticObject>;
 
-  BoundsIndex() = default;
+  BoundsIndex();
   /// Packed at once.
   explicit BoundsIndex(Objects objects);
+  BoundsIndex(const BoundsIndex& other);
+  BoundsIndex(BoundsIndex&& other) noexcept;
+  BoundsIndex& operator=(const BoundsIndex& other);
+  BoundsIndex& operator=(BoundsIndex&& other) noexcept;
+  ~BoundsIndex();
 
   /// Throws std::bad_alloc: the object is not found then.
   void insert(Objects objects, const SemanticObject& object);
@@ -37,35 +38,16 @@ class BoundsIndex {
   /// `object` is one of the objects.
   void remove(Objects objects, const SemanticObject& object) noexcept;
 
-  /// Calls `visit` with the id of each object whose bounds meet the rectangle, in no order.
-  template <class Visit>
-  void for_each(Objects objects, const Rect& rect, const Visit& visit) const {
-    namespace bgi = boost::geometry::index;
-    if (is_whole_) {
-      for (auto it = tree_.qbegin(bgi::intersects(box_of(rect))); it != tree_.qend(); ++it)
-        visit(it->second);
-      return;
-    }
-    for (const SemanticObject& object : objects)
-      if (boost::geometry::intersects(box_of(bounds_of(object)), box_of(rect))) visit(object.id);
-  }
+  /// Ids of the objects whose bounds meet the rectangle, in no order.
+  [[nodiscard]] std::vector<std::uint64_t> find(Objects objects, const Rect& rect) const;
 
  private:
-  using Point = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-  using Box = boost::geometry::model::box<Point>;
-  using Entry = std::pair<Box, std::uint64_t>;
-  using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
-
-  static Box box_of(const Rect& rect) {
-    return {{rect.min.x(), rect.min.y()}, {rect.max.x(), rect.max.y()}};
-  }
-  static Entry entry_of(const SemanticObject& object);
-  static Tree packed(Objects objects);
   template <class Change>
   void change(Objects objects, const Change& change);
   void give_up() noexcept;
 
-  Tree tree_;
+  struct Tree;  // Boost's: its templates are compiled in one file.
+  std::unique_ptr<Tree> tree_;
   bool is_whole_ = true;
 };
 

@@ -121,10 +121,10 @@ struct SemanticLayer::Impl {
   /// Ids of those whose bounds meet the box and whose shape passes the exact test.
   template <class ExactTest>
   [[nodiscard]] Ids select(const Rect& rect, const ExactTest& meets) const {
-    Ids ids;
-    index.for_each(objects, rect, [&](std::uint64_t id) {
+    Ids ids = index.find(objects, rect);
+    std::erase_if(ids, [&](std::uint64_t id) {
       const SemanticObject& object = *find(id);
-      if (std::any_of(object.parts.begin(), object.parts.end(), meets)) ids.push_back(id);
+      return std::none_of(object.parts.begin(), object.parts.end(), meets);
     });
     return sorted(std::move(ids));
   }

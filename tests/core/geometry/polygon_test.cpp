@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -52,6 +53,38 @@ TEST(Polygon, EdgesAndCornersAreInside) {
   EXPECT_TRUE(contains(p, {0.5, 1.0}));
   EXPECT_FALSE(contains(p, {0.5, std::nextafter(1.0, 2.0)}));
   EXPECT_FALSE(contains(p, {-1.0, 0.0}));
+}
+
+TEST(Polygon, PiecesThatOverlapAreUnitedToOne) {
+  // Two squares of side 2 that share one of side 1: 4 + 4 - 1 = 7, in the shape of a Z with eight
+  // corners.
+  const auto united = unite(std::array{polygon_of(square(0, 0, 2)), polygon_of(square(1, 1, 2))});
+  ASSERT_TRUE(united.has_value());
+  ASSERT_EQ(united->size(), 1U);
+  EXPECT_NEAR(area_m2(united->front()), 7.0, 1e-12);
+  EXPECT_EQ(united->front().outer.size(), 8U);
+  EXPECT_TRUE(make_polygon(united->front().outer).has_value());
+}
+
+TEST(Polygon, PiecesThatDoNotMeetStayApart) {
+  const auto united = unite(std::array{polygon_of(square(0, 0, 1)), polygon_of(square(5, 0, 2))});
+  ASSERT_TRUE(united.has_value());
+  ASSERT_EQ(united->size(), 2U);
+  EXPECT_NEAR(area_m2(united->front()) + area_m2(united->back()), 5.0, 1e-12);
+  EXPECT_TRUE(unite({}).value().empty());
+}
+
+TEST(Polygon, WhatAFrameEnclosesIsAHoleOfTheUnion) {
+  // Four bars of 4 by 1 around a square of 2 by 2: 16 - 4 = 12.
+  const auto bar = [](double x, double y, double width, double height) {
+    return polygon_of({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
+  };
+  const auto united =
+      unite(std::array{bar(0, 0, 4, 1), bar(0, 3, 4, 1), bar(0, 0, 1, 4), bar(3, 0, 1, 4)});
+  ASSERT_TRUE(united.has_value());
+  ASSERT_EQ(united->size(), 1U);
+  EXPECT_EQ(united->front().holes.size(), 1U);
+  EXPECT_NEAR(area_m2(united->front()), 12.0, 1e-12);
 }
 
 TEST(Polygon, JaccardByHand) {

@@ -87,6 +87,12 @@ struct WindingFill {
 [[nodiscard]] bool intersects(const Polygon& a, const Polygon& b);
 /// Area of the intersection over area of the union, in place. Source: [hypermap] 3.4.1.
 [[nodiscard]] double jaccard(const Polygon& a, const Polygon& b);
+/// The area that polygons cover together, in pieces that do not overlap.
+///
+/// Rings keep corners where edges went straight on. Exact where coordinates are whole numbers.
+/// Errors: kInvalidArgument when the overlay of Boost gives up on a degenerate contact.
+/// Boundary: no polygons, no pieces. Cost: O(k n log n) for k polygons, n points in all.
+[[nodiscard]] Result<std::vector<Polygon>> unite(std::span<const Polygon> polygons);
 [[nodiscard]] Polygon translated(const Polygon& polygon, const Eigen::Vector2d& offset);
 /// Convex hull. Errors: kInvalidArgument when fewer than three points span an area.
 [[nodiscard]] Result<Polygon> convex_hull(std::span<const Eigen::Vector2d> points);
