@@ -4,19 +4,17 @@
 #include "data_dir.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
+#include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "progress.hpp"
 
 #include <CLI/Validators.hpp>
 
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <string_view>
-#include <system_error>
+#include <string>
 
 namespace hypermap::app {
 namespace {
@@ -46,25 +44,11 @@ SimulatedDetectorOptions detector_of(const SimulateArguments& arguments) {
   return detector;
 }
 
-/// "640x480" as two counts; none when it is no such thing.
-std::optional<std::array<int, 2>> parse_size(std::string_view text) {
-  const std::size_t middle = text.find('x');
-  if (middle == std::string_view::npos) return std::nullopt;
-  std::array<int, 2> size{};
-  const std::array parts{text.substr(0, middle), text.substr(middle + 1)};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const char* end = parts[i].data() + parts[i].size();
-    const auto [stop, error] = std::from_chars(parts[i].data(), end, size[i]);
-    if (error != std::errc() || stop != end || size[i] < 1 || size[i] > 65535) return std::nullopt;
-  }
-  return size;
-}
-
 /// For `check`: WIDTHxHEIGHT.
 CLI::Validator image_size() {
   const auto check = [](const std::string& text) {
-    return parse_size(text) ? std::string()
-                            : "must be like 320x240, sides of 1 .. 65535 pixels, is " + text;
+    const auto size = parse_sides(text, "");
+    return size ? std::string() : size.error().what;
   };
   return {check, "WIDTHxHEIGHT"};
 }
@@ -177,9 +161,9 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
   command.callback([arguments, &common, &action] {
     action = [arguments, &common] {
       arguments->simulation.detector = detector_of(*arguments);
-      if (const auto size = parse_size(arguments->size)) {
-        arguments->simulation.width_px = (*size)[0];
-        arguments->simulation.height_px = (*size)[1];
+      if (const auto size = parse_sides(arguments->size, "--size")) {
+        arguments->simulation.width_px = size->width_px;
+        arguments->simulation.height_px = size->height_px;
       }
       const auto report_or_error = run(*arguments, common.progress);
       if (!report_or_error) return report(report_or_error.error());
