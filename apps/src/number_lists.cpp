@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <string_view>
 
 namespace hypermap::app {
@@ -65,6 +66,21 @@ Result<std::vector<double>> parse_numbers(const std::string& text,
   if (max_count > min_count) wanted += " or " + std::to_string(max_count);
   return fail(ErrorCode::kInvalidArgument,
               "must be " + wanted + " numbers separated by commas, is '" + text + "'",
+              field);
+}
+
+Result<ImageSize> parse_sides(const std::string& text, const std::string& field) {
+  constexpr int kLongestSidePx = 65535;
+  ImageSize size;
+  char rest = 0;
+  const bool is_clean = text.find_first_not_of("0123456789x") == std::string::npos;
+  if (is_clean && text.size() <= std::string_view("65535x65535").size() &&
+      std::sscanf(text.c_str(), "%dx%d%c", &size.width_px, &size.height_px, &rest) == 2 &&
+      std::min(size.width_px, size.height_px) > 0 &&
+      std::max(size.width_px, size.height_px) <= kLongestSidePx)
+    return size;
+  return fail(ErrorCode::kInvalidArgument,
+              "must be WIDTHxHEIGHT with sides of 1 .. 65535 pixels, is '" + text + "'",
               field);
 }
 

@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/io/dataset/depth_file.hpp"
 
 #include <CLI/App.hpp>
 
@@ -29,6 +30,9 @@ namespace hypermap::app {
                                                         std::size_t min_count,
                                                         std::size_t max_count,
                                                         const std::string& field);
+
+/// "640x480" as the sides of an image, 1 .. 65535 each. Errors: kInvalidArgument naming `field`.
+[[nodiscard]] Result<ImageSize> parse_sides(const std::string& text, const std::string& field);
 
 /// "0 0,1 0,1 1" as points. Errors: kInvalidArgument naming `field`.
 [[nodiscard]] Result<Ring> parse_points(const std::string& text, const std::string& field);

@@ -23,6 +23,8 @@ class Words(Case):
         options = [["map", *dataset, "--resolution"], ["map", *dataset, "--max-range"],
                    ["map", *dataset, "--max-skipped"], ["map", *dataset, "--stamp-tolerance"],
                    ["simulate", "--output", self.folder / "x", "--pose-noise"],
+                   ["simulate", "--output", self.folder / "x", "--pose-noise-m"],
+                   ["simulate", "--output", self.folder / "x", "--lens-height"],
                    ["snapshot", self.archive, "--output", self.folder / "x", "--cut-above"],
                    ["tune", "--input", self.dataset, "--frame", "0", "--leaf-size"]]
         for arguments in options:

@@ -5,6 +5,7 @@
 #include "hypermap/io/check/file_check.hpp"
 #include "interruption.hpp"
 #include "load_arguments.hpp"
+#include "number_lists.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -23,17 +24,6 @@ struct CheckArguments {
   bool strict = false;
   LoadArguments load;
 };
-
-/// "32x24". Errors: kInvalidArgument.
-Result<ImageSize> parse_size(const std::string& text) {
-  ImageSize size;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width_px, &size.height_px, &rest) == 2 &&
-      size.width_px > 0 && size.height_px > 0) {
-    return size;
-  }
-  return fail(ErrorCode::kInvalidArgument, "must be WIDTHxHEIGHT, is '" + text + "'", "--size");
-}
 
 /// One line for each finding and a summary, on stdout: they are the result.
 ExitCode check_and_print(const std::string& file, const FileCheckOptions& options) {
@@ -76,7 +66,7 @@ void add_check_command(CLI::App& program, Action& action) {
     options.description = arguments->description;
     if (arguments->kind) options.as = file_kind(*arguments->kind).value();
     if (arguments->size) {
-      const auto size = parse_size(*arguments->size);
+      const auto size = parse_sides(*arguments->size, "--size");
       if (!size) throw CLI::ValidationError("check", to_string(size.error()));
       options.size = *size;
     }

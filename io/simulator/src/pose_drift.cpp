@@ -10,6 +10,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::uint64_t kDriftStream = 0x6472696674;  // which numbers: "drift"
+constexpr std::uint64_t kWhiteStream = 0x7768697465;  // "white"
 constexpr double kPositionM = 0.01;
 constexpr double kHeadingRad = 0.1 * 0.017453292519943295;
 constexpr double kMetresPerRad = 0.3;
@@ -40,6 +41,24 @@ std::vector<MapFromCamera> drifted(std::span<const MapFromCamera> true_poses,
     recorded[i] = MapFromCamera(pose);
   }
   return recorded;
+}
+
+MapFromCamera with_white_noise(const MapFromCamera& pose,
+                               double stddev_m,
+                               double stddev_rad,
+                               std::uint64_t seed,
+                               std::uint64_t frame) {
+  if (stddev_m == 0.0 && stddev_rad == 0.0) return pose;
+  CounterRng random(seed, kWhiteStream, frame);
+  Eigen::Vector3d offset;
+  Eigen::Vector3d turn;
+  for (double& coordinate : offset) coordinate = stddev_m * random.normal();
+  for (double& angle : turn) angle = stddev_rad * random.normal();
+  Eigen::Isometry3d moved = pose.isometry();
+  moved.translation() += offset;
+  const double angle = turn.norm();
+  if (angle > 0.0) moved.linear() = Eigen::AngleAxisd(angle, turn / angle) * moved.linear();
+  return MapFromCamera(moved);
 }
 
 }  // namespace hypermap

@@ -19,4 +19,13 @@ namespace hypermap {
                                                  double scale,
                                                  std::uint64_t seed);
 
+/// The pose with white noise: each coordinate of the position moved by a normal of `stddev_m`, the
+/// orientation turned by a rotation vector of normals of `stddev_rad`. Both 0 give the pose itself.
+/// `frame` names the random numbers, so that a frame's noise does not depend on other frames.
+[[nodiscard]] MapFromCamera with_white_noise(const MapFromCamera& pose,
+                                             double stddev_m,
+                                             double stddev_rad,
+                                             std::uint64_t seed,
+                                             std::uint64_t frame);
+
 }  // namespace hypermap

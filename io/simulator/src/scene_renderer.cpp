@@ -2,8 +2,9 @@
 #include "hypermap/io/simulator/scene_renderer.hpp"
 
 #include "embree_scene.hpp"
-#include "hypermap/core/segmentation/detection.hpp"
+#include "ray_grid.hpp"
 #include "scene/surface_color.hpp"
+#include "silhouette.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -28,32 +29,6 @@ constexpr float kLampReachM = 7.0F;  // beyond it a lamp adds nothing
 constexpr float kLampStrength = 0.75F;
 constexpr float kShadowOffsetM = 2e-3F;
 constexpr float kBrightest = 1.15F;
-constexpr double kSilhouetteMargin = 1.0;      // of the image's size, on each side
-constexpr double kSilhouetteSamples = 4096.0;  // wanted number of grid points per object
-
-/// The rays of a view: direction (u, v) reaches 1 m of depth at parameter 1.
-struct RayGrid {
-  Vector3d origin;
-  Eigen::Matrix3d map_from_camera;
-  PinholeCamera camera;
-
-  RayGrid(const PinholeCamera& pinhole, const MapFromCamera& pose)
-      : origin(pose.isometry().translation()),
-        map_from_camera(pose.isometry().linear()),
-        camera(pinhole) {}
-
-  [[nodiscard]] Vector3d direction(double u, double v) const {
-    return map_from_camera * camera.unproject(u, v, 1.0).xyz;
-  }
-
-  /// Rays through pixels (u, v), (u + step, v), ...
-  [[nodiscard]] EmbreeScene::Packet packet(int u, int step, int v) const {
-    EmbreeScene::Packet directions;
-    for (int i = 0; i < EmbreeScene::kPacket; ++i)
-      directions[static_cast<std::size_t>(i)] = direction(u + i * step, v).cast<float>();
-    return directions;
-  }
-};
 
 /// What a pixel shows, and how it is lit so far.
 struct VisiblePoint {
@@ -74,8 +49,27 @@ float open_light(const Vector3f& lamp, const VisiblePoint& point) {
   return kLampStrength * std::max(0.0F, point.normal.dot(to_lamp) / distance) * nearness * nearness;
 }
 
+/// What rays and lamps meet in one view.
+struct Surroundings {
+  const EmbreeScene& fixed;
+  std::vector<PosedBody> bodies;
+
+  [[nodiscard]] std::array<bool, EmbreeScene::kPacket> hidden(
+      const Vector3f& lamp,
+      const EmbreeScene::Packet& targets,
+      const std::array<bool, EmbreeScene::kPacket>& wanted) const {
+    auto result = fixed.hidden(lamp, targets, wanted);
+    for (const PosedBody& body : bodies) {
+      const auto by_body = body.shape->hidden(
+          body.body_from_map * lamp, moved_by(body.body_from_map, targets), wanted);
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] || by_body[i];
+    }
+    return result;
+  }
+};
+
 /// Adds a lamp's light to the points that it reaches.
-void add_lamp(const EmbreeScene& scene, const Vector3f& lamp, SurfacePoints& points) {
+void add_lamp(const Surroundings& scene, const Vector3f& lamp, SurfacePoints& points) {
   std::array<float, EmbreeScene::kPacket> light{};
   std::array<bool, EmbreeScene::kPacket> reached{};
   EmbreeScene::Packet targets;
@@ -101,35 +95,65 @@ Rgb8 to_rgb(const Vector3f& color) {
 }  // namespace
 
 struct SceneRenderer::Impl {
-  /// A mesh with what shading needs. Entry 0 is the room, entry i object i.
+  /// A mesh with what shading needs. Entry 0 is the room, entry i object i; bodies follow.
   struct Surface {
     TriangleMesh mesh;
-    Eigen::Isometry3f shape_from_map = Eigen::Isometry3f::Identity();
+    Eigen::Isometry3f shape_from_map = Eigen::Isometry3f::Identity();  ///< Not of bodies.
   };
 
   std::vector<Surface> surfaces;
   std::vector<Vector3f> lamps;
-  EmbreeScene everything;
-  std::vector<EmbreeScene> alone;  ///< Each object by itself, by id - 1.
+  EmbreeScene everything;          ///< Without the bodies.
+  std::vector<EmbreeScene> alone;  ///< Each object and body by itself, by id - 1.
+  std::size_t num_objects = 0;
 
-  void render_row(const RayGrid& rays, int v, RenderedView& view) const;
-  /// Fills depth, incidence and instance of a pixel, and says what is there.
-  [[nodiscard]] VisiblePoint measure(
-      const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const;
+  [[nodiscard]] Surroundings around(std::span<const Eigen::Isometry3d> map_from_bodies) const;
+  void render_row(const Surroundings& scene, const RayGrid& rays, int v, RenderedView& view) const;
+  /// Puts the bodies before what a packet of a row shows so far.
+  void add_bodies(const Surroundings& scene,
+                  const RayGrid& rays,
+                  int first_u,
+                  int v,
+                  RenderedView& view,
+                  SurfacePoints& points) const;
+  /// Fills depth, incidence and instance of a pixel, and says what is there; none when something
+  /// nearer is.
+  [[nodiscard]] std::optional<VisiblePoint> measure(const RayGrid& rays,
+                                                    int u,
+                                                    int v,
+                                                    const RayHit& hit,
+                                                    const PosedBody* body,
+                                                    RenderedView& view) const;
 };
 
-VisiblePoint SceneRenderer::Impl::measure(
-    const RayGrid& rays, int u, int v, const RayHit& hit, RenderedView& view) const {
+Surroundings SceneRenderer::Impl::around(std::span<const Eigen::Isometry3d> map_from_bodies) const {
+  Surroundings result{everything, {}};
+  for (std::size_t i = 0; i < map_from_bodies.size(); ++i)
+    result.bodies.push_back(
+        {&alone[num_objects + i], map_from_bodies[i], map_from_bodies[i].inverse().cast<float>()});
+  return result;
+}
+
+std::optional<VisiblePoint> SceneRenderer::Impl::measure(const RayGrid& rays,
+                                                         int u,
+                                                         int v,
+                                                         const RayHit& hit,
+                                                         const PosedBody* body,
+                                                         RenderedView& view) const {
   const Surface& surface = surfaces[hit.mesh];
+  const auto in_map = [&](std::uint32_t vertex) -> Vector3d {
+    const Vector3d point = surface.mesh.vertices[vertex].cast<double>();
+    return body == nullptr ? point : body->map_from_body * point;
+  };
   const auto& [a, b, c] = surface.mesh.triangles[hit.triangle];
-  const Vector3d corner = surface.mesh.vertices[a].cast<double>();
-  const Vector3d normal = (surface.mesh.vertices[b].cast<double>() - corner)
-                              .cross(surface.mesh.vertices[c].cast<double>() - corner)
-                              .normalized();
+  const Vector3d corner = in_map(a);
+  const Vector3d normal = (in_map(b) - corner).cross(in_map(c) - corner).normalized();
   const Vector3d direction = rays.direction(u, v);
   const double slope = normal.dot(direction);
   const double depth = normal.dot(corner - rays.origin) / slope;
-  if (!(depth > 0.0) || !std::isfinite(depth)) return {};  // grazed a triangle seen edge on
+  if (!(depth > 0.0) || !std::isfinite(depth)) return std::nullopt;  // a triangle seen edge on
+  const float known = view.depth_m.at(u, v);
+  if (known > 0.0F && static_cast<double>(known) <= depth) return std::nullopt;
   view.depth_m.at(u, v) = static_cast<float>(depth);
   view.incidence_cos.at(u, v) = static_cast<float>(std::abs(slope) / direction.norm());
   view.instances.at(u, v) = ObjectId{hit.mesh};
@@ -138,25 +162,54 @@ VisiblePoint SceneRenderer::Impl::measure(
   point.normal = (slope > 0.0 ? Vector3d(-normal) : normal).cast<float>();
   const SurfaceMaterial& material =
       surface.mesh.materials[surface.mesh.material_of_triangle[hit.triangle]];
-  point.color = surface_color(material,
-                              surface.shape_from_map * point.in_map,
-                              surface.shape_from_map.linear() * point.normal);
+  const Eigen::Isometry3f& shape_from_map =
+      body == nullptr ? surface.shape_from_map : body->body_from_map;
+  point.color = surface_color(
+      material, shape_from_map * point.in_map, shape_from_map.linear() * point.normal);
   point.is_lit = !is_glowing(material);
   // Light from all around, thrown back by floor and ceiling.
   point.light = point.is_lit ? 0.4F + 0.12F * std::abs(point.normal.z()) : 1.0F;
   return point;
 }
 
-void SceneRenderer::Impl::render_row(const RayGrid& rays, int v, RenderedView& view) const {
+void SceneRenderer::Impl::add_bodies(const Surroundings& scene,
+                                     const RayGrid& rays,
+                                     int first_u,
+                                     int v,
+                                     RenderedView& view,
+                                     SurfacePoints& points) const {
+  const int inside = std::min(EmbreeScene::kPacket, rays.camera.width_px - first_u);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const PosedBody& body = scene.bodies[k];
+    const auto hits =
+        body.shape->nearest(body.body_from_map * rays.origin.cast<float>(),
+                            turned_by(body.body_from_map, rays.packet(first_u, 1, v)));
+    for (int i = 0; i < inside; ++i) {
+      const auto& hit = hits[static_cast<std::size_t>(i)];
+      if (!hit) continue;
+      const RayHit of_body{static_cast<std::uint32_t>(num_objects + 1 + k), hit->triangle};
+      if (const auto point = measure(rays, first_u + i, v, of_body, &body, view))
+        points[static_cast<std::size_t>(i)] = *point;
+    }
+  }
+}
+
+void SceneRenderer::Impl::render_row(const Surroundings& scene,
+                                     const RayGrid& rays,
+                                     int v,
+                                     RenderedView& view) const {
   const int width = rays.camera.width_px;
   for (int first = 0; first < width; first += EmbreeScene::kPacket) {
     const auto hits = everything.nearest(rays.origin.cast<float>(), rays.packet(first, 1, v));
     const auto inside = static_cast<std::size_t>(std::min(EmbreeScene::kPacket, width - first));
     SurfacePoints points;
     for (std::size_t i = 0; i < inside; ++i) {
-      if (hits[i]) points[i] = measure(rays, first + static_cast<int>(i), v, *hits[i], view);
+      if (!hits[i]) continue;
+      if (const auto point = measure(rays, first + static_cast<int>(i), v, *hits[i], nullptr, view))
+        points[i] = *point;
     }
-    for (const Vector3f& lamp : lamps) add_lamp(everything, lamp, points);
+    add_bodies(scene, rays, first, v, view, points);
+    for (const Vector3f& lamp : lamps) add_lamp(scene, lamp, points);
     for (std::size_t i = 0; i < inside; ++i)
       view.color.at(first + static_cast<int>(i), v) =
           to_rgb(points[i].color * std::min(points[i].light, kBrightest));
@@ -168,7 +221,8 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
-Result<SceneRenderer> SceneRenderer::create(const FurnishedScene& scene) {
+Result<SceneRenderer> SceneRenderer::create(const FurnishedScene& scene,
+                                            std::span<const TriangleMesh> bodies) {
   auto impl = std::make_unique<Impl>();
   impl->surfaces.push_back({scene.room, Eigen::Isometry3f::Identity()});
   for (const PlacedObject& object : scene.objects)
@@ -181,18 +235,26 @@ Result<SceneRenderer> SceneRenderer::create(const FurnishedScene& scene) {
     HYPERMAP_ASSIGN_OR_RETURN(EmbreeScene alone, EmbreeScene::create(std::array{&object.mesh}));
     impl->alone.push_back(std::move(alone));
   }
+  impl->num_objects = scene.objects.size();
+  for (const TriangleMesh& body : bodies) {
+    HYPERMAP_ASSIGN_OR_RETURN(EmbreeScene alone, EmbreeScene::create(std::array{&body}));
+    impl->alone.push_back(std::move(alone));
+    impl->surfaces.push_back({body, Eigen::Isometry3f::Identity()});
+  }
   return SceneRenderer(std::move(impl));
 }
 
 RenderedView SceneRenderer::render(const PinholeCamera& camera,
-                                   const MapFromCamera& map_from_camera) const {
+                                   const MapFromCamera& map_from_camera,
+                                   std::span<const Eigen::Isometry3d> map_from_bodies) const {
   RenderedView view{DepthImage(camera.width_px, camera.height_px),
                     Image<float>(camera.width_px, camera.height_px),
                     InstanceImage(camera.width_px, camera.height_px),
                     ColorImage(camera.width_px, camera.height_px)};
   const RayGrid rays(camera, map_from_camera);
+  const Surroundings scene = impl_->around(map_from_bodies);
   const auto render_rows = [&](const tbb::blocked_range<int>& rows) {
-    for (int v = rows.begin(); v < rows.end(); ++v) impl_->render_row(rays, v, view);
+    for (int v = rows.begin(); v < rows.end(); ++v) impl_->render_row(scene, rays, v, view);
   };
   // A thread that waits for rows must not begin another frame: that would pile up images.
   tbb::this_task_arena::isolate(
@@ -200,68 +262,26 @@ RenderedView SceneRenderer::render(const PinholeCamera& camera,
   return view;
 }
 
-namespace {
-
-/// The window of pixels around the object's silhouette, cut at twice the image's size.
-/// An object that reaches behind the camera may fill all of it.
-PixelBox silhouette_window(const TriangleMesh& mesh, const RayGrid& rays) {
-  const double margin_u = kSilhouetteMargin * rays.camera.width_px;
-  const double margin_v = kSilhouetteMargin * rays.camera.height_px;
-  const PixelBox limit{
-      -margin_u, -margin_v, rays.camera.width_px + margin_u, rays.camera.height_px + margin_v};
-  PixelBox window{limit.u_max_px, limit.v_max_px, limit.u_min_px, limit.v_min_px};
-  for (const Vector3f& vertex : mesh.vertices) {
-    const Vector3d in_camera =
-        rays.map_from_camera.transpose() * (vertex.cast<double>() - rays.origin);
-    const auto pixel = rays.camera.project({in_camera});
-    if (!pixel || in_camera.z() < 0.05) return limit;
-    window.u_min_px = std::min(window.u_min_px, pixel->u_px);
-    window.v_min_px = std::min(window.v_min_px, pixel->v_px);
-    window.u_max_px = std::max(window.u_max_px, pixel->u_px);
-    window.v_max_px = std::max(window.v_max_px, pixel->v_px);
-  }
-  return {std::max(window.u_min_px, limit.u_min_px),
-          std::max(window.v_min_px, limit.v_min_px),
-          std::min(window.u_max_px, limit.u_max_px),
-          std::min(window.v_max_px, limit.v_max_px)};
-}
-
-/// Visible over all grid points of one object's silhouette.
-double unhidden_share(const EmbreeScene& alone,
-                      const RenderedView& view,
-                      ObjectId id,
-                      const PixelBox& window,
-                      const RayGrid& rays) {
-  const double area = std::max(0.0, window.width_px()) * std::max(0.0, window.height_px());
-  const int step = std::max(1, static_cast<int>(std::sqrt(area / kSilhouetteSamples)));
-  int all = 0;
-  int visible = 0;
-  const auto first_u = static_cast<int>(std::floor(window.u_min_px));
-  for (int v = static_cast<int>(std::floor(window.v_min_px)); v <= window.v_max_px; v += step) {
-    for (int u = first_u; u <= window.u_max_px; u += step * EmbreeScene::kPacket) {
-      const auto hits = alone.nearest(rays.origin.cast<float>(), rays.packet(u, step, v));
-      for (int i = 0; i < EmbreeScene::kPacket; ++i) {
-        if (!hits[static_cast<std::size_t>(i)]) continue;
-        ++all;
-        const int pixel_u = u + i * step;
-        if (view.instances.contains(pixel_u, v) && view.instances.at(pixel_u, v) == id) ++visible;
-      }
-    }
-  }
-  return all == 0 ? 0.0 : static_cast<double>(visible) / all;
-}
-
-}  // namespace
-
-std::vector<double> SceneRenderer::unhidden_shares(const RenderedView& view,
-                                                   std::span<const ObjectId> objects,
-                                                   const PinholeCamera& camera,
-                                                   const MapFromCamera& map_from_camera) const {
+std::vector<double> SceneRenderer::unhidden_shares(
+    const RenderedView& view,
+    std::span<const ObjectId> objects,
+    const PinholeCamera& camera,
+    const MapFromCamera& map_from_camera,
+    std::span<const Eigen::Isometry3d> map_from_bodies) const {
   const RayGrid rays(camera, map_from_camera);
+  const Surroundings scene = impl_->around(map_from_bodies);
   std::vector<double> shares;
+  shares.reserve(objects.size());
   for (const ObjectId id : objects) {
-    const PixelBox window = silhouette_window(impl_->surfaces[id.value].mesh, rays);
-    shares.push_back(unhidden_share(impl_->alone[id.value - 1], view, id, window, rays));
+    const TriangleMesh& mesh = impl_->surfaces[id.value].mesh;
+    const EmbreeScene& alone = impl_->alone[id.value - 1];
+    LoneShape shape{mesh, alone, Eigen::Isometry3d::Identity(), Eigen::Isometry3f::Identity()};
+    if (id.value > impl_->num_objects) {
+      const PosedBody& body = scene.bodies[id.value - impl_->num_objects - 1];
+      shape.map_from_mesh = body.map_from_body;
+      shape.mesh_from_map = body.body_from_map;
+    }
+    shares.push_back(unhidden_share(shape, view.instances, id, rays));
   }
   return shares;
 }

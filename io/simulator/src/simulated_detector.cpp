@@ -87,6 +87,14 @@ MaskImage mask_of(const Image<ObjectId>& instances, ObjectId id) {
 
 }  // namespace
 
+SimulatedDetectorOptions worse_detector(SimulatedDetectorOptions usual) {
+  constexpr double kFurtherMissed = 0.35;
+  usual.miss_rate += kFurtherMissed * (1.0 - usual.miss_rate);
+  usual.false_alarms_per_frame += 1.0;
+  usual.box_jitter = 0.08;
+  return usual;
+}
+
 std::vector<VisibleObject> visible_objects(const Image<ObjectId>& instances,
                                            std::span<const std::string_view> class_names) {
   std::vector<VisibleObject> all(class_names.size());

@@ -5,6 +5,7 @@
 #include "hypermap/io/simulator/simulator.hpp"
 
 #include <numbers>
+#include <string>
 #include <string_view>
 
 namespace hypermap {
@@ -104,9 +105,32 @@ Result<void> check_scores(const SimulatedDetectorOptions& options) {
               "min_score");
 }
 
+constexpr std::string_view kChanges = "docs/EVALUATION.md, Changes";
+
+constexpr OptionRow kChangeRows[] = {
+    option::count<&SceneChangeOptions::num_moved>(
+        "num_moved",
+        {0, 100},
+        {.source = kChanges, .effect = "Things that stand elsewhere in the last pass."}),
+    option::count<&SceneChangeOptions::num_removed>(
+        "num_removed",
+        {0, 100},
+        {.source = kChanges, .effect = "Things that are gone in the last pass."}),
+    option::count<&SceneChangeOptions::num_added>(
+        "num_added",
+        {0, 100},
+        {.source = kChanges, .effect = "Things that are there in the last pass alone."}),
+};
+
 constexpr OptionRow kSimulationRows[] = {
     option::count<&SimulationOptions::num_frames>(
-        "num_frames", {1, 100000}, {.effect = "Spread evenly over the camera path of the scene."}),
+        "num_frames",
+        {1, 100000},
+        {.effect = "Spread evenly over the camera path of the scene, in each pass."}),
+    option::count<&SimulationOptions::frame_step>(
+        "frame_step", {1, 100000}, {.effect = "Every n-th of the frames is made."}),
+    option::count<&SimulationOptions::num_passes>(
+        "num_passes", {1, 100}, {.effect = "Times that the camera goes over its way."}),
     option::count<&SimulationOptions::seed>(
         "seed", option::at_least(0), {.effect = "Of noise, detector and arrangement."}),
     option::number<&SimulationOptions::pose_noise>(
@@ -114,14 +138,49 @@ constexpr OptionRow kSimulationRows[] = {
         {0, 100},
         {.source = kNoise,
          .effect = "Drift of the recorded poses; 1 is 1 cm and 0.1 degrees in the first metre."}),
+    option::number<&SimulationOptions::pose_noise_m>(
+        "pose_noise_m",
+        {0, 10},
+        {.unit = "m",
+         .source = kNoise,
+         .effect = "White noise of each coordinate of a recorded position."}),
+    option::number<&SimulationOptions::pose_noise_rad>(
+        "pose_noise_rad",
+        {0, 3},
+        {.unit = "rad",
+         .source = kNoise,
+         .effect = "White noise of a recorded orientation about each axis."}),
+    option::number<&SimulationOptions::speed>(
+        "speed",
+        option::above(0, 1000),
+        {.effect = "Driving and turning, as a multiple of what the scene says."}),
+    option::number<&SimulationOptions::lens_height_m>(
+        "lens_height_m",
+        option::zero_or(0.05, 100),
+        {.unit = "m", .effect = "Instead of all heights of the scene; 0: those of the scene."}),
+    option::count<&SimulationOptions::width_px>(
+        "width_px",
+        {0, 65535},
+        {.unit = "px", .effect = "Of the images; 0: as the camera has it."}),
+    option::count<&SimulationOptions::height_px>(
+        "height_px",
+        {0, 65535},
+        {.unit = "px", .effect = "Of the images; 0: as the camera has it."}),
     option::section<&SimulationOptions::sensor>("sensor"),
     option::section<&SimulationOptions::detector>("detector"),
+    option::section<&SimulationOptions::changes>("changes"),
     option::count<&SimulationOptions::num_threads>(
         "num_threads", {0, 256}, {.effect = "0: as many as there are cores.", .is_listed = false}),
 };
 
-Result<void> check_camera(const SimulationOptions& options) {
-  return validate(options.camera);
+Result<void> check_camera_and_changes(const SimulationOptions& options) {
+  if (options.changes.total() > 0 && options.num_passes < 2)
+    return fail(ErrorCode::kInvalidArgument,
+                "must be 2 or more when things change between passes, is " +
+                    std::to_string(options.num_passes),
+                "num_passes");
+  HYPERMAP_TRY(validate(options.camera));
+  return validate(image_camera(options));
 }
 
 constexpr OptionRow kTrueOccupancyRows[] = {
@@ -161,8 +220,13 @@ Result<void> validate(const SimulatedDetectorOptions& options) {
   return check_options(options, "detector");
 }
 
+const OptionTable& option_table(const SceneChangeOptions&) {
+  static constexpr OptionTable kTable{kChangeRows};
+  return kTable;
+}
+
 const OptionTable& option_table(const SimulationOptions&) {
-  static constexpr OptionTable kTable{kSimulationRows, kRule<check_camera>};
+  static constexpr OptionTable kTable{kSimulationRows, kRule<check_camera_and_changes>};
   return kTable;
 }
 

@@ -8,6 +8,7 @@
 #include "hypermap/io/dataset/trajectory_file.hpp"
 #include "hypermap/io/simulator/simulation_truth.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
+#include "true_changes.hpp"
 
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -102,6 +103,7 @@ void add_to_report(const FrameRecord& record,
     report.objects[i].most_depth_pixels =
         std::max(report.objects[i].most_depth_pixels, record.depth_pixels[i]);
   for (const VisibleObject& object : record.visible) {
+    if (object.id.value > report.objects.size()) continue;  // not there at the end
     if (detector.is_visible(object)) ++report.objects[object.id.value - 1].num_frames_visible;
   }
 }
@@ -240,10 +242,11 @@ Result<SimulationReport> write_simulation(const Scene& scene,
   HYPERMAP_TRY(folder.make_folder("rgb"));
   HYPERMAP_TRY(folder.make_folder("depth"));
   HYPERMAP_TRY(
-      folder.write("intrinsics.json", to_intrinsics_json(options.camera, kDepthUnitsPerM)));
+      folder.write("intrinsics.json", to_intrinsics_json(image_camera(options), kDepthUnitsPerM)));
   HYPERMAP_ASSIGN_OR_RETURN(SimulationReport report,
                             FramePipeline(simulator, folder, progress).run(options.num_threads));
-  HYPERMAP_ASSIGN_OR_RETURN(const MapArchive truth, make_truth(simulator, scene, report.objects));
+  HYPERMAP_ASSIGN_OR_RETURN(MapArchive truth, make_truth(simulator, scene, report.objects));
+  HYPERMAP_TRY(add_changes(simulator.changes(), truth));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string truth_bytes, write_archive(truth));
   HYPERMAP_TRY(folder.write("truth.hmap", truth_bytes));
   HYPERMAP_TRY(require_replaceable(output_dir));  // the rendering took a while

@@ -76,17 +76,46 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_NEAR(scene->path.turn_rate_rad_per_s, 0.5 * std::numbers::pi, 1e-15);
 }
 
-TEST(SceneFile, TheScenesThatShipAreReadAndFurnished) {
-  for (const char* name : {"laboratory", "floor"}) {
-    const auto path = find_scene(name, kData);
-    ASSERT_TRUE(path) << to_string(path.error());
-    const auto scene = load_scene(*path);
-    ASSERT_TRUE(scene) << to_string(scene.error());
-    EXPECT_EQ(scene->name, name);
-    EXPECT_GE(scene->objects.size(), 30U);
-    const auto furnished = furnish(*scene, 1);
-    EXPECT_TRUE(furnished) << to_string(furnished.error());
-  }
+TEST(SceneFile, AThingBesideAnotherIsRead) {
+  const auto scene = parse_scene(
+      scene_text(kTable +
+                 "  - {name: seat, class: chair, shape: chair, beside: desk, at: [1, 0]}\n"),
+      "cell.yaml");
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  EXPECT_EQ(scene->objects.at(1).beside, "desk");
+  const auto both = parse_scene(
+      scene_text(kTable +
+                 "  - {name: mug, class: cup, shape: cup, on: desk, beside: desk, at: [1, 0]}\n"),
+      "cell.yaml");
+  ASSERT_FALSE(both);
+  EXPECT_THAT(to_string(both.error()), HasSubstr("beside"));
+}
+
+TEST(SceneFile, WhatMovesIsRead) {
+  const std::string text = scene_text(kTable, R"(moving:
+  - {name: guest, class: person, shape: person, speed: 0.8, way: [[1, 2], [3, 2.5]],
+     size: [0.5, 0.4, 1.6], colors: [[1, 2, 3]]}
+)");
+  const auto scene = parse_scene(text, "cell.yaml");
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  ASSERT_EQ(scene->moving.size(), 1U);
+  const MovingBody& guest = scene->moving[0];
+  EXPECT_EQ(guest.class_name, "person");
+  EXPECT_EQ(guest.speed_m_per_s, 0.8);
+  ASSERT_EQ(guest.way_in_map.size(), 2U);
+  EXPECT_EQ(guest.way_in_map[1], Eigen::Vector2d(3, 2.5));
+  EXPECT_EQ(guest.size_m, Eigen::Vector3d(0.5, 0.4, 1.6));
+  EXPECT_EQ(guest.colors.size(), 1U);
+  const auto error = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    const auto read = parse_scene(changed, "s.yaml");
+    return read ? std::string("read") : to_string(read.error());
+  };
+  EXPECT_THAT(error("[[1, 2], [3, 2.5]]", "[[1, 2]]"), HasSubstr("2 points"));
+  EXPECT_THAT(error("[[1, 2], [3, 2.5]]", "[[1, 2], [1, 2]]"), HasSubstr("1 cm"));
+  EXPECT_THAT(error("speed: 0.8", "speed: 0"), HasSubstr("speed"));
+  EXPECT_THAT(error("way:", "path:"), HasSubstr("moving[0].path"));
 }
 
 TEST(SceneFile, AnUnknownKeyIsRefusedWithTheNearestOne) {
@@ -170,7 +199,7 @@ TEST(SceneFile, AFileOfOnesOwnIsFoundBeforeThoseThatShip) {
   const auto none = find_scene("garden", kData);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
-  EXPECT_THAT(none.error().what, HasSubstr("floor, laboratory"));
+  EXPECT_THAT(none.error().what, HasSubstr("flat, floor, hall, laboratory, office"));
   EXPECT_FALSE(find_scene("../scenes/floor", kData));
 }
 

@@ -48,6 +48,31 @@ TEST(Scene, ThingsStandWhereTheSceneSays) {
   EXPECT_TRUE(desk.centroid_in_map.isApprox(Eigen::Vector3d(3.0, 2.0, 0.375), 1e-4));
 }
 
+TEST(Scene, AThingBesideAnotherStandsAtItsFootAndGoesWithIt) {
+  Scene scene = room();
+  scene.objects.push_back({.name = "seat",
+                           .class_name = "chair",
+                           .shape = "chair",
+                           .beside = "desk",
+                           .position_m = {0.6, 0.2},
+                           .movable = false});
+  for (const std::uint64_t seed : {0U, 5U}) {
+    const auto furnished = furnish(scene, seed);
+    ASSERT_TRUE(furnished) << to_string(furnished.error());
+    const PlacedObject& desk = furnished->objects[0];
+    const PlacedObject& seat = furnished->objects[2];
+    // It has no jitter of its own: the pair moves as one.
+    EXPECT_TRUE((desk.map_from_object.inverse() * seat.map_from_object)
+                    .isApprox(Eigen::Isometry3d(Eigen::Translation3d(0.6, 0.2, 0.0)), 1e-9));
+    EXPECT_NEAR(seat.box.min_in_map.z(), 0.0, 1e-6);
+  }
+  scene.objects[2].on = "desk";
+  EXPECT_EQ(furnish(scene, 0).error().field, "beside");
+  scene.objects[2].on.clear();
+  scene.objects[2].beside = "shelf";
+  EXPECT_EQ(furnish(scene, 0).error().code, ErrorCode::kNotFound);
+}
+
 TEST(Scene, AThingOnAnotherStandsOnItsTopInItsFrame) {
   const auto furnished = furnish(room(), 0);
   ASSERT_TRUE(furnished);

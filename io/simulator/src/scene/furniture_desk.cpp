@@ -39,6 +39,27 @@ TriangleMesh build_keyboard(const ShapeInput& in) {
   return mesh.build();
 }
 
+TriangleMesh build_laptop(const ShapeInput& in) {
+  const double x = 0.5 * in.size_m.x();
+  const double y = 0.5 * in.size_m.y();
+  const double top = in.size_m.z();
+  const double hinge = -0.35 * x;  // the lid leans back from here
+  MeshBuilder mesh;
+  mesh.material({in.first, SurfacePattern::kPlain});
+  mesh.box({hinge, -y, 0.0}, {x, y, 0.016});
+  const double lean = std::atan2(x + hinge, top - 0.016);
+  mesh.placed(Eigen::Translation3d(hinge, 0.0, 0.016) *
+              Eigen::AngleAxisd(-lean, Vector3d::UnitY()));
+  const double lid = std::hypot(x + hinge, top - 0.016);
+  mesh.box({-0.008, -y, 0.0}, {0.0, y, lid});
+  mesh.material({in.second, SurfacePattern::kScreen});
+  mesh.box({0.0, -y + 0.012, 0.014}, {0.001, y - 0.012, lid - 0.012});
+  mesh.placed(Eigen::Isometry3d::Identity());
+  mesh.material({{50, 50, 54}, SurfacePattern::kKeys});
+  mesh.box({hinge + 0.03, -y + 0.02, 0.016}, {0.5 * x, y - 0.02, 0.018});
+  return mesh.build();
+}
+
 TriangleMesh build_mouse(const ShapeInput& in) {
   const Vector3d radii{0.5 * in.size_m.x(), 0.5 * in.size_m.y(), in.size_m.z()};
   MeshBuilder mesh;

@@ -35,11 +35,31 @@ struct ShapeInput {
 [[nodiscard]] TriangleMesh build_keyboard(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_mouse(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_cup(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_laptop(const ShapeInput& input);
 
 // What people bring and leave (furniture_belongings.cpp).
 [[nodiscard]] TriangleMesh build_suitcase(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_umbrella(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_backpack(const ShapeInput& input);
 [[nodiscard]] TriangleMesh build_plant(const ShapeInput& input);
+
+// What a flat has beside (furniture_home.cpp).
+[[nodiscard]] TriangleMesh build_bed(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_refrigerator(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_oven(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_microwave(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_lamp(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_vase(const ShapeInput& input);
+
+// What is stored (furniture_store.cpp).
+/// Four boards: at the top, and at 2/3, 1/3 and 0 of the way up from 12 cm above the floor.
+[[nodiscard]] TriangleMesh build_shelf(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_crate(const ShapeInput& input);
+[[nodiscard]] TriangleMesh build_bottle(const ShapeInput& input);
+/// Lying, its spine at -x.
+[[nodiscard]] TriangleMesh build_book(const ShapeInput& input);
+
+// Who walks about (furniture_people.cpp).
+[[nodiscard]] TriangleMesh build_person(const ShapeInput& input);
 
 }  // namespace hypermap

@@ -18,14 +18,21 @@ constexpr double kJitterShareOnOthers = 0.4;
 
 using Objects = std::vector<PlacedObject>;
 
-/// Where the object stands: a frame level with the floor, or with the top of what bears it.
+/// Where the object stands: a frame level with the floor, with the top of what bears it or with
+/// the foot of what it stands beside.
 Result<Eigen::Isometry3d> map_from_support(const SceneObject& object, const Objects& placed) {
-  if (object.on.empty()) return Eigen::Isometry3d::Identity();
-  const auto bearer = std::ranges::find(placed, object.on, &PlacedObject::name);
+  if (object.on.empty() && object.beside.empty()) return Eigen::Isometry3d::Identity();
+  if (!object.on.empty() && !object.beside.empty())
+    return fail(ErrorCode::kInvalidArgument, "must not be given together with `on`", "beside");
+  const std::string field = object.on.empty() ? "beside" : "on";
+  const std::string& name = object.on.empty() ? object.beside : object.on;
+  const auto bearer = std::ranges::find(placed, name, &PlacedObject::name);
   if (bearer == placed.end())
-    return fail(ErrorCode::kNotFound,
-                "stands on " + printable(object.on) + ", which is no object before it in the list",
-                "on");
+    return fail(
+        ErrorCode::kNotFound,
+        "stands " + field + " " + printable(name) + ", which is no object before it in the list",
+        field);
+  if (object.on.empty()) return bearer->map_from_object;
   return bearer->map_from_object *
          Eigen::Translation3d(0.0, 0.0, bearer->box.max_in_map.z() - bearer->box.min_in_map.z());
 }
@@ -35,7 +42,7 @@ Eigen::Isometry3d support_from_object(const Scene& scene,
                                       const SceneObject& object,
                                       std::uint64_t seed,
                                       std::size_t index) {
-  double share = object.on.empty() ? 1.0 : kJitterShareOnOthers;
+  double share = object.on.empty() && object.beside.empty() ? 1.0 : kJitterShareOnOthers;
   if (!object.movable || seed == 0) share = 0.0;
   CounterRng random(seed, kJitterStream, index);
   const auto jitter = [&](double limit) { return share * random.uniform(-limit, limit); };

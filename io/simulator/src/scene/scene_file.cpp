@@ -69,40 +69,62 @@ Result<SceneFixture> read_fixture(const YamlNode& node) {
   return fixture;
 }
 
-/// What an object may say beyond name, class, shape and place.
-Result<void> read_looks(const YamlNode& node, SceneObject& object) {
+/// Name, class and looks, of objects and of what moves.
+template <class Described>
+Result<Described> read_named(const YamlNode& node) {
+  Described described;
+  HYPERMAP_ASSIGN_OR_RETURN(described.name, read_text(node, "name"));
+  HYPERMAP_ASSIGN_OR_RETURN(described.class_name, read_text(node, "class"));
+  HYPERMAP_ASSIGN_OR_RETURN(described.shape, read_text(node, "shape"));
   if (const auto size = node.find("size")) {
-    HYPERMAP_ASSIGN_OR_RETURN(object.size_m, read_vector<3>(*size));
+    HYPERMAP_ASSIGN_OR_RETURN(described.size_m, read_vector<3>(*size));
   }
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> colors, read_list(node, "colors", 2));
   for (const YamlNode& item : colors) {
     HYPERMAP_ASSIGN_OR_RETURN(const Rgb8 color, read_color(item));
-    object.colors.push_back(color);
+    described.colors.push_back(color);
   }
-  if (const auto fixed = node.find("fixed")) {
-    HYPERMAP_ASSIGN_OR_RETURN(const bool is_fixed, fixed->as_bool());
-    object.movable = !is_fixed;
+  return described;
+}
+
+Result<MovingBody> read_moving(const YamlNode& node) {
+  constexpr std::array<std::string_view, 7> kKeys{
+      "name", "class", "shape", "size", "colors", "speed", "way"};
+  HYPERMAP_TRY(require_map(node, kKeys));
+  HYPERMAP_ASSIGN_OR_RETURN(MovingBody body, read_named<MovingBody>(node));
+  HYPERMAP_ASSIGN_OR_RETURN(body.speed_m_per_s, read_number(node, "speed", 1.0, 0.001, 100.0));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<YamlNode> way, read_list(node, "way", kMaxWaypoints));
+  for (const YamlNode& item : way) {
+    HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Vector2d point, read_vector<2>(item));
+    if (!body.way_in_map.empty() && (point - body.way_in_map.back()).norm() < 0.01)
+      return refuse(item, "must lie 1 cm or more from the point before it");
+    body.way_in_map.push_back(point);
   }
-  return {};
+  if (body.way_in_map.size() < 2) return refuse(node, "`way` must have 2 points or more");
+  return body;
 }
 
 Result<SceneObject> read_object(const YamlNode& node) {
-  constexpr std::array<std::string_view, 10> kKeys{
-      "name", "class", "shape", "on", "at", "height", "yaw", "size", "colors", "fixed"};
+  constexpr std::array<std::string_view, 11> kKeys{
+      "name", "class", "shape", "on", "beside", "at", "height", "yaw", "size", "colors", "fixed"};
   HYPERMAP_TRY(require_map(node, kKeys));
-  SceneObject object;
-  HYPERMAP_ASSIGN_OR_RETURN(object.name, read_text(node, "name"));
-  HYPERMAP_ASSIGN_OR_RETURN(object.class_name, read_text(node, "class"));
-  HYPERMAP_ASSIGN_OR_RETURN(object.shape, read_text(node, "shape"));
+  HYPERMAP_ASSIGN_OR_RETURN(SceneObject object, read_named<SceneObject>(node));
   if (node.find("on")) {
     HYPERMAP_ASSIGN_OR_RETURN(object.on, read_text(node, "on"));
+  }
+  if (const auto beside = node.find("beside")) {
+    if (!object.on.empty()) return refuse(*beside, "must not be given together with `on`");
+    HYPERMAP_ASSIGN_OR_RETURN(object.beside, read_text(node, "beside"));
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode at, node.at("at"));
   HYPERMAP_ASSIGN_OR_RETURN(object.position_m, read_vector<2>(at));
   HYPERMAP_ASSIGN_OR_RETURN(object.height_m, read_number(node, "height", 0.0, -100.0, 100.0));
   HYPERMAP_ASSIGN_OR_RETURN(const double yaw_deg, read_number(node, "yaw", 0.0, -3600.0, 3600.0));
   object.yaw_rad = kRadPerDeg * yaw_deg;
-  HYPERMAP_TRY(read_looks(node, object));
+  if (const auto fixed = node.find("fixed")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const bool is_fixed, fixed->as_bool());
+    object.movable = !is_fixed;
+  }
   return object;
 }
 
@@ -158,8 +180,8 @@ Result<void> read_lights_and_jitter(const YamlNode& root, Scene& scene) {
 }
 
 Result<Scene> read_scene(const YamlNode& root) {
-  constexpr std::array<std::string_view, 7> kKeys{
-      "name", "building", "lights", "jitter", "fixtures", "objects", "camera"};
+  constexpr std::array<std::string_view, 8> kKeys{
+      "name", "building", "lights", "jitter", "fixtures", "objects", "moving", "camera"};
   HYPERMAP_TRY(require_map(root, kKeys));
   Scene scene;
   HYPERMAP_ASSIGN_OR_RETURN(scene.name, read_text(root, "name"));
@@ -175,6 +197,11 @@ Result<Scene> read_scene(const YamlNode& root) {
   for (const YamlNode& item : objects) {
     HYPERMAP_ASSIGN_OR_RETURN(SceneObject object, read_object(item));
     scene.objects.push_back(std::move(object));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const auto moving, read_list(root, "moving", kMaxSceneObjects));
+  for (const YamlNode& item : moving) {
+    HYPERMAP_ASSIGN_OR_RETURN(MovingBody body, read_moving(item));
+    scene.moving.push_back(std::move(body));
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode camera, root.at("camera"));
   HYPERMAP_TRY(read_camera(camera, scene));

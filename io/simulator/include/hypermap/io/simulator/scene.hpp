@@ -25,8 +25,11 @@ struct SceneObject {
   std::string class_name = {};  ///< What a person calls it.
   std::string shape = {};       ///< One of `furniture_shapes()`.
   std::string on = {};          ///< Name of the object that it stands on; empty: the floor.
-  /// Centre of its ground plan in the map, or, when it stands on something, in that object's frame
-  /// (origin at its middle). Unit: metre.
+  /// Name of the object in whose frame it stands, at the height where that object stands; empty:
+  /// none. Not together with `on`.
+  std::string beside = {};
+  /// Centre of its ground plan in the map, or, when it stands on or beside something, in that
+  /// object's frame (origin at its middle). Unit: metre.
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double height_m = 0.0;  ///< Above the floor, or above the top of what it stands on.
   double yaw_rad = 0.0;   ///< Where its front looks, in the same frame as its position.
@@ -34,6 +37,18 @@ struct SceneObject {
   std::vector<Rgb8> colors = {};                     ///< Empty: the shape's usual colours.
   /// Stands free, so that each seed puts it a little elsewhere.
   bool movable = true;
+};
+
+/// Somebody or something that goes to and fro along a line all the time. Frames show it; it is in
+/// no truth.
+struct MovingBody {
+  std::string name = {};
+  std::string class_name = {};
+  std::string shape = {};                            ///< One of `furniture_shapes()`.
+  std::vector<Eigen::Vector2d> way_in_map = {};      ///< Two points or more, apart.
+  double speed_m_per_s = 1.0;                        ///< Range: > 0
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< Zero: the shape's usual size.
+  std::vector<Rgb8> colors = {};                     ///< Empty: the shape's usual colours.
 };
 
 /// A part of the building that is no object: a door, a window, a ledge. A cuboid.
@@ -53,6 +68,7 @@ struct Scene {
   std::vector<Eigen::Vector3d> lights_in_map;  ///< Point lights; none: one under the ceiling.
   std::vector<SceneFixture> fixtures;
   std::vector<SceneObject> objects;
+  std::vector<MovingBody> moving;
   std::vector<CameraWaypoint> waypoints;
   CameraPath::Options path;
   /// How much a seed moves free-standing objects on the floor; two fifths of it what stands on
@@ -83,6 +99,7 @@ struct FurnishedScene {
 /// Puts everything in its place. `seed` moves and turns the free-standing objects a little (uniform
 /// within the scene's jitter); objects on others go with them. Seed 0 moves nothing.
 ///
+/// What stands beside another goes with it, as what stands on it does.
 /// Errors: kNotFound for a shape or a supporting object that does not exist (or comes later in the
 /// list); kInvalidArgument for what `build_furniture` and `footprint` refuse. `entry` names the
 /// object.

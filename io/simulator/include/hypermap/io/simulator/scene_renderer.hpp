@@ -32,27 +32,34 @@ struct RenderedView {
 /// instruction set that Embree picks.
 class SceneRenderer {
  public:
+  /// `bodies` are shapes in frames of their own that each view may put elsewhere. Their ids follow
+  /// those of the objects.
   /// Errors: kUnavailable when Embree gives no device; kOutOfMemory.
-  [[nodiscard]] static Result<SceneRenderer> create(const FurnishedScene& scene);
+  [[nodiscard]] static Result<SceneRenderer> create(const FurnishedScene& scene,
+                                                    std::span<const TriangleMesh> bodies = {});
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
   ~SceneRenderer();
 
   /// Rows in parallel, on the threads of the caller's TBB arena.
-  /// Requires: a valid camera. Cost: two rays a pixel (the second for shadows).
+  /// `map_from_bodies`: where the bodies of `create` are. Requires: a valid camera; a pose for each
+  /// body. Cost: two rays a pixel (the second for shadows), and as many for each body.
   [[nodiscard]] RenderedView render(const PinholeCamera& camera,
-                                    const MapFromCamera& map_from_camera) const;
+                                    const MapFromCamera& map_from_camera,
+                                    std::span<const Eigen::Isometry3d> map_from_bodies = {}) const;
 
   /// How much of each object's own silhouette is unhidden in the view: pixels of the object over
   /// pixels that it would fill alone, both counted on a grid, 0 .. 1.
   ///
   /// The silhouette reaches beyond the image (to twice its size on each side), so that what the
   /// image's edge cuts off counts as hidden. Result: one number per id in `objects`.
-  /// Requires: `view` was rendered with the same camera and pose.
-  [[nodiscard]] std::vector<double> unhidden_shares(const RenderedView& view,
-                                                    std::span<const ObjectId> objects,
-                                                    const PinholeCamera& camera,
-                                                    const MapFromCamera& map_from_camera) const;
+  /// Requires: `view` was rendered with the same camera and poses.
+  [[nodiscard]] std::vector<double> unhidden_shares(
+      const RenderedView& view,
+      std::span<const ObjectId> objects,
+      const PinholeCamera& camera,
+      const MapFromCamera& map_from_camera,
+      std::span<const Eigen::Isometry3d> map_from_bodies = {}) const;
 
  private:
   struct Impl;

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The options of `simulate`: what each does to the dataset and its truth.
+
+Usage: simulate_test.py PROGRAM [unittest args]"""
+
+import json
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+from program import run
+
+SMALL = ("--size", "80x60", "--seed", 3)
+
+
+class Simulate(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-simulate-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def simulated(self, *options, scene="laboratory"):
+        folder = self.folder / "lab"
+        result = run("simulate", "--scene", scene, "--output", folder, *SMALL, *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return folder
+
+    def refused(self, *options, status=4):
+        result = run("simulate", "--output", self.folder / "lab", *SMALL, *options)
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+        return result.stderr
+
+    def num_detections(self, *options):
+        lines = (self.simulated("--frames", 40, *options) / "detections.jsonl").read_text().splitlines()
+        return sum(len(json.loads(line).get("detections", [])) for line in lines)
+
+    def images(self, folder):
+        return [line.split()[1] for line in (folder / "rgb.txt").read_text().splitlines() if line[0] != "#"]
+
+    def test_size_steps_and_passes(self):
+        folder = self.simulated("--frames", 7, "--frame-step", 3, "--passes", 2)
+        self.assertEqual(self.images(folder), [f"rgb/{number:06d}.png" for number in (0, 3, 6, 7, 10, 13)])
+        camera = json.loads((folder / "intrinsics.json").read_text())
+        self.assertEqual((camera["width"], camera["height"]), (80, 60))
+        self.assertAlmostEqual(camera["fx"], 525 / 8)
+        self.assertEqual((folder / "rgb/000000.png").read_bytes()[16:24], bytes((0, 0, 0, 80, 0, 0, 0, 60)))
+
+    def test_rates_of_the_detector(self):
+        without = self.num_detections("--false-alarms", 0, "--miss-rate", 1)
+        self.assertEqual(without, 0)
+        alarms = self.num_detections("--false-alarms", 5, "--miss-rate", 1)
+        self.assertGreater(alarms, 40 * 5 - 60)
+        self.assertLess(alarms, 40 * 5 + 60)
+        # The worse one has one more false alarm a frame, and a rate that is given goes before the name.
+        worse = self.num_detections("--detector", "worse", "--miss-rate", 1)
+        self.assertGreater(worse, 40 * 1.3 - 30)
+        self.assertLess(worse, 40 * 1.3 + 30)
+
+    def test_heights_speed_and_noise_of_poses(self):
+        def poses(*options):
+            lines = (self.simulated("--frames", 4, *options) / "groundtruth.txt").read_text().splitlines()
+            return [[float(word) for word in line.split()] for line in lines if line[0] != "#"]
+
+        usual, low, fast = poses(), poses("--lens-height", 0.7), poses("--speed", 2)
+        self.assertEqual({pose[3] for pose in low}, {0.7})
+        self.assertAlmostEqual(usual[-1][0] / fast[-1][0], 2, places=4)
+        self.assertEqual([pose[1:] for pose in usual], [pose[1:] for pose in fast])
+        shifted, turned = poses("--pose-noise-m", 0.01), poses("--pose-noise-rad", 0.01)
+        for before, moved, tilted in zip(usual, shifted, turned):
+            self.assertTrue(all(0 < abs(a - b) < 0.06 for a, b in zip(before[1:4], moved[1:4])))
+            self.assertEqual(before[4:], moved[4:])
+            self.assertEqual(before[1:4], tilted[1:4])
+            self.assertNotEqual(before[4:], tilted[4:])
+
+    def test_changes_stand_in_the_truth(self):
+        folder = self.simulated("--frames", 3, "--passes", 2, "--moved", 2, "--removed", 1, "--added", 1)
+        layers = run("info", folder / "truth.hmap").stdout
+        self.assertIn("changes", layers)
+        found = json.loads(run("query", folder / "truth.hmap", "--layer", "changes", "--area",
+                               "-10 -10,10 -10,10 10,-10 10", "--json").stdout)["results"]
+        self.assertEqual(len(found), 4)
+        self.assertIn("num_passes", self.refused("--moved", 1, status=2))
+        self.assertIn("changes.num_removed", self.refused("--passes", 2, "--removed", 99, status=2))
+
+    def test_what_is_no_value_is_a_wrong_command_line(self):
+        for options in (("--frame-step", 0), ("--passes", 0), ("--speed", 0), ("--lens-height", 0.01),
+                        ("--pose-noise-m", -1), ("--pose-noise-rad", "nan"), ("--miss-rate", 1.5),
+                        ("--false-alarms", 21), ("--box-noise", -0.1), ("--wrong-class", 2), ("--moved", -1),
+                        ("--removed", 101), ("--added", "two"), ("--detector", "worst")):
+            with self.subTest(options):
+                self.assertIn(options[0], self.refused(*options))
+        for size in ("80", "80x", "x60", "80x60x2", "0x60", "80x70000", "-80x60", "80 x 60", ""):
+            with self.subTest(size):
+                result = run("simulate", "--output", self.folder / "lab", f"--size={size}")
+                self.assertEqual(result.returncode, 4, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

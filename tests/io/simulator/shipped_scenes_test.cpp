@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scenes in data/scenes: nothing in the camera's way, nothing that it never sees.
+#include "hypermap/io/simulator/scene_file.hpp"
+#include "hypermap/io/simulator/simulator.hpp"
+#include "support/sanitized.hpp"
+#include "support/test_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+class ShippedScene : public testing::TestWithParam<const char*> {
+ protected:
+  static Scene load() {
+    auto scene = load_scene(test::source_path("data/scenes/" + std::string(GetParam()) + ".yaml"));
+    EXPECT_TRUE(scene) << to_string(scene.error());
+    return scene ? *std::move(scene) : Scene{};
+  }
+};
+
+double distance_m(const Box& box, const Eigen::Vector2d& at) {
+  const Eigen::Vector2d nearest =
+      at.cwiseMax(box.min_in_map.head<2>()).cwiseMin(box.max_in_map.head<2>());
+  return (at - nearest).norm();
+}
+
+TEST_P(ShippedScene, IsReadAndFurnished) {
+  const Scene scene = load();
+  EXPECT_EQ(scene.name, GetParam());
+  EXPECT_GE(scene.objects.size(), 20U);
+  const auto furnished = furnish(scene, 1);
+  EXPECT_TRUE(furnished) << to_string(furnished.error());
+}
+
+TEST_P(ShippedScene, TheCameraAndThoseWhoWalkGoFree) {
+  const Scene scene = load();
+  const auto path = CameraPath::create(scene.waypoints, scene.path);
+  ASSERT_TRUE(path) << to_string(path.error());
+  std::vector<Eigen::Vector2d> eyes;
+  for (int i = 0; i <= 400; ++i)
+    eyes.emplace_back(path->pose_at(path->duration_s() * i / 400).origin().xyz.head<2>());
+  for (const std::uint64_t seed : {0U, 1U, 2U, 101U}) {
+    const auto furnished = furnish(scene, seed);
+    ASSERT_TRUE(furnished) << to_string(furnished.error());
+    for (const PlacedObject& object : furnished->objects) {
+      for (const Eigen::Vector2d& eye : eyes) {
+        EXPECT_TRUE(contains(scene.floor, eye)) << eye.transpose();
+        ASSERT_GE(distance_m(object.box, eye), 0.1) << object.name << " at " << eye.transpose();
+      }
+      // Nothing stands in a wall.
+      for (const Eigen::Vector3d& corner : object.box.corners())
+        EXPECT_TRUE(contains(scene.floor, corner.head<2>())) << object.name << " " << corner;
+      for (const MovingBody& body : scene.moving) {
+        for (const Eigen::Vector2d& point : body.way_in_map)
+          EXPECT_GE(distance_m(object.box, point), 0.25) << object.name << " " << body.name;
+      }
+    }
+  }
+  for (const MovingBody& body : scene.moving) {
+    for (const Eigen::Vector2d& point : body.way_in_map) {
+      for (const Eigen::Vector2d& eye : eyes) ASSERT_GE((eye - point).norm(), 0.6) << body.name;
+    }
+  }
+}
+
+/// Things on others do not hang in the air: their middle lies within what bears them.
+TEST_P(ShippedScene, ThingsStandOnWhatBearsThem) {
+  const Scene scene = load();
+  const auto furnished = furnish(scene, 101);
+  ASSERT_TRUE(furnished);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (scene.objects[i].on.empty()) continue;
+    const auto bearer =
+        std::ranges::find(furnished->objects, scene.objects[i].on, &PlacedObject::name);
+    ASSERT_NE(bearer, furnished->objects.end());
+    const PlacedObject& object = furnished->objects[i];
+    EXPECT_TRUE(contains(bearer->footprint, object.centroid_in_map.head<2>())) << object.name;
+  }
+}
+
+/// Of what the detector can name, nine in ten are seen well enough to count.
+TEST_P(ShippedScene, ShowsWhatItHolds) {
+  SimulationOptions options;
+  options.num_frames = test::kSanitized ? 20 : 60;
+  options.camera = {160, 120, 131.25, 131.25, 79.5, 59.5};  // a sixteenth of the usual pixels
+  const auto simulator = Simulator::create(load(), options);
+  ASSERT_TRUE(simulator) << to_string(simulator.error());
+  std::vector<int> best(simulator->objects().size(), 0);
+  for (std::size_t i = 0; i < simulator->size(); ++i) {
+    const SimulatedFrame simulated = simulator->render(i);
+    std::ranges::transform(
+        best, simulated.depth_pixels, best.begin(), [](int a, int b) { return std::max(a, b); });
+  }
+  int nameable = 0;
+  int seen = 0;
+  std::string unseen;
+  for (const PlacedObject& object : simulator->objects()) {
+    if (!simulator->detector().knows_class(object.class_name)) continue;
+    ++nameable;
+    const bool is_seen = best[object.id.value - 1] >= 200 / 16;
+    seen += is_seen ? 1 : 0;
+    if (!is_seen) unseen.append(" ").append(object.name);
+  }
+  EXPECT_GE(seen, nameable * 9 / 10) << unseen;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    ShippedScene,
+    testing::Values("flat", "floor", "hall", "laboratory", "office", "store_room", "workshop"),
+    [](const auto& scene) { return std::string(scene.param); });
+
+}  // namespace
+}  // namespace hypermap
