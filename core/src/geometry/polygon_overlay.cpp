@@ -77,4 +77,9 @@ double jaccard(const Polygon& a, const Polygon& b) {
   return together > 0.0 ? common / together : 0.0;
 }
 
+double covered_share(const Polygon& a, const Polygon& b) {
+  if (b.outer.empty() || !rectangles_intersect(bounds(a), bounds(b))) return 0.0;
+  return intersection_area_m2(a, b) / area_m2(a);
+}
+
 }  // namespace hypermap

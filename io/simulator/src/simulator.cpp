@@ -132,6 +132,7 @@ SimulatedFrame Simulator::render(std::size_t index) const {
       measured_depth(view.depth_m, view.incidence_cos, options.sensor, options.seed, index);
   frame.color = std::move(view.color);
   frame.detections = impl_->detector.detect(result.visible, view.instances, index);
+  result.named_rightly = impl_->detector.named_rightly(result.visible, view.instances, index);
   result.depth_pixels =
       count_depth_pixels(frame.depth_m, view.instances, impl_->scene.objects.size());
   result.instances = std::move(view.instances);

@@ -75,6 +75,22 @@ TEST(SimulatedDetector, ThePerfectOneSeesEverythingExactly) {
   }
 }
 
+TEST(SimulatedDetector, NamedRightlyIsWhatItsOwnDetectionsSay) {
+  const Rig rig(kNoFalseAlarms);
+  std::size_t num_named = 0;
+  for (std::uint64_t frame = 0; frame < 400; ++frame) {
+    const auto detections = rig.detect(frame);
+    const auto named = rig.detector.named_rightly(rig.objects, rig.instances, frame);
+    const bool is_named = !detections.empty() && rig.named(detections[0]) == "chair";
+    ASSERT_EQ(named, is_named ? std::vector{ObjectId{1}} : std::vector<ObjectId>{}) << frame;
+    num_named += named.size();
+  }
+  // Seen with 85 %, of these named rightly with 95 %.
+  EXPECT_NEAR(num_named, 400 * 0.8075, four_sigma(400, 0.8075));
+  const Rig unknown(kPerfect, "bin");
+  EXPECT_TRUE(unknown.detector.named_rightly(unknown.objects, unknown.instances, 0).empty());
+}
+
 TEST(SimulatedDetector, ItNamesTheEightyClassesOfCoco) {
   const Rig rig(kPerfect);
   EXPECT_EQ(rig.registry.size(), 80U);

@@ -16,8 +16,17 @@ constexpr std::array<std::string_view, 5> kObjectKeys = {
     "name", "shape", "tags", "confidence", "id"};
 /// Also what a simulation's truth says of an object (simulation_truth.hpp), kept like an unknown
 /// key.
-constexpr std::array<std::string_view, 8> kExpectedKeys = {
-    "name", "shape", "tags", "confidence", "id", "thing", "box", "excluded"};
+constexpr std::array<std::string_view, 11> kExpectedKeys = {"name",
+                                                            "shape",
+                                                            "tags",
+                                                            "confidence",
+                                                            "id",
+                                                            "thing",
+                                                            "box",
+                                                            "excluded",
+                                                            "frames_named",
+                                                            "seen_footprint",
+                                                            "nameable"};
 constexpr std::size_t kMaxTags = 256;
 
 /// An object whose id is not settled yet.

@@ -50,6 +50,7 @@ struct SimulatedFrame {
   InstanceImage instances;             ///< What each pixel really shows.
   std::vector<VisibleObject> visible;  ///< Objects with enough pixels, in id order.
   std::vector<int> depth_pixels;       ///< Measured pixels of each object, by id - 1.
+  std::vector<ObjectId> named_rightly;  ///< Objects whose detection names their class.
 };
 
 /// A scene that can be photographed at any moment of the camera's way.
@@ -86,6 +87,7 @@ struct SimulatedTruth {
   int most_depth_pixels = 0;           ///< In the frame that shows it best.
   std::size_t num_frames_visible = 0;  ///< Frames that show it well enough for the detector.
   std::string exclusion_reason;        ///< Empty when it counts in evaluations.
+  std::size_t num_frames_named = 0;    ///< Frames in which the detector named it rightly.
 };
 
 struct SimulationReport {
