@@ -204,6 +204,44 @@ class Pipeline(unittest.TestCase):
         self.assertLessEqual({"n", "distance_m", "jaccard"}, set(report["all"]))
         self.assertIn("chair", report["classes"])
 
+    def test_eval_compares_voxels_and_probabilities(self):
+        truth = self.dataset / "truth.hmap"
+        result = run("eval", "--map", self.archive, "--truth", truth, "--json")
+        report = json.loads(result.stdout)
+        voxels = report["voxels"]
+        self.assertGreater(voxels["labelled"], 0)
+        self.assertGreaterEqual(voxels["labelled"], voxels["right"] + voxels["wrong_class"])
+        self.assertEqual(voxels["labelled"], sum(counts["labelled"] for counts in voxels["classes"].values()))
+        self.assertEqual(voxels["true"], sum(counts["true"] for counts in voxels["classes"].values()))
+        self.assertAlmostEqual(voxels["precision"], voxels["right"] / voxels["labelled"])
+        self.assertTrue(report["knows_frames_named"])
+        real = report["calibration"]["real"]
+        self.assertEqual(sum(bin["n"] for bin in real["bins"]), real["n"])
+        plot = self.folder / "reliability.png"
+        twice = run("eval", "--map", self.archive, "--truth", truth, "--also", self.archive, truth, "--reliability", plot,
+                    "--json")
+        self.assertEqual(twice.returncode, 0, twice.stderr)
+        self.assertEqual(json.loads(twice.stdout)["calibration"]["real"]["n"], 2 * real["n"])
+        self.assertEqual(json.loads(twice.stdout)["one_to_one"], report["one_to_one"])
+        self.assertEqual(run("check", plot).returncode, 0)
+        table = run("eval", "--map", self.archive, "--truth", truth).stdout
+        for words in ("voxels of class", "box IoU", "rarely seen", "P(real): expected calibration error"):
+            self.assertIn(words, table)
+
+    def test_eval_writes_over_nothing_that_it_reads(self):
+        truth = self.dataset / "truth.hmap"
+        before = truth.read_bytes()
+        for name in (truth, self.folder / "plot.jpg"):
+            result = run("eval", "--map", self.archive, "--truth", truth, "--reliability", name)
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertIn("--reliability", result.stderr)
+        self.assertEqual(truth.read_bytes(), before)
+
+    def test_a_map_without_surfaces_is_a_truth_of_objects_alone(self):
+        result = run("eval", "--map", self.archive, "--truth", self.archive)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("voxel labels are not evaluated: the truth has no surfaces", result.stdout)
+
     def test_a_truth_is_perfect_against_itself(self):
         truth = self.dataset / "truth.hmap"
         report = json.loads(run("eval", "--map", truth, "--truth", truth, "--json").stdout)

@@ -28,6 +28,7 @@ void fuzz_png(std::string_view bytes);
 void fuzz_provenance(std::string_view bytes);
 void fuzz_scene(std::string_view bytes);
 void fuzz_semantic(std::string_view bytes);
+void fuzz_surfaces(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
@@ -64,6 +65,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"provenance", fuzz_provenance},
                                       {"scene", fuzz_scene},
                                       {"semantic", fuzz_semantic},
+                                      {"surfaces", fuzz_surfaces},
                                       {"trajectory", fuzz_trajectory},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},

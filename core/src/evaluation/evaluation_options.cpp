@@ -22,6 +22,10 @@ constexpr OptionRow kEvaluationRows[] = {
         "min_judged_area_m2",
         option::below(0, kUnbounded),
         {.unit = "m2", .effect = "Smaller footprints are averaged apart."}),
+    option::number<&EvaluationOptions::min_seen_share>(
+        "min_seen_share",
+        {0, 1},
+        {.effect = "Share of a footprint from which on it counts as seen."}),
     option::names<&EvaluationOptions::classes>(
         "classes", {.effect = "Only these, after aliases; all when empty."}),
 };

@@ -3,8 +3,12 @@
 
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/objects/assignment.hpp"
+#include "match_gate.hpp"
+#include "running_mean.hpp"
+#include "truth_averages.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -12,27 +16,15 @@
 namespace hypermap {
 namespace {
 
-/// A running mean that says when there is nothing to average.
-class Mean {
- public:
-  void add(double value) {
-    sum_ += value;
-    ++n_;
-  }
-  [[nodiscard]] std::size_t n() const { return n_; }
-  [[nodiscard]] std::optional<double> value() const {
-    return n_ == 0 ? std::nullopt : std::optional(sum_ / static_cast<double>(n_));
-  }
-
- private:
-  double sum_ = 0.0;
-  std::size_t n_ = 0;
-};
-
-double size_of(const EvaluatedObject& object) {
-  if (object.size_m > 0.0) return object.size_m;
+/// Half the longest horizontal side.
+double half_width_m(const EvaluatedObject& object) {
   const Rect box = bounds(object.footprint);
-  return (box.max - box.min).maxCoeff();
+  return 0.5 * (box.max - box.min).maxCoeff();
+}
+
+std::optional<double> box_iou(const EvaluatedObject& a, const EvaluatedObject& b) {
+  if (!a.box || !b.box) return std::nullopt;
+  return intersection_over_union(*a.box, *b.box);
 }
 
 /// The objects of one class on both sides, as positions in the input.
@@ -96,8 +88,7 @@ class Evaluation {
   }
 
   [[nodiscard]] double gate_m(std::size_t truth_index) const {
-    return size_of(truth_[truth_index]) < options_.small_size_m ? options_.small_gate_m
-                                                                : options_.gate_m;
+    return match_gate_m(truth_[truth_index], options_);
   }
 
   /// Hungarian over the counted truths first, then the remaining map objects over the excluded
@@ -111,18 +102,31 @@ class Evaluation {
       results_[t].matched_map_index = m;
       results_[t].matched_distance_m = distance(m, t);
       results_[t].jaccard_in_place = jaccard(map_[m].footprint, truth_[t].footprint);
+      results_[t].footprint_covered = covered_share(truth_[t].footprint, map_[m].footprint);
+      results_[t].box_iou = box_iou(map_[m], truth_[t]);
     }
     std::vector<std::size_t> left = group.map;
     std::erase_if(left, [&](std::size_t m) { return statuses_[m] == MapObjectStatus::kMatched; });
     for (const auto& [m, t] : assign_within_gates(left, excluded))
       statuses_[m] = MapObjectStatus::kExcluded;
-    for (const std::size_t m : left) {
-      const bool is_repeated = std::any_of(counted.begin(), counted.end(), [&](std::size_t t) {
-        return results_[t].matched_map_index && distance(m, t) <= gate_m(t);
-      });
-      if (statuses_[m] == MapObjectStatus::kFalse && is_repeated)
-        statuses_[m] = MapObjectStatus::kDuplicate;
+    for (const std::size_t t : counted) mark_duplicates_of(t, left);
+  }
+
+  /// Of the objects left over those at the truth, beyond the first there.
+  void mark_duplicates_of(std::size_t t, const std::vector<std::size_t>& left) {
+    const double reach_m = std::max(gate_m(t), half_width_m(truth_[t]));
+    std::vector<std::size_t> there;
+    std::copy_if(left.begin(), left.end(), std::back_inserter(there), [&](std::size_t m) {
+      const bool is_false = statuses_[m] != MapObjectStatus::kExcluded;
+      return is_false && distance(m, t) <= reach_m;
+    });
+    if (there.empty()) return;
+    if (!results_[t].matched_map_index) {
+      there.erase(std::min_element(there.begin(), there.end(), [&](std::size_t a, std::size_t b) {
+        return distance(a, t) < distance(b, t);
+      }));
     }
+    for (const std::size_t m : there) statuses_[m] = MapObjectStatus::kDuplicate;
   }
 
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> assign_within_gates(
@@ -167,8 +171,8 @@ class Evaluation {
 
   [[nodiscard]] NearestMetric nearest_metric(const std::vector<const ClassMembers*>& groups) const {
     NearestMetric metric;
-    Mean distances;
-    Mean jaccards;
+    RunningMean distances;
+    RunningMean jaccards;
     for (const ClassMembers* group : groups) {
       metric.num_truth += group->truth.size();
       for (const std::size_t t : group->truth) {
@@ -186,9 +190,7 @@ class Evaluation {
   [[nodiscard]] OneToOneMetric one_to_one_metric(
       const std::vector<const ClassMembers*>& groups) const {
     OneToOneMetric metric;
-    Mean distances;
-    Mean judged;
-    Mean small;
+    TruthAverages averages(options_);
     for (const ClassMembers* group : groups) {
       for (const std::size_t m : group->map) {
         metric.num_map += statuses_[m] == MapObjectStatus::kExcluded ? 0U : 1U;
@@ -197,20 +199,14 @@ class Evaluation {
       for (const std::size_t t : group->truth) {
         if (truth_[t].excluded) {
           ++metric.excluded;
+          metric.rarely_seen += truth_[t].is_nameable ? 1U : 0U;
           continue;
         }
         ++metric.num_truth;
-        if (results_[t].matched_map_index) distances.add(results_[t].matched_distance_m);
-        const bool is_judged = area_m2(truth_[t].footprint) >= options_.min_judged_area_m2;
-        (is_judged ? judged : small).add(results_[t].jaccard_in_place);
+        averages.add(truth_[t], results_[t]);
       }
     }
-    metric.matched = distances.n();
-    metric.distance_m = distances.value();
-    metric.jaccard_in_place = judged.value();
-    metric.num_judged = judged.n();
-    metric.small_jaccard_in_place = small.value();
-    metric.num_small = small.n();
+    averages.write_to(metric);
     fill_ratios(metric);
     return metric;
   }

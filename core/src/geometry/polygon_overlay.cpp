@@ -110,4 +110,9 @@ Result<std::vector<Polygon>> unite(std::span<const Polygon> polygons) {
   return pieces;
 }
 
+double covered_share(const Polygon& a, const Polygon& b) {
+  if (b.outer.empty() || !rectangles_intersect(bounds(a), bounds(b))) return 0.0;
+  return intersection_area_m2(a, b) / area_m2(a);
+}
+
 }  // namespace hypermap

@@ -3,6 +3,7 @@
 #include "extension_entries.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/archive/true_surfaces_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
@@ -36,6 +37,7 @@ class ExtensionReader {
     if (entry_.format == kObjectsFormat) return read_objects();
     if (entry_.format == kClassesFormat) return read_classes();
     if (entry_.format == kProvenanceFormat) return read_provenance();
+    if (entry_.format == kTrueSurfacesFormat) return read_true_surfaces();
     return read_checkpoint();
   }
 
@@ -48,6 +50,7 @@ class ExtensionReader {
       return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
     if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
+    if (entry_.format == kTrueSurfacesFormat) return archive_.true_surfaces.has_value();
     return archive_.checkpoint.kind != ValueKind::kNull;
   }
 
@@ -136,6 +139,15 @@ class ExtensionReader {
     archive_.provenance = std::move(provenance.value);
     keep_entry(archive_, entry_);
     return std::move(provenance.findings);
+  }
+
+  Result<std::vector<Finding>> read_true_surfaces() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_objects_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.true_surfaces,
+                              parse_true_surfaces(bytes, source(), {}, members_.budget()));
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
   }
 
   Result<std::vector<Finding>> read_checkpoint() {

@@ -3,6 +3,7 @@
 #include "extension_entries.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/archive/true_surfaces_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
@@ -82,6 +83,13 @@ void put_checkpoint(WrittenExtensions& written, const MapArchive& archive) {
   put(written, entry_of(archive, kCheckpointFormat), write_yaml(archive.checkpoint));
 }
 
+Result<void> put_true_surfaces(WrittenExtensions& written, const MapArchive& archive) {
+  if (!archive.true_surfaces) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_true_surfaces(*archive.true_surfaces));
+  put(written, entry_of(archive, kTrueSurfacesFormat), std::move(bytes));
+  return {};
+}
+
 Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
   for (const Layer& layer : archive.hypermap.layers()) {
     if (is_strict_form(layer)) continue;
@@ -103,6 +111,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));
   put_checkpoint(written, archive);
+  HYPERMAP_TRY(put_true_surfaces(written, archive));
   HYPERMAP_TRY(put_layers(written, archive));
   return written;
 }

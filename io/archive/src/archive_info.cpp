@@ -29,7 +29,8 @@ ArchiveInfo describe(const MapArchive& archive) {
     extended = extended || !is_strict_form(layer);
   }
   extended = extended || archive.classes.size() > 0 || !archive.provenance.empty() ||
-             archive.checkpoint.kind != ValueKind::kNull || !archive.foreign_extensions.empty();
+             archive.checkpoint.kind != ValueKind::kNull || archive.true_surfaces.has_value() ||
+             !archive.foreign_extensions.empty();
   info.format_version = extended ? kArchiveFormatVersion : 0;
   info.classes.assign(archive.classes.names().begin(), archive.classes.names().end());
   const auto transforms = archive.hypermap.frames().transforms();

@@ -22,6 +22,9 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kProvenanceFormat) {
     entry.name = "provenance";
     entry.file = "provenance.yaml";
+  } else if (format == kTrueSurfacesFormat) {
+    entry.name = "true_surfaces";
+    entry.file = "true_surfaces.jsonl";
   } else {
     entry.name = "checkpoint";
     entry.file = "checkpoint.yaml";

@@ -36,7 +36,8 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kClassesFormat,
                                    kClassGridFormat,
                                    kProvenanceFormat,
-                                   kCheckpointFormat};
+                                   kCheckpointFormat,
+                                   kTrueSurfacesFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;
 constexpr std::size_t kMaxFieldBytes = 256;

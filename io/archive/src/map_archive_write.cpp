@@ -79,6 +79,7 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
   if (!(a.class_grids == b.class_grids)) return "class grids";
   if (!(a.provenance == b.provenance)) return "provenance";
   if (!(a.checkpoint == b.checkpoint)) return "checkpoint";
+  if (!(a.true_surfaces == b.true_surfaces)) return "true surfaces";
   if (!(a.octomaps == b.octomaps)) return "octomaps";
   if (!(a.foreign_extensions == b.foreign_extensions)) return "foreign extensions";
   if (!(a.opaque_files == b.opaque_files)) return "opaque files";

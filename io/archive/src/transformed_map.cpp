@@ -57,7 +57,7 @@ Result<void> check_extensions(const MapArchive& archive, const UprightMotion& mo
   if (!archive.foreign_extensions.empty()) {
     return unsupported("extensions", "one of unknown format cannot be moved");
   }
-  for (const std::string_view format : {kOctomapFormat, kObjectsFormat}) {
+  for (const std::string_view format : {kOctomapFormat, kObjectsFormat, kTrueSurfacesFormat}) {
     const auto entry = archive.extension_entries.find(format);
     if (entry == archive.extension_entries.end() || entry->second.frame_id == kMapFrame) continue;
     return unsupported(format, "must lie in frame map to be moved");
@@ -122,6 +122,9 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
   const MapFromOldMap map_from_old(motion.in_space());
   if (archive.octree) {
     HYPERMAP_ASSIGN_OR_RETURN(archive.octree, transformed(*archive.octree, map_from_old));
+  }
+  if (archive.true_surfaces) {
+    archive.true_surfaces = transformed(*std::move(archive.true_surfaces), motion.in_space());
   }
   for (Provenance& run : archive.provenance) {
     run.map_from_input = MapFromInput(map_from_old.isometry() * run.map_from_input.isometry());

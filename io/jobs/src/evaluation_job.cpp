@@ -1,44 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/evaluation_job.hpp"
 
+#include "evaluated_archive.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
-#include "hypermap/io/archive/map_archive.hpp"
-#include "hypermap/projection/layers/evaluated_objects.hpp"
+#include "hypermap/io/archive/archive_layers.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace hypermap {
 namespace {
 
-/// The objects of a layer and the frame in which they are given.
-struct EvaluatedLayer {
-  std::vector<EvaluatedObject> objects;
-  std::string frame_id;
-};
-
-Result<EvaluatedLayer> load_evaluated(const std::filesystem::path& path, const EvaluationJob& job) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded, load_archive(path, job.limits, {}, job.stop));
-  const auto found = loaded.value.hypermap.at(job.layer);
-  if (!found) return Unexpected(with_source(found.error(), {path.string()}));
-  const auto* semantic = (*found)->content.as<SemanticLayer>();
-  if (semantic == nullptr) {
-    return Unexpected(
-        Error{ErrorCode::kUnsupported, "is no semantic layer", path.string(), job.layer});
-  }
-  return EvaluatedLayer{evaluated_objects(*semantic), (*found)->info.frame_id};
+EvaluatedSource source_of(const EvaluationJob& job) {
+  return {.layer = job.layer, .limits = job.limits, .stop = job.stop};
 }
 
-/// The objects of a map's layer. Errors: kUnsupported when its frame is not that of the truth.
-Result<std::vector<EvaluatedObject>> load_in_frame(const std::filesystem::path& path,
-                                                   const EvaluationJob& job,
-                                                   const std::string& frame_id) {
-  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedLayer loaded, load_evaluated(path, job));
-  if (loaded.frame_id == frame_id) return std::move(loaded.objects);
+/// A map whose layer lies in the frame of the truth. Errors: kUnsupported when it does not.
+Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
+                                       const EvaluationJob& job,
+                                       const std::string& frame_id) {
+  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedArchive loaded, load_evaluated(path, source_of(job)));
+  if (loaded.frame_id == frame_id) return loaded;
   return Unexpected(Error{.code = ErrorCode::kUnsupported,
                           .what = "is in frame " + printable(loaded.frame_id) +
                                   ", must be in that of the truth: " + printable(frame_id),
@@ -62,19 +50,97 @@ Result<void> check_classes(const EvaluationReport& report,
   return {};
 }
 
+std::string extension_frame(const MapArchive& archive, std::string_view format) {
+  const auto entry = archive.extension_entries.find(format);
+  return entry == archive.extension_entries.end() ? ExtensionEntry{}.frame_id
+                                                  : entry->second.frame_id;
+}
+
+/// Why the voxels cannot be compared; empty when they can.
+std::string why_no_voxels(const MapArchive& map, const MapArchive& truth) {
+  if (!map.octree) return "the map has no octree";
+  if (!truth.true_surfaces) return "the truth has no surfaces: it is an older one, or made by hand";
+  if (extension_frame(map, kOctomapFormat) != extension_frame(truth, kTrueSurfacesFormat))
+    return "the octree is in another frame than the true surfaces";
+  return {};
+}
+
+/// Mean coverage of the truths that count.
+std::optional<double> surface_covered(const std::vector<SurfaceCoverage>& coverage,
+                                      const EvaluatedArchive& truth) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const SurfaceCoverage& surface : coverage) {
+    const auto found = std::find(truth.ids.begin(), truth.ids.end(), surface.id.value);
+    if (found == truth.ids.end() || !surface.share()) continue;
+    if (truth.objects[static_cast<std::size_t>(found - truth.ids.begin())].excluded) continue;
+    sum += *surface.share();
+    ++n;
+  }
+  return n == 0 ? std::nullopt : std::optional(sum / static_cast<double>(n));
+}
+
+/// Requires: why_no_voxels gives no reason.
+Result<VoxelOutcome> evaluated_voxels(const EvaluatedArchive& map,
+                                      const EvaluatedArchive& truth,
+                                      const StopCheck& stop) {
+  HYPERMAP_ASSIGN_OR_RETURN(
+      VoxelEvaluation labels,
+      evaluate_voxels(
+          labelled_leaves(map.archive), map.archive.classes, *truth.archive.true_surfaces, stop));
+  const auto covered = surface_covered(labels.coverage, truth);
+  return VoxelOutcome{std::move(labels), covered};
+}
+
+void add_to(std::vector<Prediction>& predictions, const std::vector<Prediction>& more) {
+  predictions.insert(predictions.end(), more.begin(), more.end());
+}
+
+/// The predictions of the map and those of the further pairs.
+Result<ObjectPredictions> all_predictions(const EvaluatedArchive& map,
+                                          const EvaluatedArchive& truth,
+                                          const EvaluationJob& job) {
+  ObjectPredictions all = object_predictions(believed_objects(map), truth.objects, job.options);
+  for (const MapAndTruth& pair : job.also) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto other_truth, load_evaluated(pair.truth, source_of(job)));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto other_map,
+                              load_in_frame(pair.map, job, other_truth.frame_id));
+    const ObjectPredictions more =
+        object_predictions(believed_objects(other_map), other_truth.objects, job.options);
+    add_to(all.real, more.real);
+    add_to(all.best_class, more.best_class);
+  }
+  return all;
+}
+
+bool knows_frames_named(const std::vector<EvaluatedObject>& truth) {
+  return !truth.empty() && std::all_of(truth.begin(), truth.end(), [](const auto& object) {
+    return object.frames_named.has_value();
+  });
+}
+
 }  // namespace
 
 Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   HYPERMAP_TRY(validate(job.options));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, job));
+  HYPERMAP_TRY(validate(job.calibration));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, source_of(job)));
   HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, job, truth.frame_id));
-  EvaluationOutcome outcome{.report = evaluate(map, truth.objects, job.options),
-                            .against = std::nullopt};
+  EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, job.options),
+                            .knows_frames_named = knows_frames_named(truth.objects)};
   HYPERMAP_TRY(check_classes(outcome.report, job.options, truth.objects));
+  outcome.why_no_voxels = why_no_voxels(map.archive, truth.archive);
+  if (outcome.why_no_voxels.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions, all_predictions(map, truth, job));
+  outcome.best_class = calibration(predictions.best_class, job.calibration);
+  outcome.real = calibration(predictions.real, job.calibration);
   if (job.against) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
-    HYPERMAP_ASSIGN_OR_RETURN(outcome.against,
-                              compare(outcome.report, evaluate(other, truth.objects, job.options)));
+    HYPERMAP_ASSIGN_OR_RETURN(
+        outcome.against,
+        compare(outcome.report, evaluate(other.objects, truth.objects, job.options)));
   }
   return outcome;
 }

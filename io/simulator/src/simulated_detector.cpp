@@ -196,6 +196,19 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
   return detection;
 }
 
+std::vector<ObjectId> SimulatedDetector::named_rightly(std::span<const VisibleObject> objects,
+                                                       const Image<ObjectId>& instances,
+                                                       std::uint64_t frame) const {
+  std::vector<ObjectId> named;
+  for (const VisibleObject& object : objects) {
+    const auto detection = detect_one(object, instances, frame);
+    if (!detection) continue;
+    const auto best = best_class(detection->class_scores);
+    if (best && best->id == known_[*position_of(object.class_name)].id) named.push_back(object.id);
+  }
+  return named;
+}
+
 std::size_t SimulatedDetector::wrong_class(std::size_t truth, CounterRng& random) const {
   const std::vector<std::size_t>& similar = known_[truth].similar;
   if (!similar.empty()) return similar[random.below(static_cast<std::uint32_t>(similar.size()))];

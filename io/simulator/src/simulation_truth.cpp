@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/simulator/simulation_truth.hpp"
 
+#include "seen_surfaces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,6 +13,7 @@ namespace hypermap {
 namespace {
 
 constexpr int kLeastDepthPixels = 200;
+constexpr std::size_t kLeastFramesNamed = 3;
 
 ValueTree box_tree(const Box& box) {
   std::vector<ValueTree> numbers;
@@ -20,9 +23,17 @@ ValueTree box_tree(const Box& box) {
   return make_list(std::move(numbers));
 }
 
-SemanticObject semantic_object(const PlacedObject& object, const SimulatedTruth& truth) {
-  std::vector<ValueTree::Entry> extra{{"thing", make_text(object.name)},
-                                      {"box", box_tree(object.box)}};
+SemanticObject semantic_object(const PlacedObject& object,
+                               const SimulatedTruth& truth,
+                               const TrueSurface& surface,
+                               double seen_cell_m) {
+  const double seen_share = seen_footprint_share(surface, seen_cell_m, object.footprint);
+  std::vector<ValueTree::Entry> extra{
+      {"thing", make_text(object.name)},
+      {"box", box_tree(object.box)},
+      {"frames_named", make_number(static_cast<double>(truth.num_frames_named))},
+      {"seen_footprint", make_number(seen_share)}};
+  if (!surface.is_nameable) extra.emplace_back("nameable", make_bool(false));
   if (!truth.exclusion_reason.empty())
     extra.emplace_back("excluded", make_text(truth.exclusion_reason));
   SemanticObject result;
@@ -54,17 +65,23 @@ std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& dete
   if (truth.most_depth_pixels < kLeastDepthPixels)
     return "never covered " + std::to_string(kLeastDepthPixels) + " depth pixels, at most " +
            std::to_string(truth.most_depth_pixels);
+  if (truth.num_frames_named < kLeastFramesNamed)
+    return "rarely seen: named rightly in " + std::to_string(truth.num_frames_named) +
+           " frames, fewer than " + std::to_string(kLeastFramesNamed);
   return "";
 }
 
 Result<MapArchive> make_truth(const Simulator& simulator,
                               const Scene& scene,
-                              std::span<const SimulatedTruth> truths) {
+                              std::span<const SimulatedTruth> truths,
+                              TrueSurfaces surfaces) {
   std::vector<SemanticObject> semantic_objects;
   std::vector<Object> objects;
   MapArchive archive;
   for (const PlacedObject& placed : simulator.objects()) {
-    semantic_objects.push_back(semantic_object(placed, truths[placed.id.value - 1]));
+    const std::size_t index = placed.id.value - 1;
+    semantic_objects.push_back(
+        semantic_object(placed, truths[index], surfaces.objects[index], surfaces.seen_cell_m));
     HYPERMAP_ASSIGN_OR_RETURN(const ClassId class_id, archive.classes.add(placed.class_name));
     objects.push_back(certain_object(placed, class_id));
   }
@@ -77,6 +94,7 @@ Result<MapArchive> make_truth(const Simulator& simulator,
   HYPERMAP_TRY(archive.hypermap.add_layer(
       {LayerInfo{.name = "occupancy"}, OccupancyLayer(std::move(grid))}));
   HYPERMAP_TRY(archive.hypermap.add_layer({LayerInfo{.name = "semantic"}, std::move(semantic)}));
+  archive.true_surfaces = std::move(surfaces);
   return archive;
 }
 

@@ -8,6 +8,7 @@
 #include "hypermap/io/dataset/trajectory_file.hpp"
 #include "hypermap/io/simulator/simulation_truth.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
+#include "seen_surfaces.hpp"
 #include "true_changes.hpp"
 
 #include <tbb/parallel_pipeline.h>
@@ -37,6 +38,8 @@ struct FrameRecord {
   RgbdFrame frame;  ///< Without images.
   std::vector<VisibleObject> visible;
   std::vector<int> depth_pixels;
+  std::vector<ObjectId> named_rightly;
+  std::vector<SeenCell> seen_cells;
 };
 
 /// Lists of the dataset, growing frame by frame.
@@ -67,8 +70,10 @@ std::string depth_name(const RgbdFrame& frame) {
 /// Renders a frame and writes its images.
 Result<FrameRecord> make_frame(const Simulator& simulator,
                                std::size_t index,
+                               const SeenSurfaces& surfaces,
                                const StagedFolder& folder) {
   SimulatedFrame simulated = simulator.render(index);
+  std::vector<SeenCell> seen = surfaces.seen_in(simulated);
   RgbdFrame& frame = simulated.frame;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string color, encode_png(frame.color, PngEffort::kFast));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string depth,
@@ -77,8 +82,11 @@ Result<FrameRecord> make_frame(const Simulator& simulator,
   HYPERMAP_TRY(folder.write(depth_name(frame), depth));
   frame.color = {};
   frame.depth_m = {};
-  return FrameRecord{
-      std::move(frame), std::move(simulated.visible), std::move(simulated.depth_pixels)};
+  return FrameRecord{std::move(frame),
+                     std::move(simulated.visible),
+                     std::move(simulated.depth_pixels),
+                     std::move(simulated.named_rightly),
+                     std::move(seen)};
 }
 
 void add_to_lists(const RgbdFrame& frame, const ClassRegistry& classes, Lists& lists) {
@@ -106,18 +114,30 @@ void add_to_report(const FrameRecord& record,
     if (object.id.value > report.objects.size()) continue;  // not there at the end
     if (detector.is_visible(object)) ++report.objects[object.id.value - 1].num_frames_visible;
   }
+  for (const ObjectId id : record.named_rightly) {
+    if (id.value <= report.objects.size()) ++report.objects[id.value - 1].num_frames_named;
+  }
 }
+
+/// What all frames together say about the objects.
+struct WrittenFrames {
+  SimulationReport report;
+  TrueSurfaces surfaces;
+};
 
 /// All frames: rendered in parallel, taken over in their order.
 class FramePipeline {
  public:
   FramePipeline(const Simulator& simulator, const StagedFolder& folder, const JobProgress& progress)
-      : simulator_(simulator), folder_(folder), progress_(progress) {
+      : simulator_(simulator),
+        folder_(folder),
+        progress_(progress),
+        surfaces_(simulator.objects(), nameable_objects(simulator)) {
     for (const PlacedObject& object : simulator.objects())
       report_.objects.push_back({object.name, object.class_name, 0, 0, ""});
   }
 
-  Result<SimulationReport> run(int num_threads) {
+  Result<WrittenFrames> run(int num_threads) {
     const int most = tbb::this_task_arena::max_concurrency();
     tbb::task_arena arena(num_threads > 0 ? std::min(num_threads, most) : most);
     arena.execute([&] { run_stages(2 * static_cast<std::size_t>(arena.max_concurrency())); });
@@ -125,7 +145,7 @@ class FramePipeline {
     for (SimulatedTruth& truth : report_.objects)
       truth.exclusion_reason = exclusion(truth, simulator_.detector());
     HYPERMAP_TRY(write_lists());
-    return std::move(report_);
+    return WrittenFrames{std::move(report_), surfaces_.surfaces()};
   }
 
  private:
@@ -134,7 +154,9 @@ class FramePipeline {
       if (num_started_ == simulator_.size() || failed_) control.stop();
       return num_started_++;
     };
-    const auto make = [this](std::size_t index) { return make_frame(simulator_, index, folder_); };
+    const auto make = [this](std::size_t index) {
+      return make_frame(simulator_, index, surfaces_, folder_);
+    };
     const auto take = [this](const Result<FrameRecord>& record) { take_over(record); };
     tbb::parallel_pipeline(
         max_frames_in_flight,
@@ -153,6 +175,7 @@ class FramePipeline {
     if (failed_) return;
     add_to_lists(record->frame, simulator_.classes(), lists_);
     add_to_report(*record, simulator_.detector(), report_);
+    surfaces_.add(record->seen_cells);
     if (progress_ && !progress_(report_.num_frames, simulator_.size())) stop(interrupted().value());
   }
 
@@ -171,6 +194,7 @@ class FramePipeline {
   std::optional<Error> error_;
   Lists lists_;
   SimulationReport report_;
+  SeenSurfaces surfaces_;  ///< Frames read its cells while the last stage marks them.
 };
 
 constexpr std::uint64_t kMaxListBytes = std::uint64_t{64} << 20U;
@@ -243,15 +267,17 @@ Result<SimulationReport> write_simulation(const Scene& scene,
   HYPERMAP_TRY(folder.make_folder("depth"));
   HYPERMAP_TRY(
       folder.write("intrinsics.json", to_intrinsics_json(image_camera(options), kDepthUnitsPerM)));
-  HYPERMAP_ASSIGN_OR_RETURN(SimulationReport report,
+  HYPERMAP_ASSIGN_OR_RETURN(WrittenFrames written,
                             FramePipeline(simulator, folder, progress).run(options.num_threads));
-  HYPERMAP_ASSIGN_OR_RETURN(MapArchive truth, make_truth(simulator, scene, report.objects));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      MapArchive truth,
+      make_truth(simulator, scene, written.report.objects, std::move(written.surfaces)));
   HYPERMAP_TRY(add_changes(simulator.changes(), truth));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string truth_bytes, write_archive(truth));
   HYPERMAP_TRY(folder.write("truth.hmap", truth_bytes));
   HYPERMAP_TRY(require_replaceable(output_dir));  // the rendering took a while
   HYPERMAP_TRY(folder.commit());
-  return report;
+  return std::move(written.report);
 }
 
 }  // namespace

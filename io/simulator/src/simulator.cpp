@@ -247,6 +247,8 @@ SimulatedFrame Simulator::render(std::size_t index) const {
       measured_depth(view.depth_m, view.incidence_cos, options.sensor, options.seed, moment.number);
   frame.color = std::move(view.color);
   frame.detections = impl_->detector.detect(result.visible, view.instances, moment.number);
+  result.named_rightly =
+      impl_->detector.named_rightly(result.visible, view.instances, moment.number);
   result.depth_pixels =
       count_depth_pixels(frame.depth_m, view.instances, impl_->scene.objects.size());
   result.instances = std::move(view.instances);

@@ -75,6 +75,68 @@ TEST(Evaluation, AThingThatIsThereTwiceIsADuplicate) {
   EXPECT_EQ(report.false_positives, std::vector<std::size_t>{1});
 }
 
+TEST(Evaluation, DuplicatesLieWithinHalfTheLongestSideToo) {
+  // A sofa of 2 m by 0.5 m: half its longest side is 1 m, the gate 0.5 m.
+  EvaluatedObject sofa = evaluated_object("sofa", 0, 0);
+  sofa.footprint = make_polygon({{-1, -0.25}, {1, -0.25}, {1, 0.25}, {-1, 0.25}}).value();
+  const auto duplicates = [&](double first, double second) {
+    return evaluate(
+               std::vector{evaluated_object("sofa", first, 0), evaluated_object("sofa", second, 0)},
+               std::vector{sofa})
+        .duplicates;
+  };
+  EXPECT_EQ(duplicates(0.1, 1.0), std::vector<std::size_t>{1});
+  EXPECT_EQ(duplicates(-1.0, 0.1), std::vector<std::size_t>{0});
+  EXPECT_TRUE(duplicates(0.1, 1.01).empty());
+  // Neither matches: the nearer one is the first, the other its duplicate.
+  EXPECT_EQ(duplicates(0.9, -0.8), std::vector<std::size_t>{0});
+  EXPECT_TRUE(duplicates(0.9, 1.2).empty());
+}
+
+TEST(Evaluation, BoxesOfMatchesShareTheirVolume) {
+  // 1 m cubes 0.5 m apart along x: 0.5 of 1.5 is 1/3. A match without a box does not count.
+  std::vector truth{evaluated_object("chair", 0, 0), evaluated_object("chair", 5, 0)};
+  std::vector map{evaluated_object("chair", 0.1, 0), evaluated_object("chair", 5, 0)};
+  truth[0].box = {{0, 0, 0}, {1, 1, 1}};
+  truth[1].box = truth[0].box;
+  map[0].box = {{0.5, 0, 0}, {1.5, 1, 1}};
+  const auto report = evaluate(map, truth);
+  EXPECT_NEAR(*report.all.one_to_one.box_iou, 1.0 / 3.0, 1e-12);
+  EXPECT_EQ(report.all.one_to_one.num_boxes, 1U);
+  EXPECT_NEAR(*report.truths[0].box_iou, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(*report.classes.at("chair").one_to_one.box_iou, 1.0 / 3.0, 1e-12);
+  EXPECT_FALSE(report.truths[1].box_iou);
+}
+
+TEST(Evaluation, CoverageAndTheJaccardOfWhatWasSeen) {
+  // Squares of 0.5 m. The first is covered to 0.4 / 0.5, its Jaccard index is 0.4 / 0.6 = 2/3; the
+  // second is missed; the third is whole. Half of the first was seen, less of the second, and
+  // nothing is known of the third.
+  std::vector truth{evaluated_object("chair", 0, 0),
+                    evaluated_object("chair", 5, 0),
+                    evaluated_object("chair", 9, 0)};
+  truth[0].seen_footprint_share = 0.5;
+  truth[1].seen_footprint_share = 0.49;
+  const auto report = evaluate(
+      std::vector{evaluated_object("chair", 0.1, 0), evaluated_object("chair", 9, 0)}, truth);
+  const OneToOneMetric& all = report.all.one_to_one;
+  EXPECT_NEAR(report.truths[0].footprint_covered, 0.8, 1e-9);
+  EXPECT_NEAR(*all.footprint_covered, 0.6, 1e-9);
+  EXPECT_NEAR(*all.jaccard_in_place, 5.0 / 9.0, 1e-9);
+  EXPECT_NEAR(*all.seen_jaccard_in_place, 2.0 / 3.0, 1e-9);
+  EXPECT_EQ(all.num_seen, 1U);
+  EXPECT_EQ(*all.worst_jaccard_in_place, 0.0);
+}
+
+TEST(Evaluation, RarelySeenTruthsAreExcludedOnesThatCanBeNamed) {
+  std::vector truth{evaluated_object("chair", 0, 0), evaluated_object("bin", 5, 0)};
+  for (EvaluatedObject& object : truth) object.excluded = true;
+  truth[1].is_nameable = false;
+  const auto report = evaluate({}, truth);
+  EXPECT_EQ(report.all.one_to_one.excluded, 2U);
+  EXPECT_EQ(report.all.one_to_one.rarely_seen, 1U);
+}
+
 TEST(Evaluation, ExcludedTruthsAreNeitherRightNorWrong) {
   EvaluatedObject hidden = evaluated_object("chair", 0, 0);
   hidden.excluded = true;
@@ -142,6 +204,7 @@ TEST(Evaluation, OptionsOutOfTheirRangeAreNamed) {
   EXPECT_EQ(refusal({.min_judged_area_m2 = 0.0}), "none");
   EXPECT_EQ(refusal({.min_judged_area_m2 = -1.0}),
             "min_judged_area_m2: must be at least 0 and finite, is -1");
+  EXPECT_EQ(refusal({.min_seen_share = 1.5}), "min_seen_share: must be in 0 .. 1, is 1.5");
 }
 
 }  // namespace

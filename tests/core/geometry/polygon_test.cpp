@@ -87,6 +87,16 @@ TEST(Polygon, WhatAFrameEnclosesIsAHoleOfTheUnion) {
   EXPECT_NEAR(area_m2(united->front()), 12.0, 1e-12);
 }
 
+TEST(Polygon, CoveredShareByHand) {
+  // Of 2 m by 2 m the other covers a column of 0.5 m; of the other's 4 m2 it is a quarter of half.
+  const Polygon a = make_polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}).value();
+  const Polygon b = make_polygon({{1.5, 0}, {3.5, 0}, {3.5, 4}, {1.5, 4}}).value();
+  EXPECT_NEAR(covered_share(a, b), 0.25, 1e-12);
+  EXPECT_NEAR(covered_share(b, a), 0.125, 1e-12);
+  EXPECT_NEAR(covered_share(a, a), 1.0, 1e-12);
+  EXPECT_EQ(covered_share(a, translated(b, {1, 0})), 0.0);
+}
+
 TEST(Polygon, JaccardByHand) {
   // [hypermap] 3.4.1: squares of side 2 shifted by 1 share 2 of 4 + 4 - 2 = 6.
   const Polygon a = polygon_of(square(0, 0, 2));

@@ -100,5 +100,121 @@ TEST_F(EvaluationJobTest, BadOptionsAreSaidFirst) {
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
 }
 
+/// A map with the object of `class_name` at x = 0 .. 0.5, confirmed, and its voxels, one of them
+/// labelled.
+MapArchive chair_map(const std::string& class_name) {
+  MapArchive archive;
+  const ClassId id = archive.classes.add(class_name).value();
+  SemanticLayer layer;
+  const Polygon square = make_polygon({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}).value();
+  EXPECT_TRUE(layer.add({.id = 1, .name = class_name, .parts = {square}}));
+  EXPECT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, layer}));
+  Object object;
+  object.id = ObjectId{1};
+  object.box = {{0, 0, 0}, {0.5, 0.5, 1.0}};
+  object.centroid_in_map = {0.25, 0.25, 0.5};
+  object.belief.observe(std::vector<ClassEvidence>{{id, Probability(0.9)}}, Probability(0.5));
+  object.existence = LogOdds(0.0);
+  Object tentative = object;
+  tentative.id = ObjectId{2};
+  tentative.centroid_in_map.x() = 7.0;
+  archive.objects = ObjectMap::restore({object, tentative}, ObjectId{3}).value();
+  archive.octree = SemanticOctree::create({.resolution_m = 0.1}).value();
+  VoxelLabel label;
+  label.classes[0] = {.class_id = static_cast<std::uint16_t>(id.value), .log_odds = 1000};
+  const VoxelGrid& grid = archive.octree->grid();
+  EXPECT_TRUE(archive.octree->set_leaf(
+      {.key = *grid.key({{0.25, 0.25, 0.05}}), .log_odds = 1000, .label = label}));
+  EXPECT_TRUE(archive.octree->set_leaf({.key = *grid.key({{0.35, 0.25, 0.05}}), .log_odds = 1000}));
+  return archive;
+}
+
+/// Its truth: a chair of the same place, whose seat is a sheet on the floor.
+MapArchive chair_truth() {
+  MapArchive archive;
+  SemanticLayer layer;
+  const Polygon square = make_polygon({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}).value();
+  std::vector<ValueTree> box;
+  for (const double side : {0.0, 0.0, 0.0, 0.5, 0.5, 0.5}) box.push_back(make_number(side));
+  EXPECT_TRUE(layer.add(
+      {.id = 1,
+       .name = "chair",
+       .parts = {square},
+       .extra = make_map({{"box", make_list(std::move(box))}, {"frames_named", make_number(4)}})}));
+  EXPECT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, layer}));
+  archive.true_surfaces = TrueSurfaces{
+      .seen_cell_m = 0.1,
+      .objects = {{.id = ObjectId{1},
+                   .class_name = "chair",
+                   .vertices = {{0, 0, 0}, {0.5F, 0, 0}, {0.5F, 0.5F, 0}, {0, 0.5F, 0}},
+                   .triangles = {{0, 1, 2}, {0, 2, 3}},
+                   .seen_cells = {{0, 0, 0}, {2, 2, 0}}}}};
+  return archive;
+}
+
+TEST_F(EvaluationJobTest, VoxelsBoxesAndBeliefsAreComparedToo) {
+  EXPECT_TRUE(save_archive(chair_map("chair"), dir / "map.hmap"));
+  EXPECT_TRUE(save_archive(chair_truth(), dir / "truth.hmap"));
+  const auto outcome =
+      run_evaluation({.map = dir / "map.hmap", .truth = dir / "truth.hmap"}).value();
+  ASSERT_TRUE(outcome.voxels);
+  EXPECT_EQ(outcome.why_no_voxels, "");
+  EXPECT_DOUBLE_EQ(*outcome.voxels->labels.all.precision(), 1.0);
+  EXPECT_DOUBLE_EQ(*outcome.voxels->labels.all.recall(), 0.5);
+  EXPECT_DOUBLE_EQ(*outcome.voxels->surface_covered, 0.5);
+  EXPECT_TRUE(outcome.knows_frames_named);
+  EXPECT_DOUBLE_EQ(*outcome.report.all.one_to_one.box_iou, 0.5);  // 1 m high instead of 0.5 m
+  // Of two objects that may be there or not one is: P(real) = 0.5 of both is right.
+  EXPECT_EQ(outcome.real.n, 2U);
+  EXPECT_NEAR(*outcome.real.expected_error, 0.0, 1e-12);
+  EXPECT_EQ(outcome.best_class.n, 1U);
+  EXPECT_NEAR(*outcome.best_class.expected_error, 0.0, 1e-12);
+}
+
+TEST_F(EvaluationJobTest, AnotherClassIsAWrongLabelAndAWrongBelief) {
+  EXPECT_TRUE(save_archive(chair_map("sofa"), dir / "map.hmap"));
+  EXPECT_TRUE(save_archive(chair_truth(), dir / "truth.hmap"));
+  const auto outcome =
+      run_evaluation({.map = dir / "map.hmap", .truth = dir / "truth.hmap"}).value();
+  EXPECT_DOUBLE_EQ(*outcome.voxels->labels.all.precision(), 0.0);
+  EXPECT_DOUBLE_EQ(*outcome.voxels->labels.all.wrong_class_share(), 1.0);
+  EXPECT_EQ(outcome.voxels->labels.classes.at("chair").most_confused_for(), "sofa");
+  // Its box overlaps the truth's by a half, so it is real, and surely no sofa.
+  EXPECT_NEAR(*outcome.real.expected_error, 0.0, 1e-12);
+  EXPECT_NEAR(*outcome.best_class.expected_error, 1.0, 1e-12);
+}
+
+TEST_F(EvaluationJobTest, FurtherPairsCountInTheCalibrationAlone) {
+  EXPECT_TRUE(save_archive(chair_map("chair"), dir / "map.hmap"));
+  EXPECT_TRUE(save_archive(chair_map("sofa"), dir / "sofa.hmap"));
+  EXPECT_TRUE(save_archive(chair_truth(), dir / "truth.hmap"));
+  const auto outcome = run_evaluation({.map = dir / "map.hmap",
+                                       .truth = dir / "truth.hmap",
+                                       .also = {{dir / "sofa.hmap", dir / "truth.hmap"}}})
+                           .value();
+  EXPECT_EQ(outcome.report.all.one_to_one.num_map, 1U);
+  EXPECT_EQ(outcome.real.n, 4U);
+  EXPECT_EQ(outcome.best_class.n, 2U);
+  EXPECT_NEAR(*outcome.best_class.expected_error, 0.5, 1e-12);
+}
+
+TEST_F(EvaluationJobTest, AnOlderTruthStillServesAndItIsSaidWhatIsNotEvaluated) {
+  const auto truth = saved("truth.hmap", chairs_at({0}));
+  EXPECT_TRUE(save_archive(chair_map("chair"), dir / "map.hmap"));
+  const auto outcome = run_evaluation({.map = dir / "map.hmap", .truth = truth}).value();
+  EXPECT_FALSE(outcome.voxels);
+  EXPECT_EQ(outcome.why_no_voxels,
+            "the truth has no surfaces: it is an older one, or made by hand");
+  EXPECT_FALSE(outcome.knows_frames_named);
+  EXPECT_EQ(outcome.report.all.one_to_one.matched, 1U);
+  MapArchive flat = chair_map("chair");
+  flat.octree.reset();
+  EXPECT_TRUE(save_archive(flat, dir / "flat.hmap"));
+  EXPECT_TRUE(save_archive(chair_truth(), dir / "new.hmap"));
+  EXPECT_EQ(
+      run_evaluation({.map = dir / "flat.hmap", .truth = dir / "new.hmap"}).value().why_no_voxels,
+      "the map has no octree");
+}
+
 }  // namespace
 }  // namespace hypermap

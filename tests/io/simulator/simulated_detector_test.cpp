@@ -187,7 +187,10 @@ TEST(SimulatedDetector, FivePercentNameAWrongClassWhichIsASimilarOne) {
   int right = 0;
   int sofa = 0;
   int all = 0;
+  int named_rightly = 0;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    const auto named = rig.detector.named_rightly(rig.objects, rig.instances, frame);
+    named_rightly += static_cast<int>(named.size());
     for (const Detection& detection : rig.detect(frame)) {
       ++all;
       right += rig.named(detection) == "chair" ? 1 : 0;
@@ -195,6 +198,7 @@ TEST(SimulatedDetector, FivePercentNameAWrongClassWhichIsASimilarOne) {
     }
   }
   EXPECT_EQ(right + sofa, all);
+  EXPECT_EQ(named_rightly, right);
   EXPECT_NEAR(sofa, 0.05 * all, four_sigma(all, 0.05));
 }
 

@@ -84,10 +84,14 @@ TEST(SimulationTruth, TheArchiveHoldsFootprintsBoxesAndReasons) {
   const Scene scene = small_room();
   const auto simulator = Simulator::create(scene, {.num_frames = 1});
   ASSERT_TRUE(simulator);
-  std::vector<SimulatedTruth> truths{{"bench", "bench", 5000, 1, ""}, {"bin", "bin", 900, 1, ""}};
+  std::vector<SimulatedTruth> truths{{"bench", "bench", 5000, 4, "", 3},
+                                     {"bin", "bin", 900, 1, ""}};
   for (SimulatedTruth& truth : truths)
     truth.exclusion_reason = exclusion(truth, simulator->detector());
-  const auto archive = make_truth(*simulator, scene, truths);
+  TrueSurfaces surfaces{
+      .objects = {{.id = ObjectId{1}, .class_name = "bench", .seen_cells = {{60, 40, 9}}},
+                  {.id = ObjectId{2}, .class_name = "bin", .is_nameable = false}}};
+  const auto archive = make_truth(*simulator, scene, truths, surfaces);
   ASSERT_TRUE(archive) << to_string(archive.error());
   const auto layer = archive->hypermap.at("semantic");
   ASSERT_TRUE(layer);
@@ -101,6 +105,7 @@ TEST(SimulationTruth, TheArchiveHoldsFootprintsBoxesAndReasons) {
   EXPECT_EQ(archive->objects.at(ObjectId{1}).box, bench.box);
   EXPECT_EQ(archive->objects.at(ObjectId{1}).centroid_in_map, bench.centroid_in_map);
   ASSERT_TRUE(archive->hypermap.at("occupancy"));
+  EXPECT_EQ(archive->true_surfaces, surfaces);
 
   const auto evaluated = evaluated_objects(semantic);
   ASSERT_EQ(evaluated.size(), 2U);
@@ -108,17 +113,24 @@ TEST(SimulationTruth, TheArchiveHoldsFootprintsBoxesAndReasons) {
   EXPECT_TRUE(evaluated[1].excluded);
   EXPECT_NEAR(evaluated[0].size_m, bench.box.extent().maxCoeff(), 1e-12);
   EXPECT_TRUE(evaluated[0].centroid.isApprox(bench.centroid_in_map.head<2>(), 1e-12));
+  EXPECT_EQ(evaluated[0].box, bench.box);
+  EXPECT_EQ(evaluated[0].frames_named, 3U);
+  EXPECT_EQ(evaluated[1].frames_named, 0U);
+  EXPECT_TRUE(evaluated[0].is_nameable);
+  EXPECT_FALSE(evaluated[1].is_nameable);
+  EXPECT_EQ(evaluated[1].seen_footprint_share, 0.0);
 }
 
 TEST(SimulationTruth, ThingsRarelySeenDoNotCount) {
   const auto simulator = Simulator::create(small_room(), {.num_frames = 1});
   ASSERT_TRUE(simulator);
-  const auto reason = [&](const char* name, int pixels) {
-    return exclusion({name, name, pixels, 0, ""}, simulator->detector());
+  const auto reason = [&](const char* name, int pixels, std::size_t frames_named) {
+    return exclusion({name, name, pixels, 9, "", frames_named}, simulator->detector());
   };
-  EXPECT_EQ(reason("bench", 200), "");
-  EXPECT_THAT(reason("bench", 199), testing::HasSubstr("199"));
-  EXPECT_THAT(reason("bin", 5000), testing::HasSubstr("no word"));
+  EXPECT_EQ(reason("bench", 200, 3), "");
+  EXPECT_THAT(reason("bench", 199, 3), testing::HasSubstr("199"));
+  EXPECT_THAT(reason("bench", 5000, 2), testing::HasSubstr("rarely seen: named rightly in 2"));
+  EXPECT_THAT(reason("bin", 5000, 3), testing::HasSubstr("no word"));
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ TEST(Simulator, TheTruthLoadsWithoutAFindingAndSaysTheSame) {
   for (const Finding& finding : loaded->findings) ADD_FAILURE() << to_string(finding.error);
   const auto simulator = Simulator::create(room_scene(), small_options());
   ASSERT_TRUE(simulator);
-  const auto expected = make_truth(*simulator, room_scene(), report->objects);
+  const auto expected =
+      make_truth(*simulator, room_scene(), report->objects, *loaded->value.true_surfaces);
   ASSERT_TRUE(expected);
   EXPECT_EQ(loaded->value.objects, expected->objects);
   EXPECT_EQ(loaded->value.classes, expected->classes);

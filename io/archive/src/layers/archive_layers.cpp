@@ -50,7 +50,7 @@ Layer octree_layer(const MapArchive& archive) {
   const SemanticOctree& octree = *archive.octree;
   return {
       .info = info_of(archive, kOctomapFormat, "octree"),
-      .content = OctreeLayer({.leaves = leaf_source(octree),
+      .content = OctreeLayer({.leaves = labelled_leaves(archive),
                               .drawn = confirmed_leaves(archive, shown_ids(archive)),
                               .classes = archive.classes,
                               .file = [&octree] { return write_octomap(to_octomap_tree(octree)); },
@@ -74,6 +74,10 @@ Layer objects_layer(const MapArchive& archive) {
 }
 
 }  // namespace
+
+LeafSource labelled_leaves(const MapArchive& archive) {
+  return leaf_source(*archive.octree);
+}
 
 std::vector<Layer> archive_layers(const MapArchive& archive) {
   const auto own = archive.hypermap.layers();

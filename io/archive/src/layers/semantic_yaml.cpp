@@ -16,8 +16,19 @@ constexpr std::array<std::string_view, 5> kObjectKeys = {
     "name", "shape", "tags", "confidence", "id"};
 /// Also what a simulation's truth says of an object (simulation_truth.hpp, true_changes.hpp), kept
 /// like an unknown key.
-constexpr std::array<std::string_view, 10> kExpectedKeys = {
-    "name", "shape", "tags", "confidence", "id", "thing", "box", "excluded", "change", "at_end"};
+constexpr std::array<std::string_view, 13> kExpectedKeys = {"name",
+                                                            "shape",
+                                                            "tags",
+                                                            "confidence",
+                                                            "id",
+                                                            "thing",
+                                                            "box",
+                                                            "excluded",
+                                                            "frames_named",
+                                                            "seen_footprint",
+                                                            "nameable",
+                                                            "change",
+                                                            "at_end"};
 constexpr std::size_t kMaxTags = 256;
 
 /// An object whose id is not settled yet.

@@ -3,6 +3,7 @@
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/json_fields.hpp"
 #include "object_from_json.hpp"
+#include "text_lines.hpp"
 
 #include <exception>
 #include <string>
@@ -11,30 +12,6 @@
 
 namespace hypermap {
 namespace {
-
-/// Hands out the lines of a text, each with its end.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {}
-
-  [[nodiscard]] bool done() const { return rest_.empty(); }
-  [[nodiscard]] int number() const { return number_; }
-
-  /// Errors: kMalformedFile for a last line without its end: the text was cut.
-  Result<std::string_view> take() {
-    const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos)
-      return fail(ErrorCode::kMalformedFile, "unexpected end in the middle of a line");
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
-    ++number_;
-    return line;
-  }
-
- private:
-  std::string_view rest_;
-  int number_ = 0;
-};
 
 struct Head {
   std::size_t num_objects = 0;
@@ -62,7 +39,7 @@ Result<Head> parse_head(const JsonNode& node, const ObjectFileLimits& limits) {
   return head;
 }
 
-Result<JsonDocument> next_document(Lines& lines,
+Result<JsonDocument> next_document(TextLines& lines,
                                    const std::string& name,
                                    const ObjectFileLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string_view line, lines.take());
@@ -73,7 +50,7 @@ Result<ObjectMap> parse(std::string_view bytes,
                         const std::string& name,
                         const ObjectFileLimits& limits,
                         const LoadBudget& budget) {
-  Lines lines(bytes);
+  TextLines lines(bytes);
   HYPERMAP_ASSIGN_OR_RETURN(const JsonDocument first, next_document(lines, name, limits));
   HYPERMAP_ASSIGN_OR_RETURN(const Head head, parse_head(first.root(), limits));
   std::vector<Object> objects;

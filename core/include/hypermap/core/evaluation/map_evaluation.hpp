@@ -6,6 +6,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 
 #include <Eigen/Core>
@@ -30,6 +31,12 @@ struct EvaluatedObject {
                           ///< detector does not know.
   /// Largest side, height included; the footprint's largest side when not known (0).
   double size_m = 0.0;
+  std::optional<Box> box = std::nullopt;
+  bool is_nameable = true;  ///< Truth only: the detector has a word for the class.
+  /// Truth only: frames in which a detection named it rightly; none in an older truth.
+  std::optional<std::size_t> frames_named = std::nullopt;
+  /// Truth only: share of the footprint over which the camera saw its surface.
+  std::optional<double> seen_footprint_share = std::nullopt;
 };
 
 struct EvaluationOptions {
@@ -37,10 +44,12 @@ struct EvaluationOptions {
   double small_gate_m = 0.25;             ///< The same for small truths.
   double small_size_m = 0.3;              ///< Truths with all sides below this are small.
   double min_judged_area_m2 = 0.04;       ///< Smaller footprints are averaged apart.
+  double min_seen_share = 0.5;            ///< Of a footprint that counts as seen.
   std::vector<std::string> classes = {};  ///< Only these, after aliases; all when empty.
 };
 
-/// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0.
+/// Errors: kInvalidArgument naming the field: gates and sizes finite and > 0, area >= 0,
+/// share 0 .. 1.
 [[nodiscard]] Result<void> validate(const EvaluationOptions& options);
 [[nodiscard]] const OptionTable& option_table(const EvaluationOptions& options);
 
@@ -58,8 +67,9 @@ struct OneToOneMetric {
   std::size_t num_truth = 0;  ///< Excluded ones left out.
   std::size_t num_map = 0;    ///< Those matched to excluded truths left out.
   std::size_t matched = 0;
-  std::size_t excluded = 0;    ///< Truths that do not count.
-  std::size_t duplicates = 0;  ///< False positives within the gate of a truth matched already.
+  std::size_t excluded = 0;     ///< Truths that do not count.
+  std::size_t rarely_seen = 0;  ///< Of these, those that the detector could name.
+  std::size_t duplicates = 0;   ///< False positives beyond the first object of a truth.
   std::optional<double> precision;
   std::optional<double> recall;
   std::optional<double> f1;
@@ -69,6 +79,13 @@ struct OneToOneMetric {
   std::size_t num_judged = 0;  ///< How many those are.
   std::optional<double> small_jaccard_in_place;  ///< Mean over the smaller ones.
   std::size_t num_small = 0;
+  std::optional<double> worst_jaccard_in_place;  ///< Least over truths of at least that area.
+  /// Mean over those of them of which half the footprint and more was seen.
+  std::optional<double> seen_jaccard_in_place;
+  std::size_t num_seen = 0;
+  std::optional<double> footprint_covered;  ///< Mean share of true footprints; 0 if missed.
+  std::optional<double> box_iou;            ///< Mean over the matches whose boxes are both known.
+  std::size_t num_boxes = 0;
 };
 
 struct ClassMetrics {
@@ -82,6 +99,8 @@ struct TruthResult {
   std::optional<std::size_t> matched_map_index;  ///< One to one.
   double matched_distance_m = 0.0;               ///< 0 when not matched.
   double jaccard_in_place = 0.0;                 ///< 0 when not matched.
+  double footprint_covered = 0.0;                ///< Share of its area; 0 when not matched.
+  std::optional<double> box_iou;                 ///< Of a match whose boxes are both known.
   std::optional<std::size_t> nearest_map_index;  ///< Of the thesis metric.
   double nearest_distance_m = 0.0;
   double aligned_jaccard = 0.0;
@@ -99,6 +118,9 @@ struct EvaluationReport {
 /// counts excluded truths too when their class occurs in the map, as the thesis does.
 ///
 /// Requires: validate(options), valid footprints.
+/// A duplicate is a false positive that lies within the gate of a true object, or within half the
+/// longest horizontal side of it, and is not the first there: another is matched, or is nearer.
+///
 /// Boundary: a distance of exactly the gate matches. Map objects near an excluded truth of their
 /// class are neither right nor wrong.
 /// Cost: O(n^3) per class.

@@ -87,6 +87,8 @@ struct WindingFill {
 [[nodiscard]] bool intersects(const Polygon& a, const Polygon& b);
 /// Area of the intersection over area of the union, in place. Source: [hypermap] 3.4.1.
 [[nodiscard]] double jaccard(const Polygon& a, const Polygon& b);
+/// Share of the area of `a` that `b` covers, in place. Requires: `a` has an area.
+[[nodiscard]] double covered_share(const Polygon& a, const Polygon& b);
 /// The area that polygons cover together, in pieces that do not overlap.
 ///
 /// Rings keep corners where edges went straight on. Exact where coordinates are whole numbers.

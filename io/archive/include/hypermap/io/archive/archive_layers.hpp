@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
 
@@ -15,6 +16,12 @@ namespace hypermap {
 
 /// The name by which the objects of the 3D map can always be asked.
 inline constexpr std::string_view kObjectsLayer = "objects";
+
+/// The voxels of the map's octree with their labels: what queries of the octree answer, and what
+/// evaluations compare with the truth. The one place that says which class a voxel shows.
+///
+/// Requires: the archive has an octree, outlives the result and is not changed.
+[[nodiscard]] LeafSource labelled_leaves(const MapArchive& archive);
 
 /// The layers of the hypermap, then the octree, octrees of other programs, the objects that the map
 /// shows (if there are any objects), the class grids, which bear the names of their classes.

@@ -42,6 +42,7 @@ inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
 inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
 inline constexpr std::string_view kCheckpointFormat = "hypermap-checkpoint";
+inline constexpr std::string_view kTrueSurfacesFormat = "hypermap-true-surfaces";
 
 /// A part of the map beyond the strict form: of a known format, or a layer whose class, registered
 /// by whoever reads, is the format.

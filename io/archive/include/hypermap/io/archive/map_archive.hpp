@@ -9,6 +9,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/evaluation/true_surfaces.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
@@ -64,6 +65,8 @@ struct MapArchive {
   /// Of a map that was saved while its newest run went on: what that run needs to go on from here,
   /// as a map whose keys are the run's own (mapping_job.hpp). Null: the run is done.
   ValueTree checkpoint = {};
+  /// Of an archive that is a truth: the meshes of its objects, by which voxels are evaluated.
+  std::optional<TrueSurfaces> true_surfaces = {};
   /// Unknown files and keys below come from archives of others; a new map leaves them empty.
   std::vector<OctomapExtension> octomaps = {};
   /// Extensions of unknown format, whole entries. Their files are among `opaque_files`.

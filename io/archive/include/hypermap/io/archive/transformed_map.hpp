@@ -20,6 +20,7 @@ namespace hypermap {
 ///   else larger, and larger again each time;
 /// - voted cells go to the cells where their centres then lie, one to one for shifts by whole cells
 ///   and quarter turns about their corners; of cells that meet, the most votes count;
+/// - so do the seen cells of true surfaces, which are not counted;
 /// - bins of bearings turn by whole bins, the nearest number: exact for turns by a bin (20 degrees
 ///   to begin with), else off by up to half a bin, also at a quarter turn of 18 bins.
 ///

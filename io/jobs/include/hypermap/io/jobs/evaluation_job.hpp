@@ -4,34 +4,61 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/evaluation/calibration.hpp"
 #include "hypermap/core/evaluation/map_comparison.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
+#include "hypermap/core/evaluation/voxel_evaluation.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hypermap {
+
+struct MapAndTruth {
+  std::filesystem::path map;
+  std::filesystem::path truth;
+};
 
 struct EvaluationJob {
   std::filesystem::path map;
   std::filesystem::path truth;
   std::optional<std::filesystem::path> against = std::nullopt;  ///< Another map of the same place.
-  std::string layer = "semantic";                               ///< Semantic layer in each archive.
+  std::vector<MapAndTruth> also = {};  ///< Further pairs, for the calibration alone.
+  std::string layer = "semantic";      ///< Semantic layer in each archive.
   EvaluationOptions options = {};
+  CalibrationOptions calibration = {};
   ArchiveLimits limits = {};  ///< Of each archive.
   StopCheck stop = {};        ///< Ends the loading of any with kInterrupted.
 };
 
-struct EvaluationOutcome {
-  EvaluationReport report;
-  std::optional<MapComparison> against;  ///< The map against the other one, when there is one.
+/// What the voxels say; a mean is none where there is nothing to average.
+struct VoxelOutcome {
+  VoxelEvaluation labels = {};
+  /// Mean over the truths that count of the share of what was seen of their surface.
+  std::optional<double> surface_covered = std::nullopt;
 };
 
-/// Errors: those of load_archive and validate(EvaluationOptions); kNotFound when an archive lacks
-/// the layer, or when neither the map nor the truth has an object of a class asked for;
-/// kUnsupported when the layer is no semantic one, or in another frame than that of the truth.
+struct EvaluationOutcome {
+  EvaluationReport report = {};
+  std::optional<MapComparison> against =
+      std::nullopt;  ///< The map against the other one, when there is one.
+  std::optional<VoxelOutcome> voxels = std::nullopt;
+  std::string why_no_voxels = {};  ///< Why there is no `voxels`; empty when there is.
+  /// The truth tells how often each object was named rightly, so rarely seen ones are excluded.
+  bool knows_frames_named = false;
+  CalibrationReport best_class = {};  ///< P(best class) of the map's confirmed objects.
+  CalibrationReport real = {};        ///< P(real) of all its objects.
+};
+
+/// Errors: those of load_archive, validate(EvaluationOptions) and validate(CalibrationOptions);
+/// kNotFound when an archive lacks the layer, or when neither the map nor the truth has an object
+/// of a class asked for; kUnsupported when the layer is no semantic one, or in another frame than
+/// that of the truth.
+/// Boundary: classes that are asked for restrict the one-to-one and thesis metrics; voxels and
+/// calibration are of all classes.
 [[nodiscard]] Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job);
 
 }  // namespace hypermap

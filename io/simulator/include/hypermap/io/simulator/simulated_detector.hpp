@@ -88,6 +88,11 @@ class SimulatedDetector {
                                               const Image<ObjectId>& instances,
                                               std::uint64_t frame) const;
 
+  /// Those of `objects` that `detect` names in this frame by their own class, in id order.
+  [[nodiscard]] std::vector<ObjectId> named_rightly(std::span<const VisibleObject> objects,
+                                                    const Image<ObjectId>& instances,
+                                                    std::uint64_t frame) const;
+
  private:
   struct Known {
     ClassId id;

@@ -7,7 +7,12 @@
 ///
 ///     thing: cup_1                      name in the scene
 ///     box: [x0, y0, z0, x1, y1, z1]     true bounding box, metres
+///     frames_named: 12                  frames in which the detector named it rightly
+///     seen_footprint: 0.83              share of the footprint over which its surface was seen
+///     nameable: false                   only where the detector has no word for the class
 ///     excluded: reason                  only where the object does not count in evaluations
+///
+/// Beside them the true surfaces: the triangles of each object and what was seen of them.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -46,13 +51,15 @@ struct TrueOccupancyOptions {
                                                    const TrueOccupancyOptions& options = {});
 
 /// Why an object does not count in evaluations; empty when it does.
-/// Source: docs/EVALUATION.md, "Match": never 200 depth pixels in any frame, or not nameable.
+/// Source: docs/EVALUATION.md, "Visible enough": a class without a word; never 200 depth pixels in
+/// any frame; named rightly in fewer than three frames.
 [[nodiscard]] std::string exclusion(const SimulatedTruth& truth, const SimulatedDetector& detector);
 
-/// The archive `truth.hmap`. `truths` in id order.
+/// The archive `truth.hmap`. `truths` and `surfaces` in id order, of all objects.
 /// Errors: those of `true_occupancy` and of the layers.
 [[nodiscard]] Result<MapArchive> make_truth(const Simulator& simulator,
                                             const Scene& scene,
-                                            std::span<const SimulatedTruth> truths);
+                                            std::span<const SimulatedTruth> truths,
+                                            TrueSurfaces surfaces);
 
 }  // namespace hypermap

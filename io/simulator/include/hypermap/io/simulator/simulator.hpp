@@ -97,6 +97,7 @@ struct SimulatedFrame {
   InstanceImage instances;
   std::vector<VisibleObject> visible;  ///< All with enough pixels, in id order.
   std::vector<int> depth_pixels;       ///< Measured pixels of each of `objects`, by id - 1.
+  std::vector<ObjectId> named_rightly;  ///< Of `visible`: whose detection names their class.
 };
 
 /// A scene that can be photographed at any moment of the camera's way.
@@ -137,6 +138,7 @@ struct SimulatedTruth {
   int most_depth_pixels = 0;           ///< In the frame that shows it best.
   std::size_t num_frames_visible = 0;  ///< Frames that show it well enough for the detector.
   std::string exclusion_reason;        ///< Empty when it counts in evaluations.
+  std::size_t num_frames_named = 0;    ///< Frames in which the detector named it rightly.
 };
 
 struct SimulationReport {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation_texts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace hypermap::app {
+namespace {
+
+using EvaluationJson = nlohmann::ordered_json;
+
+EvaluationJson number(const std::optional<double>& value) {
+  return value ? EvaluationJson(*value) : EvaluationJson(nullptr);
+}
+
+EvaluationJson json_of(const NearestMetric& metric) {
+  return {{"n", metric.n},
+          {"truths", metric.num_truth},
+          {"distance_m", number(metric.distance_m)},
+          {"jaccard", number(metric.jaccard)}};
+}
+
+EvaluationJson json_of(const OneToOneMetric& metric) {
+  return {{"truths", metric.num_truth},
+          {"objects", metric.num_map},
+          {"matched", metric.matched},
+          {"excluded", metric.excluded},
+          {"rarely_seen", metric.rarely_seen},
+          {"duplicates", metric.duplicates},
+          {"precision", number(metric.precision)},
+          {"recall", number(metric.recall)},
+          {"f1", number(metric.f1)},
+          {"distance_m", number(metric.distance_m)},
+          {"jaccard_in_place", number(metric.jaccard_in_place)},
+          {"worst_jaccard_in_place", number(metric.worst_jaccard_in_place)},
+          {"judged", metric.num_judged},
+          {"small_jaccard_in_place", number(metric.small_jaccard_in_place)},
+          {"small", metric.num_small},
+          {"seen_jaccard_in_place", number(metric.seen_jaccard_in_place)},
+          {"seen", metric.num_seen},
+          {"footprint_covered", number(metric.footprint_covered)},
+          {"box_iou", number(metric.box_iou)},
+          {"boxes", metric.num_boxes}};
+}
+
+EvaluationJson json_of(const ClassVoxelCounts& counts) {
+  EvaluationJson confused = EvaluationJson::object();
+  for (const auto& [name, n] : counts.confused_for) confused[name] = n;
+  return {{"labelled", counts.labelled},
+          {"right", counts.right_labels},
+          {"wrong_class", counts.wrong_class},
+          {"precision", number(counts.precision())},
+          {"true", counts.true_voxels},
+          {"found", counts.found},
+          {"unlabelled", counts.true_unlabelled},
+          {"recall", number(counts.recall())},
+          {"confused_for", std::move(confused)}};
+}
+
+EvaluationJson json_of(const VoxelOutcome& outcome) {
+  const VoxelLabelCounts& all = outcome.labels.all;
+  EvaluationJson json{{"labelled", all.labelled},
+                      {"right", all.right},
+                      {"wrong_class", all.wrong_class},
+                      {"precision", number(all.precision())},
+                      {"wrong_class_share", number(all.wrong_class_share())},
+                      {"true", all.true_voxels},
+                      {"found", all.true_right},
+                      {"unlabelled", all.true_unlabelled},
+                      {"recall", number(all.recall())},
+                      {"surface_covered", number(outcome.surface_covered)},
+                      {"classes", EvaluationJson::object()}};
+  for (const auto& [name, counts] : outcome.labels.classes) json["classes"][name] = json_of(counts);
+  return json;
+}
+
+EvaluationJson json_of(const CalibrationReport& report) {
+  EvaluationJson bins = EvaluationJson::array();
+  for (const CalibrationBin& bin : report.bins) {
+    bins.push_back(
+        {{"n", bin.n}, {"mean_probability", bin.mean_probability}, {"true_share", bin.true_share}});
+  }
+  EvaluationJson interval = nullptr;
+  if (report.expected_error) interval = {report.error_low, report.error_high};
+  return {{"n", report.n},
+          {"expected_error", number(report.expected_error)},
+          {"interval_95", std::move(interval)},
+          {"log_loss", number(report.log_loss)},
+          {"bins", std::move(bins)}};
+}
+
+}  // namespace
+
+std::string json_text_of(const EvaluationOutcome& outcome) {
+  EvaluationJson json{{"all", json_of(outcome.report.all.nearest)},
+                      {"one_to_one", json_of(outcome.report.all.one_to_one)},
+                      {"classes", EvaluationJson::object()},
+                      {"knows_frames_named", outcome.knows_frames_named}};
+  for (const auto& [name, metrics] : outcome.report.classes) {
+    json["classes"][name] = {{"all", json_of(metrics.nearest)},
+                             {"one_to_one", json_of(metrics.one_to_one)}};
+  }
+  json["voxels"] = outcome.voxels ? json_of(*outcome.voxels) : EvaluationJson(nullptr);
+  if (!outcome.voxels) json["why_no_voxels"] = outcome.why_no_voxels;
+  json["calibration"] = {{"best_class", json_of(outcome.best_class)},
+                         {"real", json_of(outcome.real)}};
+  if (outcome.against) {
+    json["against"] = {{"p_jaccard_greater", number(outcome.against->jaccard.p)},
+                       {"p_distance_smaller", number(outcome.against->distance.p)}};
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// An evaluation as text: tables for people, JSON for programs.
+#pragma once
+
+#include "hypermap/io/jobs/evaluation_job.hpp"
+
+#include <string>
+
+namespace hypermap::app {
+
+[[nodiscard]] std::string json_text_of(const EvaluationOutcome& outcome);
+[[nodiscard]] std::string table_text_of(const EvaluationOutcome& outcome);
+
+}  // namespace hypermap::app
