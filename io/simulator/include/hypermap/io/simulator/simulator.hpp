@@ -95,8 +95,8 @@ struct SimulatedFrame {
   /// What each pixel really shows. Ids beyond those of `objects` are things that were moved or
   /// removed later, where they stood, and then those that move through the scene.
   InstanceImage instances;
-  std::vector<VisibleObject> visible;  ///< All with enough pixels, in id order.
-  std::vector<int> depth_pixels;       ///< Measured pixels of each of `objects`, by id - 1.
+  std::vector<VisibleObject> visible;   ///< All with enough pixels, in id order.
+  std::vector<int> depth_pixels;        ///< Measured pixels of each of `objects`, by id - 1.
   std::vector<ObjectId> named_rightly;  ///< Of `visible`: whose detection names their class.
 };
 
