@@ -20,12 +20,17 @@ bool is_within_reach(const Eigen::Vector3f& vertex) {
   return vertex.allFinite() && vertex.cwiseAbs().maxCoeff() <= kMaxCoordinateM;
 }
 
-Result<void> check_surface(const TrueSurface& surface) {
+bool is_within_reach(const SurfaceCell& cell, double edge_m) {
+  return centre_of(cell, edge_m).cwiseAbs().maxCoeff() <= static_cast<double>(kMaxCoordinateM);
+}
+
+Result<void> check_surface(const TrueSurface& surface, double seen_cell_m) {
   const auto refuse = [&surface](const char* field, const char* rule) {
     return fail(ErrorCode::kInvalidArgument, rule, field_of(surface, field));
   };
   if (surface.class_name.empty()) return refuse("class", "must not be empty");
-  if (!std::all_of(surface.vertices.begin(), surface.vertices.end(), is_within_reach))
+  if (!std::ranges::all_of(surface.vertices,
+                           [](const auto& vertex) { return is_within_reach(vertex); }))
     return refuse("vertices", "must be finite and within 1e6 m");
   for (const auto& triangle : surface.triangles) {
     for (const std::uint32_t corner : triangle) {
@@ -36,6 +41,9 @@ Result<void> check_surface(const TrueSurface& surface) {
   const auto& cells = surface.seen_cells;
   if (std::adjacent_find(cells.begin(), cells.end(), std::greater_equal<>()) != cells.end())
     return refuse("seen_cells", "must be in ascending order, each once");
+  if (!std::ranges::all_of(
+          cells, [=](const SurfaceCell& cell) { return is_within_reach(cell, seen_cell_m); }))
+    return refuse("seen_cells", "must lie within 1e6 m");
   return {};
 }
 
@@ -79,7 +87,7 @@ Result<void> validate(const TrueSurfaces& surfaces) {
   for (const TrueSurface& surface : surfaces.objects) {
     if (surface.id <= previous)
       return fail(ErrorCode::kInvalidArgument, "must ascend from 1 on", field_of(surface, "id"));
-    HYPERMAP_TRY(check_surface(surface));
+    HYPERMAP_TRY(check_surface(surface, surfaces.seen_cell_m));
     previous = surface.id;
   }
   return {};

@@ -47,6 +47,11 @@ TEST(TrueSurfaces, AnythingThatIsNoSurfaceIsRefusedByName) {
   surfaces = one_triangle();
   surfaces.objects[0].seen_cells[1] = surfaces.objects[0].seen_cells[0];
   EXPECT_EQ(refused_field(surfaces), "object 1 seen_cells");
+  surfaces = one_triangle();
+  surfaces.objects[0].seen_cells[1].x = 19'999'999;  // its centre is 2.5 cm below 1e6 m
+  EXPECT_EQ(refused_field(surfaces), "none");
+  surfaces.objects[0].seen_cells[1].x = 20'000'000;
+  EXPECT_EQ(refused_field(surfaces), "object 1 seen_cells");
 }
 
 TEST(TrueSurfaces, CellsLieOnTheLatticeOfTheOrigin) {

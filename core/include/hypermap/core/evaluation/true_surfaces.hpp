@@ -58,7 +58,7 @@ struct TrueSurfaces {
 
 /// Errors: kInvalidArgument naming the field: an edge outside 0.001 .. 10 m; ids that are 0 or not
 /// ascending; no class name; a vertex that is not finite or beyond 1e6 m; a triangle with a vertex
-/// that is not there; cells that are not ascending.
+/// that is not there; cells that are not ascending or lie beyond 1e6 m.
 [[nodiscard]] Result<void> validate(const TrueSurfaces& surfaces);
 
 }  // namespace hypermap
