@@ -30,6 +30,7 @@ TEST(Calibration, ByHand) {
 TEST(Calibration, EqualProbabilitiesShareTheirOutcomesWhateverTheOrder) {
   // Six times 0.5, three of them true: in every bin half is true, so nothing is wrong.
   std::vector<Prediction> predictions;
+  predictions.reserve(6);
   for (int i = 0; i < 6; ++i) predictions.push_back({0.5, i < 3});
   const CalibrationReport report = calibration(predictions, {.num_bins = 3});
   EXPECT_NEAR(*report.expected_error, 0.0, 1e-12);
@@ -39,6 +40,7 @@ TEST(Calibration, EqualProbabilitiesShareTheirOutcomesWhateverTheOrder) {
 
 TEST(Calibration, BinsAreEquallyFilledAndNoneIsEmpty) {
   std::vector<Prediction> predictions;
+  predictions.reserve(23);
   for (int i = 0; i < 23; ++i) predictions.push_back({i / 23.0, true});
   std::size_t sum = 0;
   for (const CalibrationBin& bin : calibration(predictions).bins) {

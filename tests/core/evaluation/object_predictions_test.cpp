@@ -28,6 +28,7 @@ BelievedObject believed(const std::string& name, double x, bool confirmed, doubl
 
 std::vector<bool> outcomes(const std::vector<Prediction>& predictions) {
   std::vector<bool> result;
+  result.reserve(predictions.size());
   for (const Prediction& prediction : predictions) result.push_back(prediction.is_true);
   return result;
 }

@@ -26,7 +26,7 @@ TrueSurfaces two_surfaces() {
                       {.id = ObjectId{9}, .class_name = "bin", .is_nameable = false}}};
 }
 
-std::string refusal(const std::string& text) {
+std::string surfaces_refusal(const std::string& text) {
   const auto parsed = parse_true_surfaces(text, kSurfacesSource);
   return parsed ? "none" : to_string(parsed.error());
 }
@@ -52,27 +52,32 @@ TEST(TrueSurfacesJson, EveryCutIsRefused) {
   const std::string text = write_true_surfaces(two_surfaces()).value();
   for (std::size_t size = 0; size < text.size(); ++size)
     EXPECT_FALSE(parse_true_surfaces(text.substr(0, size), kSurfacesSource)) << size;
-  EXPECT_THAT(refusal(text + "{}\n"), HasSubstr("says 2 objects, there are more"));
+  EXPECT_THAT(surfaces_refusal(text + "{}\n"), HasSubstr("says 2 objects, there are more"));
 }
 
 TEST(TrueSurfacesJson, WhatASurfaceCannotHaveIsRefusedWithItsLine) {
-  EXPECT_THAT(refusal(with("\"version\":1", "\"version\":2")), HasSubstr("newer version 2"));
-  EXPECT_THAT(refusal(with("true-surfaces", "objects")), HasSubstr("expected hypermap-true"));
-  EXPECT_THAT(refusal(with("\"seen_cell_m\":0.025", "\"seen_cell_m\":0")),
+  EXPECT_THAT(surfaces_refusal(with("\"version\":1", "\"version\":2")),
+              HasSubstr("newer version 2"));
+  EXPECT_THAT(surfaces_refusal(with("true-surfaces", "objects")),
+              HasSubstr("expected hypermap-true"));
+  EXPECT_THAT(surfaces_refusal(with("\"seen_cell_m\":0.025", "\"seen_cell_m\":0")),
               HasSubstr("seen_cell_m"));
-  EXPECT_THAT(refusal(with("\"num_objects\":2", "\"num_objects\":1000001")), HasSubstr("limit"));
-  EXPECT_THAT(refusal(with("\"id\":9", "\"id\":2")), HasSubstr("object 2 id"));
-  EXPECT_THAT(refusal(with("\"bin\"", "\"\"")), HasSubstr("object 9 class"));
-  EXPECT_THAT(refusal(with("[0,1,2,2", "[0,1,3,2")), HasSubstr("object 2 triangles"));
-  EXPECT_THAT(refusal(with("[0,1,2,2", "[0,1,-1,2")), HasSubstr("triangles"));
-  EXPECT_THAT(refusal(with("[-3,0,7,", "[-3,0,7,7,")), HasSubstr("multiple of three"));
-  EXPECT_THAT(refusal(with("[-3,0,7,", "[-3,1,0,")), HasSubstr("object 2 seen_cells"));
-  EXPECT_THAT(refusal(with("[-3,0,7,", "[-3,0,3000000000,")), HasSubstr("seen_cells"));
-  EXPECT_THAT(refusal(with("\"nameable\":false", "\"nameable\":0")), HasSubstr("nameable"));
-  EXPECT_THAT(refusal(with("\"nameable\":false", "\"nam\":false")), HasSubstr("nam"));
-  EXPECT_THAT(refusal(with("[0.10000000149011612,", "[0.1,")), HasSubstr("vertices"));
-  EXPECT_THAT(refusal(with("[0.10000000149011612,", "[2000000,")), HasSubstr("object 2 vertices"));
-  EXPECT_THAT(refusal(with("\"a \\\"chair\\\"\"", "7")), HasSubstr(":2:"));
+  EXPECT_THAT(surfaces_refusal(with("\"num_objects\":2", "\"num_objects\":1000001")),
+              HasSubstr("limit"));
+  EXPECT_THAT(surfaces_refusal(with("\"id\":9", "\"id\":2")), HasSubstr("object 2 id"));
+  EXPECT_THAT(surfaces_refusal(with("\"bin\"", "\"\"")), HasSubstr("object 9 class"));
+  EXPECT_THAT(surfaces_refusal(with("[0,1,2,2", "[0,1,3,2")), HasSubstr("object 2 triangles"));
+  EXPECT_THAT(surfaces_refusal(with("[0,1,2,2", "[0,1,-1,2")), HasSubstr("triangles"));
+  EXPECT_THAT(surfaces_refusal(with("[-3,0,7,", "[-3,0,7,7,")), HasSubstr("multiple of three"));
+  EXPECT_THAT(surfaces_refusal(with("[-3,0,7,", "[-3,1,0,")), HasSubstr("object 2 seen_cells"));
+  EXPECT_THAT(surfaces_refusal(with("[-3,0,7,", "[-3,0,3000000000,")), HasSubstr("seen_cells"));
+  EXPECT_THAT(surfaces_refusal(with("\"nameable\":false", "\"nameable\":0")),
+              HasSubstr("nameable"));
+  EXPECT_THAT(surfaces_refusal(with("\"nameable\":false", "\"nam\":false")), HasSubstr("nam"));
+  EXPECT_THAT(surfaces_refusal(with("[0.10000000149011612,", "[0.1,")), HasSubstr("vertices"));
+  EXPECT_THAT(surfaces_refusal(with("[0.10000000149011612,", "[2000000,")),
+              HasSubstr("object 2 vertices"));
+  EXPECT_THAT(surfaces_refusal(with("\"a \\\"chair\\\"\"", "7")), HasSubstr(":2:"));
 }
 
 TEST(TrueSurfacesJson, WhatWouldBeRefusedIsNotWritten) {
