@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
 #include "hypermap/core/base/class_palette.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace hypermap {
 namespace {
 
-Result<OctomapTree> tree_of(const MapArchive& archive) {
-  if (archive.octree) return to_octomap_tree(*archive.octree);
-  if (!archive.octomaps.empty()) return archive.octomaps.front().tree;
+Result<double> resolution_of(const MapArchive& archive) {
+  if (archive.octree) return archive.octree->resolution_m();
+  if (!archive.octomaps.empty()) return archive.octomaps.front().tree.resolution_m;
   return fail(ErrorCode::kNotFound, "the map has no octree");
 }
 
 /// Free space, and of the occupied voxels those of the wanted classes.
-OctomapTree only(OctomapTree tree, const std::optional<std::set<ClassId>>& wanted) {
-  if (!wanted) return tree;
-  std::erase_if(tree.leaves, [&](const OctomapLeaf& leaf) {
-    if (leaf.log_odds < 0.0F) return false;
-    if (leaf.label == OctomapLeaf::kNoLabel) return true;
-    const auto best = tree.labels[leaf.label].best_class();
-    return !best || !wanted->contains(*best);
-  });
-  return tree;
+LeafSource only(LeafSource leaves, const std::optional<std::set<ClassId>>& wanted) {
+  if (!wanted) return leaves;
+  return [leaves = std::move(leaves), &wanted](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      const bool is_free = leaf.occupancy.value() < 0.0;
+      if (is_free || (leaf.best_class && wanted->contains(*leaf.best_class))) visit(leaf);
+    });
+  };
 }
 
 /// Whether nothing of what was asked for is occupied; without classes free space counts too.
@@ -49,10 +50,9 @@ Result<void> require_suffix(const ExportRequest& request, std::string_view suffi
 Result<WrittenFiles> export_octomap(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(require_suffix(request, ".ot or .bt"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
-  HYPERMAP_ASSIGN_OR_RETURN(OctomapTree labelled, tree_of(archive));
-  labelled = only(std::move(labelled), wanted);
-  if (is_empty(labelled, wanted)) return WrittenFiles{};
-  const OctomapTree tree = without_labels(labelled);
+  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, resolution_of(archive));
+  const OctomapTree tree = occupancy_tree(only(shown_leaves(archive), wanted), resolution_m);
+  if (is_empty(tree, wanted)) return WrittenFiles{};
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string bytes,
       request.output.extension() == ".bt" ? write_octomap_binary(tree) : write_octomap(tree));
@@ -63,11 +63,11 @@ Result<WrittenFiles> export_octomap(const MapArchive& archive, const ExportReque
 Result<WrittenFiles> export_color_octomap(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(require_suffix(request, ".ot"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
-  HYPERMAP_ASSIGN_OR_RETURN(OctomapTree labelled, tree_of(archive));
-  labelled = only(std::move(labelled), wanted);
-  if (is_empty(labelled, wanted)) return WrittenFiles{};
-  const OctomapTree tree =
-      with_class_colors(labelled, class_colors(archive.classes, request.palette));
+  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, resolution_of(archive));
+  const OctomapTree tree = class_color_tree(only(shown_leaves(archive), wanted),
+                                            resolution_m,
+                                            class_colors(archive.classes, request.palette));
+  if (is_empty(tree, wanted)) return WrittenFiles{};
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, write_octomap(tree));
   HYPERMAP_TRY(write_file_atomically(request.output, bytes));
   return WrittenFiles{request.output};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
 #include "hypermap/core/base/class_palette.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <cstring>
@@ -43,25 +44,20 @@ class PlyBody {
   std::size_t num_vertices_ = 0;
 };
 
-void add_leaf(const StoredLeaf& leaf,
-              const SemanticOctree& octree,
+void add_leaf(const LeafSample& leaf,
               std::span<const Rgb8> colors,
               const std::optional<std::set<ClassId>>& wanted,
               PlyBody& body) {
-  if (leaf.log_odds < octree.sensor_model().occupied_from) return;
-  const auto best = leaf.label ? leaf.label->best_class() : std::nullopt;
+  if (!leaf.occupied) return;
+  const auto& best = leaf.best_class;
   if (wanted && (!best || !wanted->contains(*best))) return;
-  const Eigen::Vector3f centre = octree.grid().centre(leaf.key).xyz.cast<float>();
   const Rgb8 color =
       best && best->value < colors.size() ? colors[best->value] : Rgb8{200, 200, 200};
-  const auto label = best ? static_cast<std::uint16_t>(best->value) : kNoClass;
-  const double confidence =
-      best ? from_milli(leaf.label->classes[0].log_odds).probability().value() : 0.0;
-  body.add(centre,
+  body.add(leaf.centre_in_map.cast<float>(),
            color,
-           label,
-           static_cast<std::int32_t>(leaf.label ? leaf.label->object.value : kNoObject.value),
-           static_cast<float>(confidence));
+           best ? static_cast<std::uint16_t>(best->value) : kNoClass,
+           static_cast<std::int32_t>(leaf.object.value),
+           best ? static_cast<float>(leaf.class_log_odds.probability().value()) : 0.0F);
 }
 
 /// Open3D reads uint16 and int, but neither ushort nor uint; CloudCompare takes scalar_... as a
@@ -91,8 +87,7 @@ Result<WrittenFiles> export_ply(const MapArchive& archive, const ExportRequest& 
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
   const std::vector<Rgb8> colors = class_colors(archive.classes, request.palette);
   PlyBody body;
-  archive.octree->for_each_stored_leaf(
-      [&](const StoredLeaf& leaf) { add_leaf(leaf, *archive.octree, colors, wanted, body); });
+  shown_leaves(archive)([&](const LeafSample& leaf) { add_leaf(leaf, colors, wanted, body); });
   if (body.num_vertices() == 0) return WrittenFiles{};
   HYPERMAP_TRY(
       write_file_atomically(request.output, header(archive, body.num_vertices()) + body.bytes()));

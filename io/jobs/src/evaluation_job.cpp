@@ -4,7 +4,7 @@
 #include "evaluated_archive.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
-#include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -87,7 +87,7 @@ Result<VoxelOutcome> evaluated_voxels(const EvaluatedArchive& map,
   HYPERMAP_ASSIGN_OR_RETURN(
       VoxelEvaluation labels,
       evaluate_voxels(
-          labelled_leaves(map.archive), map.archive.classes, *truth.archive.true_surfaces, stop));
+          shown_leaves(map.archive), map.archive.classes, *truth.archive.true_surfaces, stop));
   const auto covered = surface_covered(labels.coverage, truth);
   return VoxelOutcome{std::move(labels), covered};
 }

@@ -161,7 +161,7 @@ struct LabelScores {
   const std::int32_t* best_ids = nullptr;  ///< The strongest, strongest first,
   const std::int32_t* best = nullptr;      ///< and their evidence.
   std::size_t num_best = 0;
-  std::int32_t limit = 0;  ///< Log-odds are clamped to +-limit.
+  std::int32_t limit = 0;  ///< All are lowered by what the best exceeds it, down to -limit.
 };
 inline constexpr std::int32_t kNotNamed = kNoClass;
 

@@ -22,6 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using BeliefInts = hn::CappedTag<std::int32_t, 16>;
 using Beliefs = hn::Vec<BeliefInts>;
 
+/// So that a sum and the id of its class are one number.
+constexpr std::int32_t kMaxSum = 32'767;
 /// Three places, and the bound of the rest, can be won by so many.
 constexpr std::int32_t kMaxRivals = 4;
 
@@ -30,9 +32,14 @@ HWY_INLINE Beliefs id_of(Beliefs ranked) {
   return hn::AndNot(ranked, hn::Set(d, 0xFFFF));
 }
 
-HWY_INLINE Beliefs clamped_sum(Beliefs log_odds, Beliefs evidence, std::int32_t limit) {
+HWY_INLINE Beliefs held_within(Beliefs value, std::int32_t limit) {
   const BeliefInts d;
-  return hn::Min(hn::Max(hn::Add(log_odds, evidence), hn::Set(d, -limit)), hn::Set(d, limit));
+  return hn::Min(hn::Max(value, hn::Set(d, -limit)), hn::Set(d, limit));
+}
+
+/// One observation says at most `limit`.
+HWY_INLINE Beliefs sum_of(Beliefs log_odds, Beliefs evidence, std::int32_t limit) {
+  return held_within(hn::Add(log_odds, held_within(evidence, limit)), kMaxSum);
 }
 
 /// The number of a class with other log-odds.
@@ -47,8 +54,16 @@ HWY_INLINE Beliefs observed(const LabelScores& scores, Beliefs ranked) {
   const auto in_table = hn::Lt(id, hn::Set(d, scores.num_classes));
   const auto evidence = hn::GatherIndex(d, scores.by_class, hn::IfThenElseZero(in_table, id));
   const auto named = hn::And(in_table, hn::Ne(evidence, hn::Set(d, kNotNamed)));
-  const auto sum = clamped_sum(hn::ShiftRight<16>(ranked), evidence, scores.limit);
+  const auto sum = sum_of(hn::ShiftRight<16>(ranked), evidence, scores.limit);
   return hn::IfThenElse(named, ranked_with(sum, ranked), ranked);
+}
+
+/// A class when all are lowered by `excess`.
+HWY_INLINE Beliefs shifted(Beliefs ranked, Beliefs excess, std::int32_t limit) {
+  const BeliefInts d;
+  const auto log_odds = held_within(hn::Sub(hn::ShiftRight<16>(ranked), excess), limit);
+  return hn::IfThenElse(
+      hn::Eq(ranked, hn::Set(d, kNoClass)), ranked, ranked_with(log_odds, ranked));
 }
 
 /// The voxels of one vector, from voxel `i` on.
@@ -75,7 +90,7 @@ HWY_INLINE void merge_beliefs(const LabelScores& scores, std::size_t i, BeliefLa
     const auto competes =
         hn::AndNot(is_kept, hn::Lt(num_rivals, hn::Set(d, kMaxRivals)));
     num_rivals = hn::Add(num_rivals, hn::IfThenElseZero(competes, hn::Set(d, 1)));
-    const auto sum = clamped_sum(rest, hn::Set(d, scores.best[rival]), scores.limit);
+    const auto sum = sum_of(rest, hn::Set(d, scores.best[rival]), scores.limit);
     auto rank = ranked_with(sum, hn::Set(d, 0xFFFF - scores.best_ids[rival]));
     rank = hn::IfThenElse(competes, rank, none);
     const auto sink = [&rank](Beliefs place) {
@@ -88,12 +103,17 @@ HWY_INLINE void merge_beliefs(const LabelScores& scores, std::size_t i, BeliefLa
     third = sink(third);
     fourth = sink(fourth);
   }
-  hn::Store(first, d, beliefs.classes[0] + i);
-  hn::Store(second, d, beliefs.classes[1] + i);
-  hn::Store(third, d, beliefs.classes[2] + i);
-  hn::Store(hn::IfThenElse(hn::Eq(fourth, none), rest, hn::ShiftRight<16>(fourth)),
-            d,
-            beliefs.rest + i);
+  const auto other = hn::IfThenElse(hn::Eq(fourth, none), rest, hn::ShiftRight<16>(fourth));
+  const auto excess =
+      hn::Max(hn::Sub(hn::ShiftRight<16>(first), hn::Set(d, scores.limit)), hn::Zero(d));
+  // Those that meet at the lower bound are equals now, in the order of their ids.
+  const auto x = shifted(first, excess, scores.limit);
+  const auto y = shifted(second, excess, scores.limit);
+  const auto z = shifted(third, excess, scores.limit);
+  hn::Store(hn::Max(hn::Max(x, y), z), d, beliefs.classes[0] + i);
+  hn::Store(hn::Max(hn::Min(x, y), hn::Min(hn::Max(x, y), z)), d, beliefs.classes[1] + i);
+  hn::Store(hn::Min(hn::Min(x, y), z), d, beliefs.classes[2] + i);
+  hn::Store(held_within(hn::Sub(other, excess), scores.limit), d, beliefs.rest + i);
 }
 
 inline void merge_labels(const LabelScores& scores, std::size_t size, BeliefLanes& beliefs) {

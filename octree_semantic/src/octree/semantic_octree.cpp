@@ -112,10 +112,12 @@ LeafSample SemanticOctree::sample(const VoxelKey& key, const Brick& brick, std::
                   .occupancy = from_milli(brick.log_odds[cell]),
                   .occupied = brick.occupied.test(cell),
                   .best_class = std::nullopt,
+                  .class_log_odds = {},
                   .object = kNoObject};
   const VoxelLabel* label = leaf.occupied ? brick.label(cell) : nullptr;
   if (label != nullptr) {
     leaf.best_class = label->best_class();
+    if (leaf.best_class) leaf.class_log_odds = from_milli(label->classes[0].log_odds);
     leaf.object = label->object;
   }
   return leaf;

@@ -93,11 +93,12 @@ TEST(ArchiveLayers, ObjectsCanAlwaysBeAsked) {
   const auto unknown = archive_layer(sample_archive(), "smells");
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error().what, HasSubstr("occupancy, semantic, octree, objects, chair"));
+  EXPECT_FALSE(archive_layer(nothing, "evidence")) << "of no octree there is none";
 }
 
-TEST(ArchiveLayers, AnOctreeAnswersAsItsVoxels) {
+TEST(ArchiveLayers, EvidenceAnswersAsTheVoxelsOfTheOctree) {
   const MapArchive archive = sample_archive();
-  const Layer octree = archive_layer(archive, "octree").value();
+  const Layer octree = archive_layer(archive, "evidence").value();
   const auto all = octree.content->query({}).value();
   ASSERT_EQ(all.size(), 100U);
   for (const LayerAnswer& answer : all) {

@@ -134,14 +134,16 @@ TEST(OctomapTree, OurFilesHaveTheNodesThatOctomapWouldWrite) {
   const SemanticOctree octree = room();
   const OctomapTree tree = to_octomap_tree(octree);
   EXPECT_EQ(nodes_of(write_octomap(tree).value()), nodes_of(*to_semantic_octomap(octree)));
-  EXPECT_EQ(nodes_of(write_octomap(without_labels(tree)).value()), nodes_of(*to_octomap(octree)));
+  const OctomapTree plain = occupancy_tree(leaf_source(octree), octree.resolution_m());
+  EXPECT_EQ(nodes_of(write_octomap(plain).value()), nodes_of(*to_octomap(octree)));
+  EXPECT_EQ(without_labels(tree), plain);
 }
 
 TEST(OctomapTree, TheColourTwinHasTheColoursOfOctomapsTwin) {
   const SemanticOctree octree = room();
   std::vector<Rgb8> colors;
   for (std::uint8_t id = 0; id < 16; ++id) colors.push_back({id, 10, 20});
-  const OctomapTree colored = with_class_colors(to_octomap_tree(octree), colors);
+  const OctomapTree colored = class_color_tree(leaf_source(octree), octree.resolution_m(), colors);
   const auto theirs = to_color_octomap(octree, colors);
   std::size_t i = 0;
   for (auto leaf = theirs->begin_leafs(), end = theirs->end_leafs(); leaf != end; ++leaf, ++i) {
@@ -151,6 +153,13 @@ TEST(OctomapTree, TheColourTwinHasTheColoursOfOctomapsTwin) {
     EXPECT_EQ(colored.leaves[i].depth, leaf.getDepth());
   }
   EXPECT_EQ(i, colored.leaves.size());
+}
+
+TEST(OctomapTree, LargeLeavesOfASourceStayLargeLeaves) {
+  const OctomapTree tree{.resolution_m = 0.5,
+                         .leaves = {{.key = {32768, 32768, 32770}, .depth = 15, .log_odds = 1.25F},
+                                    {.key = {32770, 32768, 32770}, .log_odds = -0.5F}}};
+  EXPECT_EQ(occupancy_tree(leaf_source(tree), 0.5), tree);
 }
 
 TEST(OctomapTree, OctomapOpensOurTypeByItsRegistry) {

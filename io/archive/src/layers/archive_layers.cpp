@@ -27,12 +27,6 @@ LayerInfo info_of(const MapArchive& archive, std::string_view format, std::strin
   return info;
 }
 
-std::vector<ObjectId> shown_ids(const MapArchive& archive) {
-  std::vector<ObjectId> ids;
-  for (const Object* object : confirmed_objects_of(archive)) ids.push_back(object->id);
-  return ids;
-}
-
 /// What the semantic layer says of the objects that stand in it too.
 std::map<ObjectId, double> confidence_of_objects(const MapArchive& archive) {
   std::map<ObjectId, double> confidence;
@@ -46,12 +40,11 @@ std::map<ObjectId, double> confidence_of_objects(const MapArchive& archive) {
   return confidence;
 }
 
-Layer octree_layer(const MapArchive& archive) {
+Layer octree_layer(const MapArchive& archive, LayerInfo info, LeafSource leaves) {
   const SemanticOctree& octree = *archive.octree;
   return {
-      .info = info_of(archive, kOctomapFormat, "octree"),
-      .content = OctreeLayer({.leaves = labelled_leaves(archive),
-                              .drawn = confirmed_leaves(archive, shown_ids(archive)),
+      .info = std::move(info),
+      .content = OctreeLayer({.leaves = std::move(leaves),
                               .classes = archive.classes,
                               .file = [&octree] { return write_octomap(to_octomap_tree(octree)); },
                               .resolution_m = octree.resolution_m()})};
@@ -60,29 +53,34 @@ Layer octree_layer(const MapArchive& archive) {
 Layer octree_layer(const OctomapExtension& octomap) {
   return {.info = {.name = octomap.entry.name, .frame_id = octomap.entry.frame_id},
           .content = OctreeLayer({.leaves = leaf_source(octomap.tree),
-                                  .drawn = leaf_source(octomap.tree),
                                   .classes = {},
                                   .file = [&octomap] { return Result<std::string>(octomap.bytes); },
                                   .resolution_m = octomap.tree.resolution_m})};
 }
 
+Layer evidence_layer(const MapArchive& archive) {
+  LayerInfo info = info_of(archive, kOctomapFormat, "octree");
+  info.name = kEvidenceLayer;
+  return octree_layer(archive, std::move(info), leaf_source(*archive.octree));
+}
+
 Layer objects_layer(const MapArchive& archive) {
-  return {
-      .info = info_of(archive, kObjectsFormat, kObjectsLayer),
-      .content = ObjectsLayer(
-          archive.objects, archive.classes, shown_ids(archive), confidence_of_objects(archive))};
+  return {.info = info_of(archive, kObjectsFormat, kObjectsLayer),
+          .content = ObjectsLayer(archive.objects,
+                                  archive.classes,
+                                  confirmed_ids_of(archive),
+                                  confidence_of_objects(archive))};
 }
 
 }  // namespace
 
-LeafSource labelled_leaves(const MapArchive& archive) {
-  return leaf_source(*archive.octree);
-}
-
 std::vector<Layer> archive_layers(const MapArchive& archive) {
   const auto own = archive.hypermap.layers();
   std::vector<Layer> layers(own.begin(), own.end());
-  if (archive.octree) layers.push_back(octree_layer(archive));
+  if (archive.octree) {
+    layers.push_back(
+        octree_layer(archive, info_of(archive, kOctomapFormat, "octree"), shown_leaves(archive)));
+  }
   for (const OctomapExtension& octomap : archive.octomaps) layers.push_back(octree_layer(octomap));
   if (!archive.objects.empty()) layers.push_back(objects_layer(archive));
   for (const ClassGrid& grid : archive.class_grids) {
@@ -103,6 +101,7 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   }
   if (found != layers.end()) return std::move(*found);
   if (name == kObjectsLayer) return objects_layer(archive);
+  if (name == kEvidenceLayer && archive.octree) return evidence_layer(archive);
   std::vector<std::string> names;
   names.reserve(layers.size());
   for (const Layer& layer : layers) names.push_back(layer.info.name);

@@ -3,14 +3,13 @@
 
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 #include "hypermap/projection/grids/class_grids.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
 #include "hypermap/projection/layers/object_footprints.hpp"
 
 #include <algorithm>
 #include <exception>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,33 +25,6 @@ std::vector<const Object*> objects_of(const ObjectMap& objects,
   std::vector<const Object*> found;
   for (const ObjectId id : confirmed) found.push_back(&objects.at(id));
   return found;
-}
-
-/// A surface is measured so much before or behind where it is.
-constexpr double kSurfaceNoiseM = 0.05;
-
-/// What an object lends to its voxels, and where.
-struct Owner {
-  ClassId class_id;
-  Box bounds;
-};
-
-std::map<ObjectId, Owner> owners_of(const ObjectMap& objects, std::span<const ObjectId> confirmed) {
-  std::map<ObjectId, Owner> owners;
-  for (const ObjectId id : confirmed) {
-    const Object* object = objects.find(id);
-    const auto best = object != nullptr ? best_class(*object) : std::nullopt;
-    if (best) owners.emplace(id, Owner{best->id, grown(object->box, kSurfaceNoiseM)});
-  }
-  return owners;
-}
-
-/// Null for a voxel of none.
-const Owner* owner_of(const LeafSample& leaf, const std::map<ObjectId, Owner>& owners) {
-  const auto named = owners.find(leaf.object);
-  if (named == owners.end()) return nullptr;
-  const bool touches = grown(named->second.bounds, 0.5 * leaf.edge_m).contains(leaf.centre_in_map);
-  return touches ? &named->second : nullptr;
 }
 
 /// Replaces the content of a layer, or adds the layer.
@@ -135,26 +107,20 @@ std::vector<const Object*> confirmed_objects_of(const MapArchive& archive) {
 }
 
 LeafSource confirmed_leaves(const MapArchive& archive, std::span<const ObjectId> confirmed) {
-  return [leaves = leaf_source(*archive.octree),
-          owners = owners_of(archive.objects, confirmed)](const LeafVisitor& visit) {
-    leaves([&](const LeafSample& leaf) {
-      LeafSample sample = leaf;
-      const Owner* owner = owner_of(leaf, owners);
-      sample.best_class = owner == nullptr ? std::nullopt : std::optional(owner->class_id);
-      if (owner == nullptr) sample.object = kNoObject;
-      visit(sample);
-    });
-  };
+  return owned_leaves(*archive.octree, VoxelOwners(archive.objects, confirmed));
+}
+
+std::vector<ObjectId> confirmed_ids_of(const MapArchive& archive) {
+  std::vector<ObjectId> ids;
+  for (const Object* object : confirmed_objects_of(archive)) ids.push_back(object->id);
+  return ids;
 }
 
 LeafSource shown_leaves(const MapArchive& archive) {
-  if (archive.octree && archive.objects.empty()) return leaf_source(*archive.octree);
-  if (archive.octree) {
-    std::vector<ObjectId> confirmed;
-    for (const Object* object : confirmed_objects_of(archive)) confirmed.push_back(object->id);
-    return confirmed_leaves(archive, confirmed);
-  }
-  return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
+  if (!archive.octree)
+    return archive.octomaps.empty() ? LeafSource() : leaf_source(archive.octomaps.front().tree);
+  if (archive.objects.empty()) return leaf_source(*archive.octree);
+  return confirmed_leaves(archive, confirmed_ids_of(archive));
 }
 
 std::string shown_frame_id(const MapArchive& archive) {

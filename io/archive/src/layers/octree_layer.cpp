@@ -107,7 +107,7 @@ Result<std::vector<LayerAnswer>> OctreeLayer::query(const LayerQuery& query) con
 }
 
 std::vector<LayerPrimitive> OctreeLayer::draw() const {
-  return {DrawnVoxels{sources_.drawn}};
+  return {DrawnVoxels{sources_.leaves}};
 }
 
 Result<void> OctreeLayer::save(LayerWriter& writer) const {

@@ -4,7 +4,9 @@
 #include "octomap_node.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -45,6 +47,17 @@ void merge_last_eight(OctomapTree& tree) {
   tree.leaves.resize(tree.leaves.size() - 7);
   if (!tree.colors.empty()) tree.colors.resize(tree.leaves.size());
   --tree.leaves.back().depth;
+}
+
+/// The same cube of space.
+OctomapLeaf unlabelled(const LeafSample& sample, const VoxelGrid& grid) {
+  const auto edge = static_cast<std::uint32_t>(std::lround(sample.edge_m / grid.resolution_m()));
+  const Eigen::Vector3d to_corner =
+      Eigen::Vector3d::Constant(0.5 * (sample.edge_m - grid.resolution_m()));
+  OctomapLeaf leaf{.log_odds = static_cast<float>(sample.occupancy.value())};
+  leaf.key = grid.key(PointInMap{sample.centre_in_map - to_corner}).value_or(VoxelKey{});
+  leaf.depth = static_cast<std::uint8_t>(OctomapLeaf::kVoxelDepth - std::countr_zero(edge));
+  return leaf;
 }
 
 std::string name_of(std::size_t index) {
@@ -173,18 +186,29 @@ OctomapTree without_labels(const OctomapTree& tree) {
   return pruned(plain);
 }
 
-OctomapTree with_class_colors(const OctomapTree& tree, std::span<const Rgb8> colors) {
-  OctomapTree colored{
-      .kind = OctomapKind::kColor, .resolution_m = tree.resolution_m, .leaves = tree.leaves};
-  colored.colors.reserve(tree.leaves.size());
-  for (OctomapLeaf& leaf : colored.leaves) {
-    const auto label = std::exchange(leaf.label, OctomapLeaf::kNoLabel);
-    const auto best =
-        label != OctomapLeaf::kNoLabel ? tree.labels[label].best_class() : std::nullopt;
-    const Rgb8 solid = best && best->value < colors.size() ? colors[best->value] : kUnlabelled;
-    colored.colors.push_back(leaf.log_odds >= 0.0F ? solid : kNoColor);
-  }
-  return pruned(colored);
+OctomapTree occupancy_tree(const LeafSource& leaves, double resolution_m) {
+  OctomapTree tree{.resolution_m = resolution_m};
+  const VoxelGrid grid(resolution_m);
+  leaves([&](const LeafSample& leaf) {
+    tree.leaves.push_back(unlabelled(leaf, grid));
+    while (last_eight_are_one(tree)) merge_last_eight(tree);
+  });
+  return tree;
+}
+
+OctomapTree class_color_tree(const LeafSource& leaves,
+                             double resolution_m,
+                             std::span<const Rgb8> colors) {
+  OctomapTree tree{.kind = OctomapKind::kColor, .resolution_m = resolution_m};
+  const VoxelGrid grid(resolution_m);
+  leaves([&](const LeafSample& leaf) {
+    const bool is_named = leaf.best_class && leaf.best_class->value < colors.size();
+    const Rgb8 solid = is_named ? colors[leaf.best_class->value] : kUnlabelled;
+    tree.leaves.push_back(unlabelled(leaf, grid));
+    tree.colors.push_back(tree.leaves.back().log_odds >= 0.0F ? solid : kNoColor);
+    while (last_eight_are_one(tree)) merge_last_eight(tree);
+  });
+  return tree;
 }
 
 Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,

@@ -55,8 +55,14 @@ void append_scored(std::span<const ClassEvidence> scores,
   best.insert(best.end(), strongest.begin(), end);
 }
 
-std::int32_t clamped(std::int32_t value, MilliLogOdds limit) {
-  return std::clamp<std::int32_t>(value, -limit, limit);
+std::int32_t clamped(std::int32_t value, std::int32_t limit) {
+  return std::clamp(value, -limit, limit);
+}
+
+/// One observation says at most `limit`.
+MilliLogOdds sum_of(std::int32_t log_odds, std::int32_t evidence, MilliLogOdds limit) {
+  constexpr std::int32_t kMaxSum = 32'767;
+  return static_cast<MilliLogOdds>(clamped(log_odds + clamped(evidence, limit), kMaxSum));
 }
 
 }  // namespace
@@ -189,7 +195,7 @@ void observe_kept(VoxelLabel& label, std::span<const ScoredClass> by_id, MilliLo
           return a.class_id < id;
         });
     if (found == by_id.end() || found->class_id != kept.class_id) continue;
-    kept.log_odds = static_cast<MilliLogOdds>(clamped(kept.log_odds + found->evidence, limit));
+    kept.log_odds = sum_of(kept.log_odds, found->evidence, limit);
   }
 }
 
@@ -198,6 +204,20 @@ bool better(const ClassWeight& a, const ClassWeight& b) {
     return b.class_id == ClassWeight::kNone && a.class_id != ClassWeight::kNone;
   }
   return a.log_odds > b.log_odds || (a.log_odds == b.log_odds && a.class_id < b.class_id);
+}
+
+/// Lowers all by what the best has above the limit, and holds them within it.
+void saturate(VoxelLabel& label, MilliLogOdds limit) {
+  const std::int32_t excess = std::max(label.classes.front().log_odds - limit, 0);
+  const auto shifted = [&](MilliLogOdds value) {
+    return static_cast<MilliLogOdds>(clamped(value - excess, limit));
+  };
+  for (ClassWeight& kept : label.classes) {
+    if (kept.class_id != ClassWeight::kNone) kept.log_odds = shifted(kept.log_odds);
+  }
+  label.rest = shifted(label.rest);
+  // Those that meet at the lower bound are equals now, in the order of their ids.
+  std::sort(label.classes.begin(), label.classes.end(), better);
 }
 
 }  // namespace
@@ -215,13 +235,13 @@ void observe(VoxelLabel& label, const VoxelEvidence& evidence, MilliLogOdds limi
     };
     if (std::any_of(label.classes.begin(), label.classes.end(), is_candidate)) continue;
     if (num_pool == pool.size()) break;
-    const auto value = static_cast<MilliLogOdds>(clamped(label.rest + candidate.evidence, limit));
-    pool[num_pool++] = {candidate.class_id, value};
+    pool[num_pool++] = {candidate.class_id, sum_of(label.rest, candidate.evidence, limit)};
   }
   std::sort(pool.begin(), pool.end(), better);  // unused places come last
   std::copy_n(pool.begin(), label.classes.size(), label.classes.begin());
   const ClassWeight& best_of_rest = pool[label.classes.size()];
   if (best_of_rest.class_id != ClassWeight::kNone) label.rest = best_of_rest.log_odds;
+  saturate(label, limit);
 }
 
 }  // namespace hypermap

@@ -23,6 +23,7 @@ struct LeafSample {
   bool occupied = false;   ///< By the map's own threshold.
   std::optional<ClassId> best_class =
       {};                       ///< Most probable class; none where nothing was ever named.
+  LogOdds class_log_odds = {};  ///< Of `best_class`.
   ObjectId object = kNoObject;  ///< kNoObject where the cell belongs to none.
 };
 

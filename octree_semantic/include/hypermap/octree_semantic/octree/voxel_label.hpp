@@ -3,13 +3,14 @@
 /// Which class and which object a voxel belongs to, in 20 bytes.
 ///
 /// Each class c has log-odds l_c, and a frame that saw the voxel adds logit(p_c) - logit(1/N), N
-/// being the number of classes the detector chose from, clamped.
-/// Source: [smap] Eq. (3.18), as for objects; SSMI (A. Asgharivaskasi, N. Atanasov, "Semantic
-/// octree mapping and Shannon mutual information computation", T-RO 2023) for keeping the top
-/// classes.
+/// being the number of classes the detector chose from. At the upper bound all are lowered alike,
+/// as those of an object are: clamped one by one, two similar classes would end as equals. Source:
+/// [smap] Eq. (3.18), as for objects; SSMI (A. Asgharivaskasi, N. Atanasov, "Semantic octree
+/// mapping and Shannon mutual information computation", T-RO 2023) for keeping the top classes.
 /// Deviation: only the three best classes are kept. All others share `rest`, which is never below
 /// their true value while each frame's vector names every class: so a class is overrated by at most
-/// the difference, and up to three classes are exact.
+/// the difference, and up to three classes are exact. Where the best is at the upper bound, others
+/// may be underrated by what it is overrated.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"

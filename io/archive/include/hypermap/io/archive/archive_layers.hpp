@@ -5,7 +5,6 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
 
@@ -17,11 +16,9 @@ namespace hypermap {
 /// The name by which the objects of the 3D map can always be asked.
 inline constexpr std::string_view kObjectsLayer = "objects";
 
-/// The voxels of the map's octree with their labels: what queries of the octree answer, and what
-/// evaluations compare with the truth. The one place that says which class a voxel shows.
-///
-/// Requires: the archive has an octree, outlives the result and is not changed.
-[[nodiscard]] LeafSource labelled_leaves(const MapArchive& archive);
+/// The name by which the octree can be asked for what each voxel's own belief says, before objects:
+/// the raw evidence, of false alarms too.
+inline constexpr std::string_view kEvidenceLayer = "evidence";
 
 /// The layers of the hypermap, then the octree, octrees of other programs, the objects that the map
 /// shows (if there are any objects), the class grids, which bear the names of their classes.
@@ -31,7 +28,8 @@ inline constexpr std::string_view kObjectsLayer = "objects";
 [[nodiscard]] std::vector<Layer> archive_layers(const MapArchive& archive);
 
 /// The first of these of that name, else of a spelling of it; kObjectsLayer is there in every
-/// archive. Errors: kNotFound, naming those that there are.
+/// archive, kEvidenceLayer in every one that has an octree. Errors: kNotFound, naming those that
+/// there are.
 [[nodiscard]] Result<Layer> archive_layer(const MapArchive& archive, std::string_view name);
 
 }  // namespace hypermap

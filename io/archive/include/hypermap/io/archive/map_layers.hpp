@@ -24,18 +24,19 @@ inline constexpr std::string_view kSemanticLayer = "semantic";
 /// is no such layer. The others are tentative. Valid as long as the archive is not changed.
 [[nodiscard]] std::vector<const Object*> confirmed_objects_of(const MapArchive& archive);
 
-/// The voxels with the classes of confirmed objects: a voxel of one of the objects `confirmed`
-/// bears that object's class, any other none; a voxel that does not reach the object's box grown by
-/// 5 cm, which a surface may be measured off, is of none. So neither a false alarm nor a single
-/// segment that took the floor in, which label voxels too, reach a grid or an image; each voxel's
-/// own label stays in the octree.
+/// Their ids.
+[[nodiscard]] std::vector<ObjectId> confirmed_ids_of(const MapArchive& archive);
+
+/// The voxels with the classes of the objects `confirmed`, as `VoxelOwners` gives them: what grids
+/// are made of before the layer `semantic` says which objects are confirmed.
 ///
 /// Requires: archive.octree, which outlives the result. Ids that are no objects are left out.
 [[nodiscard]] LeafSource confirmed_leaves(const MapArchive& archive,
                                           std::span<const ObjectId> confirmed);
 
-/// The voxels that the map shows: those of its octree as `confirmed_leaves` of
-/// `confirmed_objects_of`, or as they are labelled when it has no objects at all (points with
+/// The voxels that the map shows, and the one place that says which class each of them has: queries
+/// of the octree, files, images and evaluations ask here. Those of its octree as `confirmed_leaves`
+/// of `confirmed_objects_of`, or as they are labelled when it has no objects at all (points with
 /// classes alone); else those of the first octree of another program, as they are; none when there
 /// is neither. Requires: the archive outlives the result and is not changed.
 [[nodiscard]] LeafSource shown_leaves(const MapArchive& archive);

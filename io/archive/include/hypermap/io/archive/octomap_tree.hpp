@@ -67,10 +67,14 @@ struct OctomapTree {
 
 /// The same space without labels.
 [[nodiscard]] OctomapTree without_labels(const OctomapTree& tree);
-/// The same space in colour: that of each occupied leaf's best class by its id, grey where
-/// something unlabelled or of a class beyond `colors` stands, white, OctoMap's "no colour", in
-/// empty space.
-[[nodiscard]] OctomapTree with_class_colors(const OctomapTree& tree, std::span<const Rgb8> colors);
+/// The leaves of a source, in its order, as a tree of voxels of `resolution_m` without labels,
+/// pruned. Requires: Morton order, edges of 2^n voxels.
+[[nodiscard]] OctomapTree occupancy_tree(const LeafSource& leaves, double resolution_m);
+/// The same in colour: that of each occupied leaf's class by its id, grey where something
+/// unlabelled or of a class beyond `colors` stands, white, OctoMap's "no colour", in empty space.
+[[nodiscard]] OctomapTree class_color_tree(const LeafSource& leaves,
+                                           double resolution_m,
+                                           std::span<const Rgb8> colors);
 
 /// Merges leaves: eight siblings of equal depth and content become their parent.
 [[nodiscard]] OctomapTree pruned(const OctomapTree& tree);

@@ -14,7 +14,7 @@
 
 namespace hypermap {
 
-/// Its string is the best class of an occupied voxel, else Occupied or Free; its integer the
+/// Its string is the class of an occupied voxel, else Occupied or Free; its integer the
 /// probability that the voxel is occupied, in per cent. Ids count the voxels in Morton order.
 ///
 /// A voxel is at a point when the point lies in it, lower faces included; in an area when its
@@ -23,9 +23,8 @@ namespace hypermap {
 class OctreeLayer final : public MapLayer {
  public:
   struct Sources {
-    LeafSource leaves;      ///< Asked and counted.
-    LeafSource drawn;       ///< Drawn: the same space, with the classes that the map stands for.
-    ClassRegistry classes;  ///< Names of the leaves' classes.
+    LeafSource leaves;                          ///< Asked, counted and drawn.
+    ClassRegistry classes;                      ///< Names of the leaves' classes.
     std::function<Result<std::string>()> file;  ///< The octree's file.
     double resolution_m = 0.0;                  ///< Edge of a voxel, that of the smallest leaves.
   };
