@@ -10,9 +10,12 @@
 
 namespace hypermap {
 
+/// The kind of cells that another detection's object has.
+inline constexpr std::uint8_t kOthersKind = 255;
+
 /// One connected surface.
 struct DepthComponent {
-  std::uint8_t kind = 0;          ///< As given: 0, or the plane it is part of, from 1.
+  std::uint8_t kind = 0;          ///< As given: 0, the plane it is part of, from 1, or kOthersKind.
   std::uint32_t num_in_box = 0;   ///< Its cells within the box.
   std::uint32_t num_outside = 0;  ///< Its cells outside the tolerant box.
   PixelRect bounds_in_box = {};   ///< Of its cells within the box. Unit: cell.

@@ -177,16 +177,16 @@ PixelRect cells_in(const PixelRect& pixels, const DepthWindow& window) {
 }
 
 /// Boxes of other objects. A box almost the same as ours may be another name for our object.
-std::vector<PixelRect> competing_boxes_of(const PixelBox& box_px,
-                                          std::span<const Detection> others,
-                                          const PinholeCamera& camera,
-                                          const DepthWindow& window) {
-  std::vector<PixelRect> competing_boxes;
+std::vector<CompetingBox> competing_boxes_of(const PixelBox& box_px,
+                                             std::span<const Detection> others,
+                                             const PinholeCamera& camera,
+                                             const DepthWindow& window) {
+  std::vector<CompetingBox> competing_boxes;
   for (const Detection& other : others) {
     if (!(intersection_over_union(other.box_px, box_px) < kSameObjectOverlap)) continue;
     const PixelRect pixels = pixels_in(other.box_px, camera.width_px, camera.height_px);
     const PixelRect cells = cells_in(pixels, window);
-    if (!cells.empty()) competing_boxes.push_back(cells);
+    if (!cells.empty()) competing_boxes.push_back({other.box_px, cells});
   }
   return competing_boxes;
 }
@@ -236,6 +236,8 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   for (int y = 0; y < height; ++y) {
     window.slope_y.push_back(static_cast<float>((window.pixel_v(y) - camera.cy_px) / camera.fy_px));
   }
+  window.box_px = box_px;
+  window.is_masked = detection.mask.has_value();
   window.box = cells_in(box, window);
   window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
   window.competing_boxes = competing_boxes_of(box_px, others, frame.camera, window);

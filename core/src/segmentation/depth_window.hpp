@@ -15,18 +15,26 @@
 
 namespace hypermap {
 
+/// The box of another detection of the frame.
+struct CompetingBox {
+  PixelBox box_px;
+  PixelRect cells;  ///< Those of the window that lie in it.
+};
+
 /// A cut-out of a depth image in cells: pixels, or square blocks of them when the cut-out is
 /// large. Row-major.
 struct DepthWindow {
   PixelRect rect;          ///< What is cut out: the box and its surroundings. Unit: pixel.
   int block_px = 1;        ///< Edge of a cell.
+  PixelBox box_px;         ///< The detection's box, or that around its mask.
+  bool is_masked = false;  ///< Only pixels of a mask are measurements.
   PixelRect box;           ///< The cells in the box.
   PixelRect tolerant_box;  ///< The cells in the box with room for a detector's inaccuracy.
-  std::vector<PixelRect> competing_boxes;  ///< The cells in the boxes of other detections.
-  std::vector<float> depth_m;              ///< Smoothed; 0 where nothing was measured within range.
-  std::vector<float> step_m;               ///< `allowed_step_m` of each depth.
-  std::vector<float> slope_x;              ///< Per column, x / z of its ray.
-  std::vector<float> slope_y;              ///< Per row, y / z of its ray.
+  std::vector<CompetingBox> competing_boxes;  ///< Of other objects; those that have a cell here.
+  std::vector<float> depth_m;  ///< Smoothed; 0 where nothing was measured within range.
+  std::vector<float> step_m;   ///< `allowed_step_m` of each depth.
+  std::vector<float> slope_x;  ///< Per column, x / z of its ray.
+  std::vector<float> slope_y;  ///< Per row, y / z of its ray.
 
   [[nodiscard]] int width() const { return static_cast<int>(slope_x.size()); }
   [[nodiscard]] int height() const { return static_cast<int>(slope_y.size()); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Our segmentation: what continues outside the box is background.
+#include "pixel_shares.hpp"
 #include "segmentation/background_planes.hpp"
 #include "segmentation/voxel_grid.hpp"
 #include "segmentation_policies.hpp"
@@ -25,10 +26,10 @@ constexpr int kLeastNeighbours = 3;
 /// A plane found outside may go on through the object: the seats of two chairs are of one height.
 /// What lies on it inside the box, and is not joined with the outside, is no background unless it
 /// is seen through the object.
-DepthComponents surfaces_of(const DepthWindow& window,
-                            std::vector<std::uint8_t> plane_of_cell,
-                            const ForegroundOptions& options) {
-  DepthComponents labelled = connected_components(window, plane_of_cell);
+std::vector<std::uint8_t> without_patches(const DepthWindow& window,
+                                          const DepthComponents& labelled,
+                                          std::vector<std::uint8_t> plane_of_cell,
+                                          const ForegroundOptions& options) {
   const double least = kPatchShare * window.box.width() * window.box.height();
   std::vector<std::uint8_t> is_freed(labelled.components.size(), 0);
   for (std::size_t id = 0; id < is_freed.size(); ++id) {
@@ -37,12 +38,24 @@ DepthComponents surfaces_of(const DepthWindow& window,
                            component.outline_share() >= kPatchMinOutline;
     is_freed[id] = component.kind != 0 && component.num_in_box >= least && is_inside ? 1 : 0;
   }
-  if (std::find(is_freed.begin(), is_freed.end(), 1) == is_freed.end()) return labelled;
+  if (std::find(is_freed.begin(), is_freed.end(), 1) == is_freed.end()) return plane_of_cell;
   for (std::size_t cell = 0; cell < window.size(); ++cell) {
     const std::uint32_t id = labelled.of_cell[cell];
     if (id != kNoComponent && is_freed[id] != 0) plane_of_cell[cell] = 0;
   }
-  return connected_components(window, plane_of_cell);
+  return plane_of_cell;
+}
+
+/// The surfaces of a window whose planes are found, of several detections' objects each its own.
+DepthComponents surfaces_of(const DepthWindow& window,
+                            const std::vector<std::uint8_t>& plane_of_cell,
+                            const ForegroundOptions& options) {
+  DepthComponents labelled = connected_components(window, plane_of_cell);
+  const auto freed = without_patches(window, labelled, plane_of_cell, options);
+  if (freed != plane_of_cell) labelled = connected_components(window, freed);
+  const auto shared = shared_out(window, labelled, freed);
+  if (shared != freed) labelled = connected_components(window, shared);
+  return labelled;
 }
 
 void add_to(std::span<std::uint8_t> sums, const std::uint8_t* values) {

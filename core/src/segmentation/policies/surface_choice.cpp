@@ -54,15 +54,16 @@ bool is_of_competing_box(const DepthComponent& component, const DepthWindow& win
   const double own = overlap(component.bounds, window.box);
   return std::any_of(window.competing_boxes.begin(),
                      window.competing_boxes.end(),
-                     [&](const PixelRect& competing_box) {
-                       const double theirs = overlap(component.bounds, competing_box);
+                     [&](const CompetingBox& competing_box) {
+                       const double theirs = overlap(component.bounds, competing_box.cells);
                        return theirs > own && theirs > kCompetingOverlap;
                      });
 }
 
 /// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
-/// hidden by what surrounds it, and not what another box is about.
+/// hidden by what surrounds it, and not what another box is about. 0 for what another has.
 double score(const DepthComponent& component, const DepthWindow& window) {
+  if (component.kind == kOthersKind) return 0.0;
   const double outside = component.outside_share();
   return component.num_in_box * (1.0 - outside) * (1.0 - outside) *
          span_share(component.bounds_in_box, window.box) *
@@ -221,7 +222,9 @@ ComponentIds choose_surfaces(const DepthWindow& window,
   if (best == kNoComponent) return {};
   const std::vector<DepthComponent>& components = labelled.components;
   double num_in_box = 0.0;
-  for (const DepthComponent& component : components) num_in_box += component.num_in_box;
+  for (const DepthComponent& component : components) {
+    if (component.kind != kOthersKind) num_in_box += component.num_in_box;
+  }
   if (components[best].kind == 0 && !is_of_competing_box(components[best], window)) {
     ComponentIds chosen = with_parts(window, labelled, best, gravity_aligned_from_camera, options);
     double num_chosen = 0.0;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pixel_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// A surface is in both boxes when it has so much of what the window shows of the other one ...
+constexpr double kTheirLeastShare = 0.2;
+/// ... and so much of ours, beside what is the other's.
+constexpr double kOurLeastShare = 0.1;
+/// A box lies in another with this share of its area, when it has no more than that of the other's.
+constexpr double kInsideShare = 0.8;
+constexpr double kInnerMostArea = 0.6;
+
+double area_px2(const PixelBox& box) {
+  return box.width_px() * box.height_px();
+}
+
+double common_area_px2(const PixelBox& a, const PixelBox& b) {
+  const double width = std::min(a.u_max_px, b.u_max_px) - std::max(a.u_min_px, b.u_min_px);
+  const double height = std::min(a.v_max_px, b.v_max_px) - std::max(a.v_min_px, b.v_min_px);
+  return std::max(width, 0.0) * std::max(height, 0.0);
+}
+
+bool lies_in(const PixelBox& inner, const PixelBox& outer) {
+  return common_area_px2(inner, outer) >= kInsideShare * area_px2(inner) &&
+         area_px2(inner) <= kInnerMostArea * area_px2(outer);
+}
+
+/// How far from the middle of the box, 1 at its edge.
+double distance_from_middle(const PixelBox& box, double u_px, double v_px) {
+  return std::max(std::abs(2.0 * u_px - box.u_min_px - box.u_max_px) / box.width_px(),
+                  std::abs(2.0 * v_px - box.v_min_px - box.v_max_px) / box.height_px());
+}
+
+/// To whom cells in both boxes belong.
+enum class Precedence { kOurs, kTheirs, kNearerMiddle };
+
+Precedence precedence(const PixelBox& ours, const PixelBox& theirs) {
+  if (lies_in(theirs, ours)) return Precedence::kTheirs;
+  if (lies_in(ours, theirs)) return Precedence::kOurs;
+  return Precedence::kNearerMiddle;
+}
+
+/// Calls `visit(cell)` for the measured cells of the window that belong to the other box.
+template <class Visit>
+void for_each_cell_of_other(const DepthWindow& window, const CompetingBox& other, Visit visit) {
+  const Precedence in_both = precedence(window.box_px, other.box_px);
+  for (int y = other.cells.v_begin; y < other.cells.v_end; ++y) {
+    for (int x = other.cells.u_begin; x < other.cells.u_end; ++x) {
+      if (window.box.contains(x, y)) {
+        if (in_both == Precedence::kOurs) continue;
+        const double u_px = window.pixel_u(x) + 0.5;
+        const double v_px = window.pixel_v(y) + 0.5;
+        const bool is_theirs =
+            in_both == Precedence::kTheirs || distance_from_middle(other.box_px, u_px, v_px) <
+                                                  distance_from_middle(window.box_px, u_px, v_px);
+        if (!is_theirs) continue;
+      }
+      visit(window.cell(x, y));
+    }
+  }
+}
+
+struct CellCounts {
+  std::uint32_t theirs = 0;
+  std::uint32_t theirs_in_our_box = 0;
+};
+
+std::vector<CellCounts> count_cells_of_other(const DepthWindow& window,
+                                             const DepthComponents& labelled,
+                                             const CompetingBox& other) {
+  std::vector<CellCounts> counts(labelled.components.size());
+  for_each_cell_of_other(window, other, [&](std::size_t cell) {
+    const std::uint32_t id = labelled.of_cell[cell];
+    if (id == kNoComponent) return;
+    ++counts[id].theirs;
+    const int x = static_cast<int>(cell % window.slope_x.size());
+    const int y = static_cast<int>(cell / window.slope_x.size());
+    if (window.box.contains(x, y)) ++counts[id].theirs_in_our_box;
+  });
+  return counts;
+}
+
+double num_cells(const PixelRect& cells) {
+  return static_cast<double>(cells.width()) * cells.height();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> shared_out(const DepthWindow& window,
+                                     const DepthComponents& labelled,
+                                     std::vector<std::uint8_t> kind_of_cell) {
+  if (window.is_masked) return kind_of_cell;
+  for (const CompetingBox& other : window.competing_boxes) {
+    const auto counts = count_cells_of_other(window, labelled, other);
+    const auto is_shared = [&](std::uint32_t id) {
+      const DepthComponent& component = labelled.components[id];
+      const double ours = component.num_in_box - counts[id].theirs_in_our_box;
+      return component.kind == 0 &&
+             counts[id].theirs >= kTheirLeastShare * num_cells(other.cells) &&
+             ours >= kOurLeastShare * num_cells(window.box);
+    };
+    for_each_cell_of_other(window, other, [&](std::size_t cell) {
+      const std::uint32_t id = labelled.of_cell[cell];
+      if (id != kNoComponent && is_shared(id)) kind_of_cell[cell] = kOthersKind;
+    });
+  }
+  return kind_of_cell;
+}
+
+}  // namespace hypermap
