@@ -27,6 +27,15 @@ bool is_stronger(const Object& a, const Object& b) {
          std::tuple(b.num_observations, b.existence, a.id);
 }
 
+/// Whether a detector showed them beside each other in most frames that show the weaker one.
+bool were_told_apart(const Object& weaker,
+                     const Object& stronger,
+                     const ConfirmationOptions& options) {
+  const std::size_t apart = num_common_frames(weaker.observation_log, stronger.observation_log);
+  return apart >= options.apart_frames &&
+         static_cast<double>(apart) >= options.apart_share * weaker.num_observations;
+}
+
 /// True when `weaker` lies on the points of `stronger`, or the reverse, and is of like size.
 bool is_same_place(const PointSet& weaker,
                    const PointSet& stronger,
@@ -49,17 +58,21 @@ std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
     return is_stronger(*a, *b);
   });
   std::vector<ObjectId> ids;
-  std::vector<PointSet> taken;
+  struct Taken {
+    const Object* object;
+    PointSet points;
+  };
+  std::vector<Taken> taken;
   for (const Object* object : candidates) {
     PointSet point_set = point_set_of(*object, kNearM);
-    const bool is_duplicate =
-        options.one_per_place &&
-        std::any_of(taken.begin(), taken.end(), [&](const PointSet& stronger) {
-          return is_same_place(point_set, stronger, options);
-        });
+    const bool is_duplicate = options.one_per_place &&
+                              std::any_of(taken.begin(), taken.end(), [&](const Taken& stronger) {
+                                return is_same_place(point_set, stronger.points, options) &&
+                                       !were_told_apart(*object, *stronger.object, options);
+                              });
     if (is_duplicate) continue;
     ids.push_back(object->id);
-    taken.push_back(std::move(point_set));
+    taken.push_back({object, std::move(point_set)});
   }
   std::sort(ids.begin(), ids.end());
   return ids;

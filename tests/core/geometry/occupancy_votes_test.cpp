@@ -122,6 +122,59 @@ TEST(OccupancyVotes, MergingAddsVotesAcrossCellSizes) {
   EXPECT_EQ(small.state(), both.state());
 }
 
+/// A wall along x, from one place to another.
+std::vector<Eigen::Vector3f> wall(double from_m, double to_m) {
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; from_m + 0.01 * i < to_m; ++i) {
+    for (int k = 0; k < 10; ++k) {
+      points.emplace_back(
+          static_cast<float>(from_m + 0.01 * i + 0.005), 0.0F, 0.01F * static_cast<float>(k) + 0.005F);
+    }
+  }
+  return points;
+}
+
+TEST(OccupancyVotes, CellsThatAnotherObjectAgreesOnMoreGoToIt) {
+  // One was seen ten times up to 1 m and four times 0.3 m farther; the other one begins at 1 m and
+  // was seen five times: 5 of its typical 5 votes are more than 1.5 times 4 of 10.
+  OccupancyVotes one;
+  for (int i = 0; i < 6; ++i) one.observe(wall(0.0, 1.0));
+  for (int i = 0; i < 4; ++i) one.observe(wall(0.0, 1.3));
+  OccupancyVotes other;
+  for (int i = 0; i < 5; ++i) other.observe(wall(1.0, 1.5));
+  EXPECT_NEAR(one.agreed_box()->max_in_map.x(), 1.3, 0.01);
+  EXPECT_EQ(one.yield_to(other, 3.0), 0U) << "2.5 times as much is not enough";
+  OccupancyVotes kept = other;
+  EXPECT_EQ(kept.yield_to(one, 1.5), 0U) << "0.4 is less than 1";
+  EXPECT_EQ(one.yield_to(other, 1.5), 300U);
+  EXPECT_NEAR(one.agreed_box()->max_in_map.x(), 1.0, 0.01);
+  EXPECT_EQ(one.state().num_observations, 10U);
+  EXPECT_EQ(one.yield_to(other, 1.5), 0U) << "nothing is contested any more";
+}
+
+TEST(OccupancyVotes, CellsOfTwoSizesAreComparedByThePlace) {
+  OccupancyVotes large(OccupancyVotesOptions{.max_cells = 1024});
+  for (int i = 0; i < 6; ++i) large.observe(wall(-1.0, 1.0));
+  for (int i = 0; i < 4; ++i) large.observe(wall(-1.0, 1.3));
+  ASSERT_GT(large.state().edge_m, 0.01);
+  OccupancyVotes small;
+  for (int i = 0; i < 5; ++i) small.observe(wall(1.0, 1.3));
+  ASSERT_EQ(small.state().edge_m, 0.01);
+  EXPECT_EQ(OccupancyVotes(small).yield_to(large, 1.5), 0U);
+  EXPECT_GT(large.yield_to(small, 1.5), 0U);
+  EXPECT_NEAR(large.agreed_box()->max_in_map.x(), 1.0, large.state().edge_m);
+}
+
+TEST(OccupancyVotes, NothingIsGivenUpToNobodyAndNotEverything) {
+  OccupancyVotes one;
+  one.observe(wall(0.0, 0.5));
+  OccupancyVotes same = one;
+  EXPECT_EQ(one.yield_to(OccupancyVotes(), 1.5), 0U);
+  EXPECT_EQ(OccupancyVotes().yield_to(one, 1.5), 0U);
+  EXPECT_EQ(one.yield_to(same, 1.0), 0U) << "all of them are contested: none would be left";
+  EXPECT_EQ(one, same);
+}
+
 TEST(OccupancyVotes, PointsThatAreNoneAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   OccupancyVotes points;

@@ -16,10 +16,12 @@ using testing_support::surface_of;
 constexpr ClassId kSeenCup{1};
 constexpr ClassId kSeenOven{2};
 
-Object seen_times(const Box& box, ClassId id, int times) {
-  Object object = make_object(observed(surface_of(box), scores(id, 0.8)), {});
-  for (int i = 1; i < times; ++i)
-    update_object(object, observed(surface_of(box), scores(id, 0.8)), {});
+/// From frame `first` on, once in each.
+Object seen_times(const Box& box, ClassId id, int times, std::uint64_t first = 0) {
+  Object object = make_object(observed(surface_of(box), scores(id, 0.8), first), {});
+  for (int i = 1; i < times; ++i) {
+    update_object(object, observed(surface_of(box), scores(id, 0.8), ++first), {});
+  }
   return object;
 }
 
@@ -36,9 +38,29 @@ TEST(Confirmation, OfTwoOnTheSamePointsTheStrongerIsPublished) {
   ObjectMap map;
   const Box box = box_at({0, 0, 0.3}, {0.6, 0.6, 0.6});
   (void)map.add(seen_times(box, kSeenCup, 4));
-  (void)map.add(seen_times(box, kSeenOven, 6));
+  (void)map.add(seen_times(box, kSeenOven, 6, 100));
   EXPECT_EQ(confirmed_objects(map, {}), std::vector{ObjectId{2}});
   EXPECT_EQ(confirmed_objects(map, {.one_per_place = false}).size(), 2U);
+}
+
+TEST(Confirmation, TwoThatADetectorToldApartAreBothThere) {
+  const Box box = box_at({0, 0, 0.3}, {0.6, 0.6, 0.6});
+  const auto num_confirmed = [&](std::uint64_t first_of_weaker) {
+    ObjectMap map;
+    (void)map.add(seen_times(box, kSeenCup, 12));
+    (void)map.add(seen_times(box, kSeenOven, 8, first_of_weaker));
+    return confirmed_objects(map, {}).size();
+  };
+  EXPECT_EQ(num_confirmed(0), 2U) << "in all of its eight frames";
+  EXPECT_EQ(num_confirmed(8), 2U) << "in four";
+  EXPECT_EQ(num_confirmed(9), 1U) << "in three";
+}
+
+TEST(Confirmation, ThreeObservationsAreThree) {
+  ObjectMap map;
+  (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 2));
+  (void)map.add(seen_times(box_at({2, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 3));
+  EXPECT_EQ(confirmed_objects(map, {}), std::vector{ObjectId{2}});
 }
 
 TEST(Confirmation, ASmallThingOnALargeOneIsPublished) {

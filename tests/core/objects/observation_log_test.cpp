@@ -64,6 +64,28 @@ TEST(ObservationLog, MergingKeepsTheOrderOfFrames) {
   EXPECT_EQ(a.num_detections(), 80U);
 }
 
+TEST(ObservationLog, FramesOfTwoLogsAreCommonByNumberAndStamp) {
+  const auto log_of = [](std::uint64_t first, std::uint64_t end, std::int64_t run_ns) {
+    ObservationLog log;
+    for (std::uint64_t frame = first; frame < end; ++frame) {
+      log.add({.frame_index = frame, .stamp = {run_ns + static_cast<std::int64_t>(frame)}});
+    }
+    return log;
+  };
+  const ObservationLog log = log_of(0, 10, 0);
+  EXPECT_EQ(num_common_frames(log, log_of(6, 20, 0)), 4U);
+  EXPECT_EQ(num_common_frames(log_of(6, 20, 0), log), 4U);
+  EXPECT_EQ(num_common_frames(log, log_of(0, 10, 5'000)), 0U) << "frames of another run";
+  EXPECT_EQ(num_common_frames(log, ObservationLog()), 0U);
+  ObservationLog missed;
+  for (std::uint64_t frame = 0; frame < 10; ++frame) {
+    missed.add({.frame_index = frame,
+                .stamp = {static_cast<std::int64_t>(frame)},
+                .kind = ObservationKind::kMissedDetection});
+  }
+  EXPECT_EQ(num_common_frames(log, missed), 0U);
+}
+
 TEST(ObservationLog, BearingBinsAreTwentyDegrees) {
   EXPECT_EQ(log_bearing_bin(0.0), 0);
   EXPECT_EQ(log_bearing_bin(0.35), 1);

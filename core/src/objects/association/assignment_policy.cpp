@@ -13,6 +13,9 @@
 namespace hypermap {
 namespace {
 
+/// Boxes of two objects that touch have no more of the smaller one in common.
+constexpr double kMostBoxShareApart = 0.5;
+
 /// Point sets of objects, each made once per state of the object.
 class PointSetCache {
  public:
@@ -87,6 +90,37 @@ ObjectId best_candidate(const Candidates& candidates) {
   return it->first;
 }
 
+/// Whether an observation shows another object than the observations that took its candidates:
+/// depth has them beside each other.
+bool shows_another(const AssociationRun& run,
+                   const std::vector<Candidates>& all,
+                   const std::vector<std::optional<ObjectId>>& matches,
+                   std::size_t which) {
+  const AssignmentOptions& options = run.options.assignment;
+  const PointSet seen = point_set_of(run.observations[all[which].observation], options.near_m);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!matches[i] || !all[which].affinity_of.contains(*matches[i])) continue;
+    const PointSet taker = point_set_of(run.observations[all[i].observation], options.near_m);
+    const Overlap c = measure_overlap(seen, taker, options.near_m);
+    const bool is_beside = std::max(c.share_of_first, c.share_of_second) <= options.apart_share &&
+                           c.box_share <= kMostBoxShareApart;
+    if (!is_beside) return false;
+  }
+  return true;
+}
+
+/// Whether two objects that overlap like one are known to be two: a detector showed them beside
+/// each other, and they are not one surface. One frame suffices where one of them is new.
+bool were_told_apart(const Object& a,
+                     const Object& b,
+                     const Overlap& c,
+                     const AssignmentOptions& options) {
+  if (std::min(c.share_of_first, c.share_of_second) >= options.one_surface_share) return false;
+  const bool is_new = std::min(a.num_observations, b.num_observations) <= options.apart_frames;
+  const std::size_t least = is_new ? 1 : options.apart_frames;
+  return num_common_frames(a.observation_log, b.observation_log) >= least;
+}
+
 /// The first neighbour that is a duplicate of `id`.
 std::optional<ObjectId> duplicate_of(ObjectId id,
                                      const AssociationRun& run,
@@ -96,7 +130,10 @@ std::optional<ObjectId> duplicate_of(ObjectId id,
   for (const ObjectId other : run.objects.query(around)) {
     if (other == id) continue;
     const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
-    if (is_same_object(c, options, options.merge_factor)) return other;
+    if (is_same_object(c, options, options.merge_factor) &&
+        !were_told_apart(run.objects.at(id), run.objects.at(other), c, options)) {
+      return other;
+    }
   }
   return std::nullopt;
 }
@@ -129,7 +166,7 @@ void associate_by_assignment(AssociationRun& run) {
     const std::size_t observation = all[i].observation;
     if (matches[i]) {
       run.match(observation, *matches[i]);
-    } else if (all[i].affinity_of.empty()) {
+    } else if (all[i].affinity_of.empty() || shows_another(run, all, matches, i)) {
       run.create(observation);
     } else {  // its object was shown better by another observation of this frame
       run.report.object_of_observation[observation] = best_candidate(all[i]);
@@ -137,6 +174,7 @@ void associate_by_assignment(AssociationRun& run) {
     }
   }
   merge_duplicates(run, point_sets);
+  settle_contested_cells(run);
 }
 
 }  // namespace hypermap

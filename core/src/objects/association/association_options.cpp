@@ -47,6 +47,22 @@ constexpr OptionRow kAssignmentRows[] = {
         "merge_factor",
         {1, 100},
         {.effect = "Objects merge when the shares are exceeded by this factor."}),
+    option::count<&Assignment::apart_frames>(
+        "apart_frames",
+        {1, 64},
+        {.effect = "Objects that were detected apart in so many frames do not merge,"}),
+    option::number<&Assignment::one_surface_share>(
+        "one_surface_share",
+        {0, 1},
+        {.effect = "unless each has this share of its points in the other."}),
+    option::number<&Assignment::apart_share>(
+        "apart_share",
+        {0, 1},
+        {.effect = "Observations of one frame that share no more points show two objects."}),
+    option::number<&Assignment::contested_factor>(
+        "contested_factor",
+        {1, 1000},
+        {.effect = "A cell goes to the object that agrees on it so many times more."}),
 };
 
 constexpr std::string_view kAssociationNames[] = {"assignment", "overlap", "radius", "smap"};

@@ -26,6 +26,9 @@ struct AssociationRun {
 };
 
 void associate_by_assignment(AssociationRun& run);
+/// Of cells that an object of this frame and a neighbour both claim, each goes to the one whose
+/// observations agree on it more (`contested_factor`). Each pair is settled once.
+void settle_contested_cells(AssociationRun& run);
 void associate_by_overlap(AssociationRun& run);
 void associate_by_radius(AssociationRun& run);
 void associate_by_smap(AssociationRun& run, const AssociationScope& scope);

@@ -123,6 +123,25 @@ std::uint64_t ObservationLog::num_detections(std::optional<ClassId> class_id) co
   return count;
 }
 
+std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
+  const auto frames_of = [](const ObservationLog& log) {
+    std::vector<std::pair<std::uint64_t, Stamp>> frames;  // runs that were appended count anew
+    frames.reserve(log.state().newest.size());
+    for (const ObservationLogEntry& entry : log.state().newest) {
+      if (entry.kind == ObservationKind::kDetection) {
+        frames.emplace_back(entry.frame_index, entry.stamp);
+      }
+    }
+    std::sort(frames.begin(), frames.end());
+    return frames;
+  };
+  const auto of_a = frames_of(a);
+  const auto of_b = frames_of(b);
+  return static_cast<std::size_t>(std::count_if(of_a.begin(), of_a.end(), [&](const auto& frame) {
+    return std::binary_search(of_b.begin(), of_b.end(), frame);
+  }));
+}
+
 std::uint8_t log_bearing_bin(double bearing_rad) {
   const double turns = bearing_rad / (2.0 * std::numbers::pi);
   const double share = turns - std::floor(turns);

@@ -129,6 +129,12 @@ constexpr OptionRow kPublicationRows[] = {
         "same_place_share", {0, 1}, {.effect = "Share of points that makes it the same place,"}),
     option::number<&Confirmation::same_place_diagonal>(
         "same_place_diagonal", {0, 1}, {.effect = "and least share of the diagonal."}),
+    option::count<&Confirmation::apart_frames>(
+        "apart_frames",
+        {0, 64},
+        {.effect = "Both are there when detected apart in so many frames,"}),
+    option::number<&Confirmation::apart_share>(
+        "apart_share", {0, 1}, {.effect = "and in this share of those of the weaker one."}),
 };
 
 }  // namespace

@@ -41,8 +41,8 @@ struct PointVote {
 };
 
 struct OccupancyVotesOptions {
-  double edge_m = 0.01;            ///< Edge of a cell to begin with.
-  std::uint32_t max_cells = 4096;  ///< More make cells twice as wide.
+  double edge_m = 0.01;             ///< Edge of a cell to begin with.
+  std::uint32_t max_cells = 16384;  ///< More make cells twice as wide.
   /// A cell counts when it has at least this share of the votes that a typical vote's cell has. 0
   /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
@@ -81,6 +81,13 @@ class OccupancyVotes {
   /// Adds the votes of another evidence of the same object.
   void merge(const OccupancyVotes& other);
 
+  /// Gives up the cells that another object's observations agree on more, by `factor` and more;
+  /// votes count relative to the cell of a typical vote of either. Of finer cells of the other the
+  /// best one counts. Returns how many went.
+  /// Boundary: all stay when none would be left.
+  /// Cost: O(cells), and log for each cell in the bounds of both.
+  std::size_t yield_to(const OccupancyVotes& other, double factor);
+
   /// Centres of the cells that enough observations agree on, in the order of cells.
   [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
   /// Box of the agreed points, a quarter of a cell wider. None when empty.
@@ -101,7 +108,8 @@ class OccupancyVotes {
 
   OccupancyVotesOptions options_;
   std::shared_ptr<const OccupancyVotesState> state_;  ///< Never null.
-  std::uint32_t votes_needed_ = 1;  ///< Of a cell that counts. Follows from state_.
+  std::uint32_t typical_votes_ = 1;  ///< Of the cell of a typical vote. Follows from state_.
+  std::uint32_t votes_needed_ = 1;   ///< Of a cell that counts. Follows from state_.
 };
 
 }  // namespace hypermap

@@ -89,6 +89,16 @@ struct AssignmentOptions {
   double part_maturity = 3.0;
   /// Objects are merged when the shares above are exceeded by this factor.
   double merge_factor = 1.15;
+  /// But not when they were detected beside each other in so many frames, ...
+  std::uint32_t apart_frames = 2;
+  /// ... unless each has this share of its points in the other: one surface.
+  double one_surface_share = 0.6;
+  /// Of two observations in one frame that might show the same object, the lesser one shows another
+  /// object when neither has more than this share of its points in the other.
+  double apart_share = 0.3;
+  /// A cell that two objects claim goes to the one whose observations agree on it so many times
+  /// more.
+  double contested_factor = 1.5;
   friend bool operator==(const AssignmentOptions&, const AssignmentOptions&) = default;
 };
 [[nodiscard]] const OptionTable& option_table(const AssignmentOptions& options);

@@ -18,7 +18,7 @@ struct OptionTable;
 
 struct ConfirmationOptions {
   /// Existence must be above. None: no condition.
-  std::optional<LogOdds> min_existence = LogOdds(3.0);
+  std::optional<LogOdds> min_existence = LogOdds(2.5);
   /// Object confidence must not be below, o_valid. None: no condition.
   std::optional<Probability> min_confidence = std::nullopt;
   ObjectConfidenceOptions confidence = {};
@@ -27,6 +27,9 @@ struct ConfirmationOptions {
   bool one_per_place = true;
   double same_place_share = 0.5;  ///< Share of the points of the smaller that lie in the other ...
   double same_place_diagonal = 0.4;  ///< ... whose diagonal it has at least this share of.
+  /// Both are, when they were detected beside each other in so many frames ...
+  std::uint32_t apart_frames = 4;
+  double apart_share = 0.5;  ///< ... and in this share of those that show the weaker one.
   friend bool operator==(const ConfirmationOptions&, const ConfirmationOptions&) = default;
 };
 

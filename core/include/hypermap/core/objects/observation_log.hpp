@@ -103,6 +103,10 @@ static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
                   std::size_t{16} * 1024,
               "an observation log takes at most 16 KB");
 
+/// Frames in whose detections both logs had one of their own, of those that both still hold. Two
+/// objects with such frames were told apart by a detector.
+[[nodiscard]] std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b);
+
 /// Bin of 20 degrees that a bearing falls into; bin 0 starts at 0, counter-clockwise.
 [[nodiscard]] std::uint8_t log_bearing_bin(double bearing_rad);
 
