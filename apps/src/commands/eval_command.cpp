@@ -2,8 +2,8 @@
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "evaluation_texts.hpp"
-#include "hypermap/io/archive/listed_instances_file.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/codec/file_kind.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/jobs/evaluation_job.hpp"
 #include "hypermap/io/jobs/listed_evaluation_job.hpp"
@@ -103,7 +103,7 @@ ExitCode run_listed_eval(const EvalArguments& arguments) {
 
 ExitCode run_eval(const EvalArguments& arguments) {
   // A truth that cannot be read is reported by the reader of archives.
-  const bool truth_is_list = is_listed_instances(arguments.truth).value_or(false);
+  const bool truth_is_list = find_file_kind(arguments.truth) == FileKind::kTruth;
   if (const auto fits = check_options_of(arguments, truth_is_list); !fits)
     return report(fits.error());
   if (truth_is_list) return run_listed_eval(arguments);

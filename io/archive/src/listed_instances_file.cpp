@@ -2,10 +2,7 @@
 #include "hypermap/io/archive/listed_instances_file.hpp"
 
 #include "hypermap/io/codec/bounded_yaml.hpp"
-#include "hypermap/io/codec/byte_source.hpp"
-#include "hypermap/io/codec/text_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -23,7 +20,6 @@ constexpr std::int64_t kMaxFrame = 1'000'000'000'000;
 constexpr std::size_t kMaxTextBytes = 256;
 constexpr std::size_t kMaxClasses = 16;
 constexpr std::size_t kMaxMarks = 1000;
-constexpr std::uint64_t kMaxHeadBytes = 65'536;
 
 Unexpected refuse(const YamlNode& node,
                   std::string what,
@@ -226,19 +222,6 @@ Result<ListedInstances> read_root(const YamlNode& root) {
 }
 
 }  // namespace
-
-Result<bool> is_listed_instances(const std::filesystem::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto source,
-                            open_file(path, std::numeric_limits<std::uint64_t>::max()));
-  const std::uint64_t num_head_bytes = std::min<std::uint64_t>(source->size(), kMaxHeadBytes);
-  auto bytes = source->read_at(0, static_cast<std::size_t>(num_head_bytes));
-  if (!bytes) return Unexpected(with_source(bytes.error(), {path.string()}));
-  const auto lines = split_lines(*bytes);
-  return std::any_of(lines.begin(), lines.end(), [](const TextLine& line) {
-    return line.text.starts_with("format:") &&
-           line.text.find(kListedInstancesFormat) != std::string_view::npos;
-  });
-}
 
 Result<ListedInstances> parse_listed_instances(std::string_view bytes, const SourceName& source) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document,

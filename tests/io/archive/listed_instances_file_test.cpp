@@ -150,18 +150,6 @@ TEST(ListedInstancesFile, FilesThatAreTooLargeAreRefused) {
   EXPECT_EQ(refused.error().file, path.string());
 }
 
-TEST(ListedInstancesFile, AListIsKnownByItsFormat) {
-  const TempDir folder;
-  const auto path = folder.path() / "truth.yaml";
-  write_text(path, "# a list\n" + kListHead + "things: [\n");
-  EXPECT_EQ(is_listed_instances(path), true);
-  write_text(path, "layers: []\n# format: hypermap-sequence-truth\n");
-  EXPECT_EQ(is_listed_instances(path), false);
-  const auto absent = is_listed_instances(folder.path() / "absent.yaml");
-  ASSERT_FALSE(absent);
-  EXPECT_EQ(absent.error().code, ErrorCode::kIo);
-}
-
 TEST(ListedInstancesFile, TheListsThatShipAreRead) {
   std::size_t num_files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(test::source_path("data/truth"))) {

@@ -18,10 +18,6 @@ inline constexpr std::string_view kListedInstancesFormat = "hypermap-sequence-tr
 inline constexpr std::uint64_t kMaxListedInstancesBytes = std::uint64_t{4} << 20U;
 inline constexpr std::size_t kMaxListedInstances = 10'000;
 
-/// Whether a file is such a list: a line of its first 64 KiB names the format. It may be broken.
-/// Errors: kIo.
-[[nodiscard]] Result<bool> is_listed_instances(const std::filesystem::path& path);
-
 /// The keys are described in `data/truth/README.md`; an unknown one is an error that suggests the
 /// nearest known one. Errors that concern a thing name it.
 ///
