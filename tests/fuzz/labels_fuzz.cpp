@@ -10,7 +10,7 @@ namespace hypermap::fuzz {
 void fuzz_labels(std::string_view bytes) {
   if (is_large_image(bytes)) return;
   const std::filesystem::path image = file_of(bytes, "labels.png");
-  const LabelNames names{{1, "wall"}, {5, "chair"}, {255, "lamp"}};
+  const LabelNames names{.of_number = {{1, "wall"}, {5, "chair"}, {255, "lamp"}}};
   static_cast<void>(read_label_detections(image, {}, names));
   static_cast<void>(read_label_detections({}, image, names));
   static_cast<void>(read_label_detections(image, image, names));

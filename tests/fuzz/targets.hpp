@@ -19,6 +19,7 @@ void fuzz_intrinsics(std::string_view bytes);
 void fuzz_jpeg(std::string_view bytes);
 void fuzz_json(std::string_view bytes);
 void fuzz_labels(std::string_view bytes);
+void fuzz_listed(std::string_view bytes);
 void fuzz_map(std::string_view bytes);
 void fuzz_objects(std::string_view bytes);
 void fuzz_octree(std::string_view bytes);
@@ -56,6 +57,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"jpeg", fuzz_jpeg},
                                       {"json", fuzz_json},
                                       {"labels", fuzz_labels},
+                                      {"listed", fuzz_listed},
                                       {"map", fuzz_map},
                                       {"objects", fuzz_objects},
                                       {"octree", fuzz_octree},

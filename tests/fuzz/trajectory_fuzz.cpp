@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three forms; TUM's is written, too.
+// All forms; TUM's is written, too.
 #include "fuzz_target.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
 #include "targets.hpp"
@@ -12,6 +12,7 @@ void fuzz_trajectory(std::string_view bytes) {
   const std::filesystem::path path = file_of(bytes, "trajectory.txt");
   static_cast<void>(read_log_trajectory(path));
   static_cast<void>(read_pose_matrix(path));
+  static_cast<void>(read_pose_lines(path));
   const auto read = read_tum_trajectory(path);
   if (!read) return;
   std::string written;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "dataset_arguments.hpp"
 #include "evaluation_texts.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
+#include "hypermap/io/codec/file_kind.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/jobs/evaluation_job.hpp"
+#include "hypermap/io/jobs/listed_evaluation_job.hpp"
 #include "hypermap/io/jobs/reliability_plot.hpp"
 #include "load_arguments.hpp"
 #include "outputs.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -25,6 +29,9 @@ struct EvalArguments {
   std::string layer = "semantic";
   std::vector<std::string> classes;
   std::optional<std::string> reliability;
+  std::optional<std::string> input;
+  std::optional<std::string> description;
+  std::vector<std::string> detections;
   bool json = false;
   LoadArguments load;
 };
@@ -55,7 +62,51 @@ Result<void> write_plot(const std::string& path, const EvaluationOutcome& outcom
   return write_file_atomically(path, bytes);
 }
 
+ListedEvaluationJob listed_job_of(const EvalArguments& arguments) {
+  ListedEvaluationJob job{.map = arguments.map, .truth = arguments.truth, .layer = arguments.layer};
+  if (arguments.input) {
+    job.frames = NamingFrames{.input = *arguments.input};
+    if (arguments.description) job.frames->dataset.description = *arguments.description;
+    job.frames->dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
+  }
+  job.limits = arguments.load.limits;
+  job.stop = stop_when_interrupted();
+  return job;
+}
+
+/// What only the other kind of truth allows. Errors: kInvalidArgument naming the option.
+Result<void> check_options_of(const EvalArguments& arguments, bool truth_is_list) {
+  const auto refused = [](const char* option, const char* truth) {
+    return fail(ErrorCode::kInvalidArgument, std::string("needs ") + truth + " as truth", option);
+  };
+  constexpr const char* kArchive = "an archive";
+  if (!truth_is_list)
+    return arguments.input ? refused("--input", "a list of things") : Result<void>();
+  if (arguments.against) return refused("--against", kArchive);
+  if (!arguments.also.empty()) return refused("--also", kArchive);
+  if (!arguments.classes.empty()) return refused("--classes", kArchive);
+  if (arguments.reliability) return refused("--reliability", kArchive);
+  return {};
+}
+
+ExitCode run_listed_eval(const EvalArguments& arguments) {
+  const ListedEvaluationJob job = listed_job_of(arguments);
+  const auto outcome = run_listed_evaluation(job);
+  if (!outcome) return report(outcome.error());
+  ExitCode worst = ExitCode::kDone;
+  for (const Finding& finding : outcome->findings) worst = std::max(worst, report(finding));
+  const std::string text =
+      arguments.json ? json_text_of(*outcome, job.options) : table_text_of(*outcome, job.options);
+  std::printf("%s", text.c_str());
+  return worst;
+}
+
 ExitCode run_eval(const EvalArguments& arguments) {
+  // A truth that cannot be read is reported by the reader of archives.
+  const bool truth_is_list = find_file_kind(arguments.truth) == FileKind::kTruth;
+  if (const auto fits = check_options_of(arguments, truth_is_list); !fits)
+    return report(fits.error());
+  if (truth_is_list) return run_listed_eval(arguments);
   auto outcome = run_evaluation(job_of(arguments));
   if (!outcome) {
     if (outcome.error().field == "classes") outcome.error().field = "--classes";
@@ -77,7 +128,12 @@ void add_eval_command(CLI::App& program, Action& action) {
   CLI::App& command =
       *program.add_subcommand("eval", "How good a map is, measured against a truth");
   command.add_option("--map", arguments->map, "archive to evaluate")->required();
-  command.add_option("--truth", arguments->truth, "archive that is right")->required();
+  command
+      .add_option(
+          "--truth",
+          arguments->truth,
+          "archive that is right, or a list of what stands in a recorded sequence (data/truth)")
+      ->required();
   command.add_option("--against", arguments->against, "another map of the same place, to compare");
   command.add_option("--also",
                      arguments->also,
@@ -87,12 +143,24 @@ void add_eval_command(CLI::App& program, Action& action) {
       ->delimiter(',');
   command.add_option(
       "--reliability", arguments->reliability, "PNG to write: P(best class) left, P(real) right");
+  auto* input =
+      command.add_option("--input",
+                         arguments->input,
+                         "with a list: the sequence, to count how often things were named");
+  command.add_option("--dataset", arguments->description, kDescriptionHelp)->needs(input);
+  command
+      .add_option("--detections",
+                  arguments->detections,
+                  "with --input: detections file, one a detector; may be repeated")
+      ->needs(input);
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
   show_examples(command,
                 {"hypermap eval --map lab.hmap --truth lab/truth.hmap",
                  "hypermap eval --map a.hmap --truth a/truth.hmap --also b.hmap b/truth.hmap "
-                 "--reliability plot.png"});
+                 "--reliability plot.png",
+                 "hypermap eval --map kitchen.hmap --truth data/truth/kitchen.yaml --input kitchen "
+                 "--detections kitchen.jsonl"});
   command.callback([arguments, &action] {
     if (arguments->reliability) {
       keep_apart("--reliability", *arguments->reliability, inputs_of(*arguments));

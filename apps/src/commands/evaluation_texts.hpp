@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hypermap/io/jobs/evaluation_job.hpp"
+#include "hypermap/io/jobs/listed_evaluation_job.hpp"
 
 #include <string>
 
@@ -11,5 +12,11 @@ namespace hypermap::app {
 
 [[nodiscard]] std::string json_text_of(const EvaluationOutcome& outcome);
 [[nodiscard]] std::string table_text_of(const EvaluationOutcome& outcome);
+
+/// `options` are those of the comparison: the tolerances are part of the text.
+[[nodiscard]] std::string json_text_of(const ListedEvaluation& outcome,
+                                       const InstanceComparisonOptions& options);
+[[nodiscard]] std::string table_text_of(const ListedEvaluation& outcome,
+                                        const InstanceComparisonOptions& options);
 
 }  // namespace hypermap::app

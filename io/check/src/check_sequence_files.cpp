@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks of what sequences are made of.
 #include "file_checks.hpp"
+#include "hypermap/io/archive/listed_instances_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/dataset_description.hpp"
@@ -87,6 +88,10 @@ Result<FileSummary> check_trajectory(const fs::path& path) {
     HYPERMAP_TRY(read_pose_matrix(path));
     return FileSummary{number_of(1, "pose"), {}};
   }
+  if (columns == 12 || columns == 16) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_pose_lines(path));
+    return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+  }
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_tum_trajectory(path));
   return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
 }
@@ -124,6 +129,12 @@ Result<FileSummary> check_dataset(const fs::path& path, const FileCheckOptions& 
   HYPERMAP_ASSIGN_OR_RETURN(FileSummary summary, check_frames(*reader));
   add_misreadings(summary, *reader, path);
   return summary;
+}
+
+Result<FileSummary> check_truth(const fs::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const ListedInstances listed, load_listed_instances(path));
+  return FileSummary{
+      number_of(listed.instances.size(), "thing") + " of " + printable(listed.sequence), {}};
 }
 
 }  // namespace hypermap

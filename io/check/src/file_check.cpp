@@ -37,6 +37,8 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
       return check_config(path, options.limits.reach);
     case FileKind::kDataset:
       return check_dataset(path, options);
+    case FileKind::kTruth:
+      return check_truth(path);
     default:
       break;
   }

@@ -31,7 +31,8 @@ struct FileSummary {
                                               ImageSize expected);
 [[nodiscard]] Result<FileSummary> check_depth(const std::filesystem::path& path,
                                               ImageSize expected);
-/// TUM lines, Open3D records or one matrix, by how many numbers the first line has.
+/// TUM lines, Open3D records, one matrix or a matrix a line, by how many numbers the first line
+/// has.
 [[nodiscard]] Result<FileSummary> check_trajectory(const std::filesystem::path& path);
 /// Errors: kInvalidArgument when the stated size is not `expected`.
 [[nodiscard]] Result<FileSummary> check_intrinsics(const std::filesystem::path& path,
@@ -43,5 +44,6 @@ struct FileSummary {
 /// A folder, every frame of it, or a description (`dataset.yaml`) as text.
 [[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path,
                                                 const FileCheckOptions& options);
+[[nodiscard]] Result<FileSummary> check_truth(const std::filesystem::path& path);
 
 }  // namespace hypermap

@@ -2,6 +2,7 @@
 #include "hypermap/io/dataset/dataset_description.hpp"
 
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/dataset/trajectory_file.hpp"
 
@@ -14,12 +15,13 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 21> kDescriptionKeys{"name",
+constexpr std::array<std::string_view, 23> kDescriptionKeys{"name",
                                                             "world",
                                                             "intrinsics",
                                                             "depth",
                                                             "depth_scale",
                                                             "invalid_depth",
+                                                            "depth_rotated_bits",
                                                             "color",
                                                             "trajectory",
                                                             "trajectory_format",
@@ -34,6 +36,7 @@ constexpr std::array<std::string_view, 21> kDescriptionKeys{"name",
                                                             "color_from_depth",
                                                             "labels",
                                                             "instances",
+                                                            "label_names",
                                                             "description"};
 
 template <class Value>
@@ -42,10 +45,11 @@ struct Choice {
   Value value;
 };
 
-constexpr std::array<Choice<TrajectoryFormat>, 5> kTrajectoryFormats{
+constexpr std::array<Choice<TrajectoryFormat>, 6> kTrajectoryFormats{
     {{"tum", TrajectoryFormat::kTum},
      {"log", TrajectoryFormat::kLog},
      {"matrix", TrajectoryFormat::kMatrix},
+     {"lines", TrajectoryFormat::kLines},
      {"7scenes", TrajectoryFormat::kMatrix},
      {"open3d", TrajectoryFormat::kLog}}};
 constexpr std::array<Choice<PosePairing>, 3> kPairings{{{"stamp", PosePairing::kStamp},
@@ -140,7 +144,12 @@ Result<Intrinsics> inline_intrinsics(const YamlNode& node) {
   };
   Intrinsics out;
   HYPERMAP_ASSIGN_OR_RETURN(out.fx_px, number("fx", 1e-3));
-  HYPERMAP_ASSIGN_OR_RETURN(out.fy_px, number("fy", 1e-3));
+  HYPERMAP_ASSIGN_OR_RETURN(out.fy_px, number("fy", -kHuge));
+  if (out.fy_px < 1e-3) {
+    HYPERMAP_ASSIGN_OR_RETURN(const YamlNode fy, node.at("fy"));
+    return Unexpected(
+        fy.error("must be >= 0.001, is " + json_number(out.fy_px) + rows_up_hint(out.fy_px)));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(out.cx_px, number("cx", -kHuge));
   HYPERMAP_ASSIGN_OR_RETURN(out.cy_px, number("cy", -kHuge));
   for (const auto& [key, side] : {std::pair{"width", &out.width_px}, {"height", &out.height_px}}) {
@@ -171,6 +180,10 @@ Result<DepthFormat> read_depth_format(const YamlNode& root) {
   DepthFormat format;
   if (const auto node = root.find("depth_scale")) {
     HYPERMAP_ASSIGN_OR_RETURN(format.units_per_m, node->as_double(1e-3, 1e6));
+  }
+  if (const auto node = root.find("depth_rotated_bits")) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto bits, node->as_int(0, 15));
+    format.rotated_left_bits = static_cast<int>(bits);
   }
   const auto node = root.find("invalid_depth");
   if (!node) return format;
@@ -217,7 +230,8 @@ Result<Eigen::Isometry3d> read_extrinsics(const YamlNode& root) {
 }
 
 PosePairing usual_pairing(TrajectoryFormat format) {
-  return format == TrajectoryFormat::kTum ? PosePairing::kStamp : PosePairing::kNumber;
+  if (format == TrajectoryFormat::kTum) return PosePairing::kStamp;
+  return format == TrajectoryFormat::kLines ? PosePairing::kOrder : PosePairing::kNumber;
 }
 
 Result<void> read_trajectory_keys(const YamlNode& root, DatasetDescription& out) {
@@ -245,6 +259,7 @@ Result<void> read_image_keys(const YamlNode& root, DatasetDescription& out) {
   HYPERMAP_ASSIGN_OR_RETURN(out.color, optional_path(root, "color"));
   HYPERMAP_ASSIGN_OR_RETURN(out.labels, optional_path(root, "labels"));
   HYPERMAP_ASSIGN_OR_RETURN(out.instances, optional_path(root, "instances"));
+  HYPERMAP_ASSIGN_OR_RETURN(out.label_names, optional_path(root, "label_names"));
   HYPERMAP_ASSIGN_OR_RETURN(out.depth_format, read_depth_format(root));
   HYPERMAP_TRY(read_intrinsics_key(root, "intrinsics", out.intrinsics, out.intrinsics_file));
   HYPERMAP_TRY(read_intrinsics_key(

@@ -170,9 +170,10 @@ Result<void> prepare_labels(const DatasetOptions& options,
     }
     return {};
   }
-  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_names, read_label_names(sequence.folder));
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_names,
+                            read_label_names(sequence.folder, sequence.description.label_names));
   std::vector<std::string> names;
-  for (const auto& [number, name] : sequence.label_names) names.push_back(name);
+  for (const auto& [number, name] : sequence.label_names.of_number) names.push_back(name);
   HYPERMAP_ASSIGN_OR_RETURN(sequence.label_classes,
                             register_classes(distinct_classes(names), registry));
   sequence.label_detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};

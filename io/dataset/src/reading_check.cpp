@@ -23,7 +23,9 @@ constexpr double kMinGain = 0.2;
 constexpr double kMinWinningPairs = 0.75;
 constexpr double kNearestMedianM = 0.2;  // depth cameras measure from there to here
 constexpr double kFarthestMedianM = 8.0;
-constexpr std::array kTriedDepthFactors{0.001, 0.1, 0.2, 5.0, 10.0, 1000.0};
+// An eighth: of 16 bits that were rotated to the left by three, when none of the upper three is
+// set.
+constexpr std::array kTriedDepthFactors{0.001, 0.1, 0.125, 0.2, 5.0, 10.0, 1000.0};
 constexpr std::array kTriedDirections{PoseDirection::kCameraToWorld, PoseDirection::kWorldToCamera};
 constexpr std::array kTriedAxes{CameraAxes::kOptical, CameraAxes::kOpenGl, CameraAxes::kRobot};
 

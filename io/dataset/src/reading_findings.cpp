@@ -79,7 +79,9 @@ std::string fields_of(const FrameReading& other, const FrameReading& taken) {
     add_field(text, "pose_direction", name_of(other.pose_direction));
   if (other.camera_axes != taken.camera_axes)
     add_field(text, "camera_axes", name_of(other.camera_axes));
-  if (other.depth_units_per_m != taken.depth_units_per_m)
+  if (other.depth_units_per_m == 8.0 * taken.depth_units_per_m)
+    add_field(text, "depth_rotated_bits", "3");
+  else if (other.depth_units_per_m != taken.depth_units_per_m)
     add_field(text, "depth_scale", json_number(other.depth_units_per_m));
   return text;
 }

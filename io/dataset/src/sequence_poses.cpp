@@ -74,6 +74,35 @@ Result<void> attach_stamped(const fs::path& folder,
   return {};
 }
 
+/// Poses without stamps: the n-th line is the n-th image's, or that of the image of number n.
+Result<void> attach_lines(const fs::path& folder,
+                          const DatasetDescription& description,
+                          SequenceIndex& index) {
+  const fs::path path = folder / description.trajectory;
+  if (description.pair_by == PosePairing::kStamp) {
+    return Unexpected(Error{.code = ErrorCode::kInvalidArgument,
+                            .what = "must be order or number: `trajectory_format: lines` has no "
+                                    "stamps",
+                            .file = path.string(),
+                            .field = "pair_by"});
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_pose_lines(path, {.skip_bad_lines = true}));
+  index.num_poses = loaded.value.poses.size();
+  std::move(loaded.findings.begin(), loaded.findings.end(), std::back_inserter(index.findings));
+  std::map<std::uint64_t, InputFromCamera> pose_of;
+  for (const NumberedPose& pose : loaded.value.poses)
+    pose_of.emplace(pose.number, pose.input_from_camera);
+  for (std::size_t i = 0; i < index.entries.size(); ++i) {
+    SequenceEntry& entry = index.entries[i];
+    const bool by_order = description.pair_by == PosePairing::kOrder;
+    const std::uint64_t wanted = by_order ? i : entry.number.value_or(i);
+    const auto found = pose_of.find(wanted);
+    if (found != pose_of.end()) entry.pose = as_optical(found->second, description);
+    entry.missing_pose_reason = "no pose at position " + std::to_string(wanted);
+  }
+  return {};
+}
+
 Result<void> attach_numbered(const fs::path& folder,
                              const DatasetDescription& description,
                              SequenceIndex& index) {
@@ -131,6 +160,8 @@ Result<void> attach_poses(const fs::path& folder,
       return attach_stamped(folder, description, index);
     case TrajectoryFormat::kLog:
       return attach_numbered(folder, description, index);
+    case TrajectoryFormat::kLines:
+      return attach_lines(folder, description, index);
     case TrajectoryFormat::kMatrix:
       return attach_matrices(folder, description, index);
   }

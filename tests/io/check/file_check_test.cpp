@@ -49,6 +49,7 @@ TEST(FileCheck, KindsAreFoundByContent) {
   EXPECT_EQ(kind_of("a", "image: a.png\nresolution: 1\n"), "map");
   EXPECT_EQ(kind_of("a", "- name: sink\n  shape: POLYGON\n"), "semantic");
   EXPECT_EQ(kind_of("a", "name: x\ndepth: d/*.png\n"), "dataset");
+  EXPECT_EQ(kind_of("a", "# list\nformat: hypermap-sequence-truth\nversion: 9\n"), "truth");
   EXPECT_EQ(kind_of("empty.txt", ""), "trajectory");
   EXPECT_THAT(kind_of("empty", ""), HasSubstr("is of no kind"));
   EXPECT_EQ(*find_file_kind(dir.path()), FileKind::kDataset);
@@ -80,6 +81,19 @@ TEST(FileCheck, ADatasetIsReadFrameByFrame) {
   EXPECT_EQ(good.summary, "tum, 4 frames, 1 detection");
   write_text(data.folder / data.depth_of_1, "cut");
   EXPECT_EQ(check_file(data.folder).exit_code(), 2);
+}
+
+TEST(FileCheck, AListOfThingsAndPosesWithoutStampsAreReadByTheirReaders) {
+  const TempDir dir;
+  EXPECT_EQ(check_file(test::source_path("data/truth/cabinet.yaml")).summary,
+            "1 thing of tum_fr3_cabinet");
+  write_text(dir / "truth.yaml", "format: hypermap-sequence-truth\nversion: 9\n");
+  const FileCheckResult refused = check_file(dir / "truth.yaml");
+  EXPECT_EQ(refused.exit_code(), 2);
+  EXPECT_THAT(first_finding(refused), HasSubstr("version: must be 1, is 9"));
+  write_text(dir / "traj.txt",
+             "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n");
+  EXPECT_EQ(check_file(dir / "traj.txt").summary, "2 poses");
 }
 
 TEST(FileCheck, FilesThatAConfigurationNamesAndThatAreAbsentAreFindings) {

@@ -32,6 +32,18 @@ TEST(DepthFile, UnitsBecomeMetresAndInvalidValuesZero) {
   EXPECT_EQ(other->at(1, 1), 13.107F);  // 65535 / 5000
 }
 
+TEST(DepthFile, RotatedBitsAreTurnedBackBeforeAnythingElse) {
+  const TempDir dir;
+  // 10,000 is 0b0010011100010000; rotated left by 3 bits it is 0b0011100010000001 = 14,465.
+  write_text(dir / "d.pgm", test::pgm16(14'465, 2, 1));
+  const auto depth = read_depth(dir / "d.pgm", {.rotated_left_bits = 3});
+  ASSERT_TRUE(depth) << to_string(depth.error());
+  EXPECT_EQ(depth->at(0, 0), 10.0F);
+  const auto invalid =
+      read_depth(dir / "d.pgm", {.invalid_values = {10'000}, .rotated_left_bits = 3});
+  EXPECT_EQ(invalid->at(1, 0), 0.0F);
+}
+
 TEST(DepthFile, WhatIsNoDepthImageIsRefusedByName) {
   const TempDir dir;
   const auto refused = [&](const std::string& content, ImageSize size = {}) {

@@ -14,6 +14,7 @@ namespace {
 using test::TempDir;
 using test::write_text;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 Result<Loaded<Intrinsics>> read(const std::string& text) {
@@ -80,7 +81,8 @@ TEST(IntrinsicsFile, FieldsOutOfRangeAreNamed) {
   };
   EXPECT_EQ(with("", ""), "was accepted");
   EXPECT_THAT(with("fx", "0"), HasSubstr("fx: must be > 0, is 0"));
-  EXPECT_THAT(with("fy", "-1"), HasSubstr("fy: must be > 0"));
+  EXPECT_THAT(with("fy", "-1"), HasSubstr("fy: must be > 0, is -1: negative fy (y of the camera"));
+  EXPECT_THAT(with("fx", "-1"), Not(HasSubstr("negative fy")));
   EXPECT_THAT(with("fx", "null"), HasSubstr("$.fx: is null, expected a number"));
   EXPECT_THAT(with("fx", "NaN"), HasSubstr("$.fx"));
   EXPECT_THAT(with("fx", "1e999"), HasSubstr("$.fx"));

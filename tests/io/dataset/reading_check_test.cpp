@@ -219,6 +219,13 @@ TEST(ReadingCheck, TheFindingNamesTheFieldAndItsValue) {
   EXPECT_THAT(inverse->error.what, HasSubstr("\"pose_direction: world_to_camera\""));
 }
 
+TEST(ReadingCheck, DepthThatIsEightTimesTooLargeHasRotatedBits) {
+  const auto rotated = find_misreading(misread(walk(6), unchanged, 8.0), {});
+  ASSERT_TRUE(rotated);
+  EXPECT_EQ(rotated->error.field, "depth_rotated_bits");
+  EXPECT_THAT(rotated->error.what, HasSubstr("\"depth_rotated_bits: 3\""));
+}
+
 TEST(ReadingCheck, AnUpAxisThatNoCameraHoldsUprightIsNamed) {
   const auto pairs = walk(6, 0.1);
   EXPECT_FALSE(find_wrong_up(pairs, map_from_input_axis("z").value()));

@@ -232,6 +232,20 @@ TEST(TrajectoryFile, APoseMatrixMustBeARigidMotion) {
   EXPECT_THAT(refused("1 0 0 0\n0 1 0 0\n"), HasSubstr("after 2 rows"));
 }
 
+TEST(TrajectoryFile, StampedLinesWithoutStampAreRefusedWithTheFormatThatReadsThem) {
+  EXPECT_THAT(trajectory_refusal("0 0 0 0 0 0 1\n"), HasSubstr("has 7: a pose without stamp"));
+  EXPECT_THAT(trajectory_refusal("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"),
+              HasSubstr("`trajectory_format: lines`"));
+}
+
+TEST(TrajectoryFile, APoseMatrixMayStandInOneLine) {
+  const TempDir dir;
+  write_text(dir / "p.txt", "1 0 0 4 0 1 0 5 0 0 1 6 0 0 0 1\n");
+  const auto pose = read_pose_matrix(dir / "p.txt");
+  ASSERT_TRUE(pose) << to_string(pose.error());
+  EXPECT_EQ(pose->origin().xyz, Eigen::Vector3d(4.0, 5.0, 6.0));
+}
+
 TEST(TrajectoryFile, OptionsOutOfTheirRangeAreNamedBeforeAnyFileIsRead) {
   const auto fields = [](const TrajectoryOptions& options) {
     return std::vector{read_tum_trajectory("absent", options).error().field,

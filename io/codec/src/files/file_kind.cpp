@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 11> kFileKindNames{"archive",
+constexpr std::array<std::string_view, 12> kFileKindNames{"archive",
                                                           "octree",
                                                           "map",
                                                           "image",
@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 11> kFileKindNames{"archive",
                                                           "intrinsics",
                                                           "detections",
                                                           "config",
-                                                          "dataset"};
+                                                          "dataset",
+                                                          "truth"};
 
 struct Hint {
   std::string_view text;
@@ -62,7 +63,8 @@ constexpr std::array<Hint, 7> kJsonHints{{{"\"detections\"", FileKind::kDetectio
                                           {"\"depth_scale\"", FileKind::kIntrinsics}}};
 
 /// First hint with which a line begins.
-constexpr std::array<Hint, 15> kYamlHints{{{"layers:", FileKind::kConfig},
+constexpr std::array<Hint, 16> kYamlHints{{{"format: hypermap-sequence-truth", FileKind::kTruth},
+                                           {"layers:", FileKind::kConfig},
                                            {"extensions:", FileKind::kConfig},
                                            {"image:", FileKind::kMap},
                                            {"resolution:", FileKind::kMap},

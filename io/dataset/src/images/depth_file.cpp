@@ -3,6 +3,7 @@
 
 #include "hypermap/io/codec/image_file.hpp"
 
+#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -34,7 +35,8 @@ Result<DecodedImage> read_sized(const std::filesystem::path& path, ImageSize exp
   return image;
 }
 
-/// Metres of each of the 65,536 values; 0 for those that are no measurement.
+/// Metres of each of the 65,536 values as they were before they were rotated; 0 for those that are
+/// no measurement.
 std::vector<float> metres_of(const DepthFormat& format) {
   std::vector<float> metres(65536);
   for (std::size_t value = 0; value < metres.size(); ++value) {
@@ -61,7 +63,8 @@ Result<DepthImage> read_depth(const std::filesystem::path& path,
   const std::vector<float> metres = metres_of(format);
   DepthImage depth(image.width_px, image.height_px);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    depth.pixels()[i] = metres[image.samples16[i]];
+    const std::uint16_t value = image.samples16[i];
+    depth.pixels()[i] = metres[std::rotr(value, format.rotated_left_bits)];
   }
   return depth;
 }

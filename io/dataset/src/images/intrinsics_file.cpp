@@ -40,7 +40,10 @@ Result<void> centred(double value, std::optional<int> side, const char* field) {
 /// The rules that hold for every form.
 Result<void> check(const Intrinsics& k) {
   HYPERMAP_TRY(positive(k.fx_px, "fx"));
-  HYPERMAP_TRY(positive(k.fy_px, "fy"));
+  if (auto ok = positive(k.fy_px, "fy"); !ok) {
+    ok.error().what += rows_up_hint(k.fy_px);
+    return ok;
+  }
   if (k.depth_units_per_m) HYPERMAP_TRY(positive(*k.depth_units_per_m, "depth_scale"));
   HYPERMAP_TRY(centred(k.cx_px, k.width_px, "cx"));
   return centred(k.cy_px, k.height_px, "cy");
@@ -220,6 +223,13 @@ Result<Loaded<Intrinsics>> parse(std::string_view text, const std::string& name)
 }
 
 }  // namespace
+
+std::string rows_up_hint(double fy_px) {
+  if (!(fy_px < 0.0)) return "";
+  return ": negative fy (y of the camera points up) is not read; give its amount when the poses "
+         "are "
+         "of a camera whose y points down, or turn them so";
+}
 
 Result<Loaded<Intrinsics>> read_intrinsics(const std::filesystem::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxBytes));

@@ -87,9 +87,49 @@ Result<LabelNames> parse_table(std::string_view text, const fs::path& path) {
                               .file = path.string(),
                               .line = line.number});
     }
-    names.emplace(static_cast<std::uint32_t>(*number), std::string(cells[name_column]));
+    names.of_number.emplace(static_cast<std::uint32_t>(*number), std::string(cells[name_column]));
   }
   return names;
+}
+
+/// Lines `number name`; a name may have blanks, `#` begins a comment.
+Result<LabelNames> parse_name_lines(std::string_view text, const fs::path& path) {
+  LabelNames names;
+  for (const TextLine& line : split_lines(text)) {
+    const std::string_view content = trimmed(line.text);
+    if (content.empty() || content.front() == '#') continue;
+    const std::size_t blank = std::min(content.find_first_of(" \t"), content.size());
+    const auto number = parse_unsigned(content.substr(0, blank));
+    const std::string_view name = trimmed(content.substr(blank));
+    const bool is_new = number && *number <= std::numeric_limits<std::uint16_t>::max() &&
+                        !name.empty() && names.of_number.emplace(*number, std::string(name)).second;
+    if (is_new) continue;
+    return Unexpected(Error{.code = ErrorCode::kMalformedFile,
+                            .what = "must have a number up to 65535, each once, and a name, is " +
+                                    printable(content, 60),
+                            .file = path.string(),
+                            .line = line.number});
+  }
+  return names;
+}
+
+Result<LabelNames> read_names(const fs::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxTableBytes));
+  const auto lines = split_lines(text);
+  const bool is_table = !lines.empty() && lines[0].text.find('\t') != std::string_view::npos &&
+                        lines[0].text.find("category") != std::string_view::npos;
+  return is_table || path.extension() == ".tsv" ? parse_table(text, path)
+                                                : parse_name_lines(text, path);
+}
+
+Error unnamed_number(std::uint32_t number, const std::string& image) {
+  return {.code = ErrorCode::kUnsupported,
+          .what = "class number " + std::to_string(number) +
+                  " has no name in the 40 classes of NYU Depth V2, which are taken when no others "
+                  "are given: name the numbers with `label_names` in the description, or in "
+                  "scannetv2-labels.combined.tsv",
+          .file = image,
+          .field = "class"};
 }
 
 /// Numbers of connected regions of equal value, 4 neighbours, from 1 on; 0 stays 0.
@@ -192,19 +232,19 @@ Result<std::pair<NumberImage, NumberImage>> read_classes_and_instances(const fs:
 
 }  // namespace
 
-Result<LabelNames> read_label_names(const fs::path& folder) {
+Result<LabelNames> read_label_names(const fs::path& folder, const std::string& chosen) {
+  if (!chosen.empty()) return read_names(folder / chosen);
   constexpr const char* kTable = "scannetv2-labels.combined.tsv";
   for (const fs::path& place : {folder, folder / "..", folder / "../.."}) {
     std::error_code ec;
     const fs::file_type type = fs::status(place / kTable, ec).type();
     // What cannot be looked at is not absent: reading it says why.
     if (type != fs::file_type::regular && type != fs::file_type::none) continue;
-    HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(place / kTable, kMaxTableBytes));
-    return parse_table(text, place / kTable);
+    return read_names(place / kTable);
   }
-  LabelNames names;
+  LabelNames names{.are_assumed = true};
   for (std::size_t i = 0; i < kNyu40.size(); ++i) {
-    names.emplace(static_cast<std::uint32_t>(i + 1), std::string(kNyu40.at(i)));
+    names.of_number.emplace(static_cast<std::uint32_t>(i + 1), std::string(kNyu40.at(i)));
   }
   return names;
 }
@@ -220,8 +260,13 @@ Result<FrameDetections> read_label_detections(const fs::path& labels,
   frame.width_px = classes.width_px();
   frame.height_px = classes.height_px();
   for (const auto& [instance_id, region] : regions_of(classes, instance_ids)) {
-    const auto name = names.find(majority(region));
-    if (name == names.end() || region.pixels.size() < kMinRegionPixels) continue;
+    if (region.pixels.size() < kMinRegionPixels) continue;
+    const std::uint32_t number = majority(region);
+    const auto name = names.of_number.find(number);
+    if (name == names.of_number.end()) {
+      if (names.are_assumed && number != 0) return Unexpected(unnamed_number(number, frame.image));
+      continue;
+    }
     if (frame.detections.size() >= limits.max_per_frame) {
       return Unexpected(Error{.code = ErrorCode::kLimit,
                               .what = "at most " + std::to_string(limits.max_per_frame) +

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory_lines.hpp"
 
+#include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -70,6 +72,28 @@ Result<double> position_number(std::string_view word, std::string_view field) {
   return fail(ErrorCode::kMalformedFile,
               "must be within 1e8 m of the origin, is " + printable(word, 60),
               std::string(field));
+}
+
+Result<QuaternionPose> quaternion_pose(std::span<const std::string_view> words,
+                                       double max_rotation_error) {
+  constexpr std::array<std::string_view, 7> kFields{"tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+  std::array<double, 7> v{};
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(
+        v.at(i),
+        i < 3 ? position_number(words[i], kFields.at(i)) : finite_number(words[i], kFields.at(i)));
+  }
+  const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
+  QuaternionPose out{.norm_error = std::abs(rotation.norm() - 1.0)};
+  if (!(out.norm_error <= max_rotation_error)) {
+    return fail(ErrorCode::kMalformedFile,
+                "must have norm 1 within " + json_number(max_rotation_error) + ", has " +
+                    json_number(rotation.norm()),
+                "quaternion");
+  }
+  out.pose.linear() = rotation.normalized().toRotationMatrix();
+  out.pose.translation() = Eigen::Vector3d(v[0], v[1], v[2]);
+  return out;
 }
 
 Result<void> check_line_length(std::string_view line, const TrajectoryOptions& options) {

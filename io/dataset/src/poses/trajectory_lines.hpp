@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,18 @@ inline constexpr double kMaxPositionM = 1e8;
 /// Errors: kLimit.
 [[nodiscard]] Result<void> check_line_length(std::string_view line,
                                              const TrajectoryOptions& options);
+/// Whether that many numbers are a line of `read_pose_lines`.
+[[nodiscard]] constexpr bool is_pose_without_stamp(std::size_t num_words) {
+  return num_words == 7 || num_words == 12 || num_words == 16;
+}
+struct QuaternionPose {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  double norm_error = 0.0;  ///< By how much the quaternion's norm was off 1.
+};
+/// `tx ty tz qx qy qz qw`. Errors: kMalformedFile naming the field, also for a quaternion whose
+/// norm is off by more than `max_rotation_error`. Requires: 7 words.
+[[nodiscard]] Result<QuaternionPose> quaternion_pose(std::span<const std::string_view> words,
+                                                     double max_rotation_error);
 /// Empty, or behind a `#`.
 [[nodiscard]] bool is_comment(std::string_view line);
 /// Findings: how many rotations were normalised, when there were any.

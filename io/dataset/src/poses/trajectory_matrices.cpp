@@ -124,6 +124,10 @@ Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
   constexpr std::size_t kMaxPoseBytes = 65536;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, read_file(path, kMaxPoseBytes));
   const std::vector<TextLine> lines = content_lines(text);
+  if (lines.size() == 1 && split_words(lines[0].text).size() == 16) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto line, read_pose_lines(path, options));
+    return line.value.poses.front().input_from_camera;
+  }
   HYPERMAP_ASSIGN_OR_RETURN(const auto rows, parse_rows(lines, 0, path, options));
   if (lines.size() > 4) {
     return Unexpected(in_file({.code = ErrorCode::kMalformedFile,

@@ -5,15 +5,14 @@
 #include "hypermap/io/dataset/trajectory_file.hpp"
 #include "trajectory_lines.hpp"
 
-#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 8> kTumFields{
-    "timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+constexpr std::size_t kNumTumFields = 8;
 
 struct TumLine {
   ParsedStamp stamp;
@@ -24,32 +23,21 @@ struct TumLine {
 Result<TumLine> parse_tum_line(std::string_view line, const TrajectoryOptions& options) {
   HYPERMAP_TRY(check_line_length(line, options));
   const auto words = split_words(line);
-  if (words.size() != kTumFields.size()) {
+  if (words.size() != kNumTumFields) {
     return fail(ErrorCode::kMalformedFile,
-                "must have 8 fields t tx ty tz qx qy qz qw, has " + std::to_string(words.size()),
+                "must have 8 fields t tx ty tz qx qy qz qw, has " + std::to_string(words.size()) +
+                    (is_pose_without_stamp(words.size())
+                         ? ": a pose without stamp, which `trajectory_format: lines` reads"
+                         : ""),
                 "line");
   }
   TumLine out;
   HYPERMAP_ASSIGN_OR_RETURN(out.stamp, parse_stamp(words[0]));
-  std::array<double, 8> v{};
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const bool is_position = i <= 3;
-    HYPERMAP_ASSIGN_OR_RETURN(v.at(i),
-                              is_position ? position_number(words[i], kTumFields.at(i))
-                                          : finite_number(words[i], kTumFields.at(i)));
-  }
-  Eigen::Quaterniond rotation(v[7], v[4], v[5], v[6]);
-  out.norm_error = std::abs(rotation.norm() - 1.0);
-  if (!(out.norm_error <= options.max_rotation_error)) {
-    return fail(ErrorCode::kMalformedFile,
-                "must have norm 1 within " + json_number(options.max_rotation_error) + ", has " +
-                    json_number(rotation.norm()),
-                "quaternion");
-  }
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = rotation.normalized().toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(v[1], v[2], v[3]);
-  out.input_from_camera = InputFromCamera(pose);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const QuaternionPose pose,
+      quaternion_pose(std::span(words).subspan(1), options.max_rotation_error));
+  out.norm_error = pose.norm_error;
+  out.input_from_camera = InputFromCamera(pose.pose);
   return out;
 }
 

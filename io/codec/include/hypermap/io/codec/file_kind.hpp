@@ -25,6 +25,7 @@ enum class FileKind : std::uint8_t {
   kDetections,
   kConfig,  ///< A bare map configuration, or a file of options.
   kDataset,
+  kTruth,  ///< A list of what stands in a recorded sequence.
 };
 
 /// The names of the command line, in the order of the enumerators.

@@ -30,6 +30,7 @@ enum class TrajectoryFormat {
   kTum,     ///< Lines `t tx ty tz qx qy qz qw`.
   kLog,     ///< Open3D's records of a header and a 4x4 matrix.
   kMatrix,  ///< A file with one 4x4 matrix for each image.
+  kLines,   ///< A line for each image, without stamp: `read_pose_lines`.
 };
 
 enum class PoseDirection { kCameraToWorld, kWorldToCamera };
@@ -72,6 +73,7 @@ struct DatasetDescription {
   /// Images of class numbers and of instances, which become detections; patterns or empty.
   std::string labels;
   std::string instances;
+  std::string label_names;  ///< A file: what the numbers in them mean; empty: `read_label_names`.
 };
 
 /// What `depth_scale` looks like: how many units of a depth image are a metre.

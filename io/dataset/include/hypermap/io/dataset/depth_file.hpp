@@ -17,6 +17,9 @@ struct DepthFormat {
   double units_per_m = 1000.0;  ///< TUM: 5000; most others: 1000. Range: 1e-3 .. 1e6
   /// Values that are no measurement.
   std::vector<std::uint16_t> invalid_values = {0, 65535};
+  /// By how many bits values were rotated to the left when they were written (SUN RGB-D: 3);
+  /// `invalid_values` are those before. Range: 0 .. 15
+  int rotated_left_bits = 0;
 };
 
 /// Expected size of an image; 0: any.

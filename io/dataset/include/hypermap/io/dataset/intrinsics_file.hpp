@@ -32,6 +32,11 @@ struct Intrinsics {
 /// than half its side, depth_scale <= 0. Findings: unknown keys; distortion, which is not applied.
 [[nodiscard]] Result<Loaded<Intrinsics>> read_intrinsics(const std::filesystem::path& path);
 
+/// What is to be said of a vertical focal length that is negative: the camera's y points up. Which
+/// world its poses are in, a mirrored one or not, differs between datasets, so it is not read.
+/// Empty for any other.
+[[nodiscard]] std::string rows_up_hint(double fy_px);
+
 /// A camera of the stated size, or of the given one where none is stated.
 /// Errors: kInvalidArgument when both are there and disagree; those of `validate(PinholeCamera)`.
 [[nodiscard]] Result<PinholeCamera> camera_of(const Intrinsics& intrinsics,

@@ -48,8 +48,9 @@ struct ReadingCheck {
 };
 
 /// Compares how the frames were read with other readings: each of the other directions and axes,
-/// and depth that is 5, 10 or 1000 times as large or as small. Another one is better when most
-/// pairs say so, at least half of the points agree under it, and a fifth of all more than do now.
+/// and depth that is 5, 10 or 1000 times as large or as small, or an eighth (rotated bits). Another
+/// one is better when most pairs say so, at least half of the points agree under it, and a fifth of
+/// all more than do now.
 ///
 /// Boundary: a camera that stands still bears out every reading, so none is better.
 /// Frame: poses are `frame::Input`, read as `taken` says. Requires: taken.depth_units_per_m > 0.

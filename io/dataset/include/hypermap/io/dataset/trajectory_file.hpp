@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the camera was: trajectories in the forms of TUM, 7-Scenes and Open3D.
+/// Where the camera was: trajectories in the forms of TUM, 7-Scenes and Open3D, and without stamps.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
@@ -77,7 +77,16 @@ struct NumberedTrajectory {
 [[nodiscard]] Result<Loaded<NumberedTrajectory>> read_log_trajectory(
     const std::filesystem::path& path, const TrajectoryOptions& options = {});
 
-/// Reads one 4x4 matrix, camera to world, as 7-Scenes and ScanNet keep one beside each image.
+/// Reads a pose a line, camera to world, without stamp: 16 numbers (a 4x4 matrix row by row), 12
+/// (its upper three rows) or 7 (`tx ty tz qx qy qz qw`), in all lines alike. Numbers count lines
+/// that are no comment from 0 on, those that are skipped too.
+///
+/// Errors: as above; kMalformedFile for a line of another length.
+[[nodiscard]] Result<Loaded<NumberedTrajectory>> read_pose_lines(
+    const std::filesystem::path& path, const TrajectoryOptions& options = {});
+
+/// Reads one 4x4 matrix, camera to world, as 7-Scenes and ScanNet keep one beside each image; in
+/// four lines or in one.
 /// Errors: those of validate(options); kIo; kMalformedFile naming line and rule (ScanNet marks lost
 /// tracking by infinities).
 [[nodiscard]] Result<InputFromCamera> read_pose_matrix(const std::filesystem::path& path,
