@@ -87,10 +87,12 @@ function(hypermap_add_component name links packages)
 endfunction()
 
 # hypermap_use_threads(<variable> <source>...): whether tests in these files start threads or ask the libraries to.
+# Who asks for one thread alone does not.
 function(hypermap_use_threads variable)
   set(${variable} FALSE PARENT_SCOPE)
   foreach(source ${ARGN})
-    file(STRINGS ${source} found REGEX "thread|std::async|segment_all" LIMIT_COUNT 1)
+    file(STRINGS ${source} found REGEX "thread|std::async|segment_all")
+    list(FILTER found EXCLUDE REGEX "^[^/]*num_threads = 1[^0-9]*$")
     if(found)
       set(${variable} TRUE PARENT_SCOPE)
     endif()

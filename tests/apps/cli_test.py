@@ -5,6 +5,7 @@
 Long because: all cases look at one map, which is made once.
 """
 
+import functools
 import json
 import os
 import pathlib
@@ -18,6 +19,11 @@ from program import IS_SANITIZED, digest, run, tree_digest
 # A sanitizer makes a run ten times as dear and has seen each of its paths once before it is repeated.
 not_repeated = unittest.skipIf(IS_SANITIZED, "compares bytes of runs that a sanitizer need not see again")
 
+# Half of them show enough of the room for every command to have something to do.
+NUM_FRAMES = 20 if IS_SANITIZED else 40
+SHOWN_FRAME = NUM_FRAMES // 20  # a frame with detections
+SIMULATION = ("--frames", NUM_FRAMES, "--size", "320x240", "--seed", 1, "--detector", "perfect")
+
 
 class Pipeline(unittest.TestCase):
     """One small simulation, mapped once, looked at in every way."""
@@ -27,8 +33,7 @@ class Pipeline(unittest.TestCase):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-cli-"))
         cls.dataset = cls.folder / "lab"
         cls.archive = cls.folder / "lab.hmap"
-        cls.simulated = run("simulate", "--output", cls.dataset, "--frames", 40, "--seed", 1,
-                            "--detector", "perfect")
+        cls.simulated = run("simulate", "--output", cls.dataset, *SIMULATION)
         cls.mapped = run("map", "--input", cls.dataset, "--output", cls.archive,
                          "--stats", cls.folder / "stats.json")
 
@@ -47,9 +52,9 @@ class Pipeline(unittest.TestCase):
 
     def test_stats_have_the_fields_of_the_contract(self):
         stats = json.loads((self.folder / "stats.json").read_text())
-        self.assertEqual(stats["frames"], 40)
+        self.assertEqual(stats["frames"], NUM_FRAMES)
         self.assertEqual(stats["frames_skipped"], 0)
-        self.assertGreater(stats["points"], 40 * 50000)
+        self.assertGreater(stats["points"], NUM_FRAMES * 50000)
         self.assertLessEqual({"read", "detect", "segment", "integrate", "associate", "project", "write"},
                              set(stats["stages_s"]))
         for field in ("points_skipped", "wall_s", "frames_per_s", "objects", "peak_rss_bytes", "threads"):
@@ -101,8 +106,7 @@ class Pipeline(unittest.TestCase):
     def test_the_simulation_repeats_itself(self):
         again = self.folder / "again"
         env = dict(os.environ, TZ="Asia/Tokyo", LC_ALL="C.UTF-8")
-        result = run("simulate", "--output", again, "--frames", 40, "--seed", 1, "--detector", "perfect",
-                     "--threads", 1, env=env)
+        result = run("simulate", "--output", again, *SIMULATION, "--threads", 1, env=env)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(tree_digest(again), tree_digest(self.dataset))
 
@@ -196,8 +200,13 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         self.assertIn("semantic", result.stderr)
 
+    @classmethod
+    @functools.cache
+    def evaluated(cls):
+        return run("eval", "--map", cls.archive, "--truth", cls.dataset / "truth.hmap", "--json")
+
     def test_eval_finds_the_objects(self):
-        result = run("eval", "--map", self.archive, "--truth", self.dataset / "truth.hmap", "--json")
+        result = self.evaluated()
         self.assertEqual(result.returncode, 0, result.stderr)
         report = json.loads(result.stdout)
         self.assertGreater(report["one_to_one"]["f1"], 0.5)
@@ -206,8 +215,7 @@ class Pipeline(unittest.TestCase):
 
     def test_eval_compares_voxels_and_probabilities(self):
         truth = self.dataset / "truth.hmap"
-        result = run("eval", "--map", self.archive, "--truth", truth, "--json")
-        report = json.loads(result.stdout)
+        report = json.loads(self.evaluated().stdout)
         voxels = report["voxels"]
         self.assertGreater(voxels["labelled"], 0)
         self.assertGreaterEqual(voxels["labelled"], voxels["right"] + voxels["wrong_class"])
@@ -349,7 +357,7 @@ class Pipeline(unittest.TestCase):
 
     def test_tune_shows_the_steps(self):
         output = self.folder / "tune"
-        result = run("tune", "--input", self.dataset, "--frame", 5, "--output", output)
+        result = run("tune", "--input", self.dataset, "--frame", SHOWN_FRAME, "--output", output)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(list(output.glob("*.png")))
 

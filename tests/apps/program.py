@@ -19,6 +19,11 @@ DATA = pathlib.Path(os.environ.get("HYPERMAP_DATA", SOURCE / "../shared/data"))
 IS_SANITIZED = any(mark in PROGRAM.read_bytes() for mark in (b"__asan_init", b"__tsan_init"))
 
 
+def repetitions(full):
+    """That many, or a quarter under a sanitizer: what only repeats itself takes fewer turns there."""
+    return max(full // 4, 1) if IS_SANITIZED else full
+
+
 def run(*arguments, stdout=subprocess.PIPE, env=None, limit_s=300):
     return subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=stdout, stderr=subprocess.PIPE,
                           text=True, errors="replace", timeout=limit_s, env=env, check=False)

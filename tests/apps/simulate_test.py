@@ -5,14 +5,16 @@
 Usage: simulate_test.py PROGRAM [unittest args]"""
 
 import json
+import math
 import pathlib
 import shutil
 import tempfile
 import unittest
 
-from program import run
+from program import repetitions, run
 
 SMALL = ("--size", "80x60", "--seed", 3)
+NUM_FRAMES = repetitions(40)
 
 
 class Simulate(unittest.TestCase):
@@ -32,8 +34,12 @@ class Simulate(unittest.TestCase):
         return result.stderr
 
     def num_detections(self, *options):
-        lines = (self.simulated("--frames", 40, *options) / "detections.jsonl").read_text().splitlines()
+        lines = (self.simulated("--frames", NUM_FRAMES, *options) / "detections.jsonl").read_text().splitlines()
         return sum(len(json.loads(line).get("detections", [])) for line in lines)
+
+    def assert_poisson(self, count, mean):
+        """Within four standard deviations of the mean."""
+        self.assertLess(abs(count - mean), 4 * math.sqrt(mean))
 
     def images(self, folder):
         return [line.split()[1] for line in (folder / "rgb.txt").read_text().splitlines() if line[0] != "#"]
@@ -50,12 +56,10 @@ class Simulate(unittest.TestCase):
         without = self.num_detections("--false-alarms", 0, "--miss-rate", 1)
         self.assertEqual(without, 0)
         alarms = self.num_detections("--false-alarms", 5, "--miss-rate", 1)
-        self.assertGreater(alarms, 40 * 5 - 60)
-        self.assertLess(alarms, 40 * 5 + 60)
+        self.assert_poisson(alarms, NUM_FRAMES * 5)
         # The worse one has one more false alarm a frame, and a rate that is given goes before the name.
         worse = self.num_detections("--detector", "worse", "--miss-rate", 1)
-        self.assertGreater(worse, 40 * 1.3 - 30)
-        self.assertLess(worse, 40 * 1.3 + 30)
+        self.assert_poisson(worse, NUM_FRAMES * 1.3)
 
     def test_heights_speed_and_noise_of_poses(self):
         def poses(*options):

@@ -60,8 +60,22 @@ void write_members(std::shared_ptr<const ByteSource> source,
   write_seed(to, "archive", archive, records);
 }
 
+/// The tests' sample with what only a simulation knows: two surfaces, one of them seen.
+MapArchive simulated_archive() {
+  MapArchive archive = test::sample_archive();
+  archive.true_surfaces = {
+      .seen_cell_m = 0.025,
+      .objects = {{.id = ObjectId{2},
+                   .class_name = "chair",
+                   .vertices = {{0.1F, 0, 0}, {1, 0, 0.3F}, {0, 1, 0}},
+                   .triangles = {{0, 1, 2}, {2, 1, 0}},
+                   .seen_cells = {{-3, 0, 7}, {-3, 1, 0}}},
+                  {.id = ObjectId{9}, .class_name = "bin", .is_nameable = false}}};
+  return archive;
+}
+
 void write_seeds(const fs::path& from, const fs::path& to) {
-  const auto sample = write_archive(test::sample_archive());
+  const auto sample = write_archive(simulated_archive());
   if (sample) write_members(view_bytes(*sample), "sample", to);
   std::error_code ec;
   for (const auto& entry : fs::recursive_directory_iterator(from, ec)) {

@@ -29,6 +29,10 @@ namespace hypermap::test {
 inline constexpr bool kSanitized =
     HYPERMAP_ADDRESS_SANITIZER != 0 || HYPERMAP_THREAD_SANITIZER != 0;
 
+/// The thread sanitizer alone, for work of libraries that it cannot see into: theirs is not
+/// compiled with it, and their copies of memory are slowed down a hundred times.
+inline constexpr bool kThreadSanitized = HYPERMAP_THREAD_SANITIZER != 0;
+
 /// `full`, or a quarter of it and at least one under a sanitizer.
 template <std::integral Number>
 constexpr Number repetitions(Number full) {

@@ -2,6 +2,7 @@
 // The scenes in data/scenes: nothing in the camera's way, nothing that it never sees.
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
+#include "io/simulator/room_simulation.hpp"
 #include "support/sanitized.hpp"
 #include "support/test_data.hpp"
 
@@ -115,6 +116,27 @@ INSTANTIATE_TEST_SUITE_P(
     ShippedScene,
     testing::Values("flat", "floor", "hall", "laboratory", "office", "store_room", "workshop"),
     [](const auto& scene) { return std::string(scene.param); });
+
+/// The camera's way shows every nameable object of the laboratory well enough to count.
+TEST(ShippedLaboratory, TheLaboratoryShowsAllThatItHolds) {
+  const auto scene = load_scene(test::source_path("data/scenes/laboratory.yaml"));
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  SimulationOptions options;
+  options.num_frames = 40;
+  // An image of a sixteenth of the pixels where a sanitizer makes rays dear.
+  if (test::kSanitized) options.camera = test::kSmall;
+  const int enough_px = test::kSanitized ? 200 / 16 : 200;
+  const auto simulator = Simulator::create(*scene, options);
+  ASSERT_TRUE(simulator);
+  std::vector<int> best(simulator->objects().size(), 0);
+  for (std::size_t i = 0; i < simulator->size(); ++i) {
+    const SimulatedFrame simulated = simulator->render(i);
+    std::ranges::transform(
+        best, simulated.depth_pixels, best.begin(), [](int a, int b) { return std::max(a, b); });
+  }
+  for (std::size_t i = 0; i < best.size(); ++i)
+    EXPECT_GE(best[i], enough_px) << simulator->objects()[i].name;
+}
 
 }  // namespace
 }  // namespace hypermap

@@ -2,13 +2,10 @@
 #include "hypermap/io/simulator/simulator.hpp"
 
 #include "hypermap/io/archive/map_archive.hpp"
-#include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulation_truth.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 #include "io/simulator/room_simulation.hpp"
-#include "support/sanitized.hpp"
 #include "support/temp_dir.hpp"
-#include "support/test_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -145,27 +142,6 @@ TEST(Simulator, BadOptionsNameTheirField) {
   EXPECT_EQ(field([](auto& o) { o.detector.miss_rate = 2.0; }), "detector.miss_rate");
   EXPECT_NE(field([](auto& o) { o.camera.fx_px = 0.0; }), "");
   EXPECT_EQ(field([](auto& o) { o.num_frames = 1; }), "");
-}
-
-/// The camera's way shows every nameable object of the laboratory well enough to count.
-TEST(Simulator, TheLaboratoryShowsAllThatItHolds) {
-  const auto scene = load_scene(test::source_path("data/scenes/laboratory.yaml"));
-  ASSERT_TRUE(scene) << to_string(scene.error());
-  SimulationOptions options;
-  options.num_frames = 40;
-  // An image of a sixteenth of the pixels where a sanitizer makes rays dear.
-  if (test::kSanitized) options.camera = kSmall;
-  const int enough_px = test::kSanitized ? 200 / 16 : 200;
-  const auto simulator = Simulator::create(*scene, options);
-  ASSERT_TRUE(simulator);
-  std::vector<int> best(simulator->objects().size(), 0);
-  for (std::size_t i = 0; i < simulator->size(); ++i) {
-    const SimulatedFrame simulated = simulator->render(i);
-    std::ranges::transform(
-        best, simulated.depth_pixels, best.begin(), [](int a, int b) { return std::max(a, b); });
-  }
-  for (std::size_t i = 0; i < best.size(); ++i)
-    EXPECT_GE(best[i], enough_px) << simulator->objects()[i].name;
 }
 
 }  // namespace

@@ -69,6 +69,10 @@ std::vector<LabelledFrame> kitchen() {
                         num_frames);
 }
 
+/// OctoMap, compiled here, has ten times the voxels of five centimetres to go through; a sanitizer
+/// sees the same code at those.
+constexpr const char* kAsAtFive = "a sanitizer sees the same at five centimetres";
+
 /// Both know the same voxels, and what differs in occupancy is explained by log-odds of 16 bits.
 void expect_same_voxels(const Agreement& agreement) {
   EXPECT_GE(agreement.occupied_iou(), 0.999);
@@ -83,6 +87,7 @@ TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoom) {
 }
 
 TEST(OctomapAgreement, ExactModeKnowsTheSameVoxelsInTheRoomAtTwoCentimetres) {
+  if (kSanitized) GTEST_SKIP() << kAsAtFive;
   expect_same_voxels(
       map_both(room_frames(repetitions(4), 320), 0.02, 5.0, IntegrationMode::kExact));
 }
@@ -122,6 +127,7 @@ TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoom) {
 }
 
 TEST(OctomapAgreement, ProjectiveModeKeepsTheOccupiedVoxelsOfTheRoomAtTwoCentimetres) {
+  if (kSanitized) GTEST_SKIP() << kAsAtFive;
   EXPECT_GE(map_both(room_frames(repetitions(3), 640), 0.02, 5.0, IntegrationMode::kProjective)
                 .occupied_iou(),
             0.99);

@@ -2,6 +2,7 @@
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include "octree_semantic/support/detected_frame.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,10 +127,10 @@ TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
       }
     }
   };
-  see(10);
+  see(test::repetitions(10));
   const std::size_t octree_bytes = mapper.octree().memory_bytes();
   const std::size_t num_objects = mapper.objects().size();
-  see(32);  // 504 frames in all
+  see(test::repetitions(32));  // 504 frames in all, without a sanitizer
   EXPECT_LE(mapper.octree().memory_bytes(), octree_bytes + octree_bytes / 50);
   EXPECT_LE(mapper.objects().size(), num_objects + 2);
   for (const Object& object : mapper.objects().objects()) {
