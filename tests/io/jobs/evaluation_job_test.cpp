@@ -122,6 +122,8 @@ MapArchive chair_map(const std::string& class_name) {
   archive.octree = SemanticOctree::create({.resolution_m = 0.1}).value();
   VoxelLabel label;
   label.classes[0] = {.class_id = static_cast<std::uint16_t>(id.value), .log_odds = 1000};
+  label.object = object.id;
+  label.object_votes = 1;
   const VoxelGrid& grid = archive.octree->grid();
   EXPECT_TRUE(archive.octree->set_leaf(
       {.key = *grid.key({{0.25, 0.25, 0.05}}), .log_odds = 1000, .label = label}));
