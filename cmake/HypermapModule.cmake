@@ -117,15 +117,16 @@ function(hypermap_add_test_headers)
   target_compile_options(hypermap_tests_pch PRIVATE -O0)
 endfunction()
 
-# hypermap_add_tests(<name> [COMPUTES] SOURCES ... LINK ...)
+# hypermap_add_tests(<name> [COMPUTES] [IN_ONE_PROCESS] SOURCES ... LINK ...)
 #
 # One GoogleTest program. It knows where the project's data lie (support/test_data.hpp) and where data by others may lie
 # (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the latter skip with a message when it
 # is absent. Programs with threads bear the label `threads` and are built by the target `thread_tests`.
 # COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising. Most tests need to compile
 # fast, not to run fast; the libraries are optimised in every build but `dev`.
+# IN_ONE_PROCESS: all its tests are one of CTest's, not a process each: for what takes longer to start than to run.
 function(hypermap_add_tests name)
-  cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES;IN_ONE_PROCESS" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_test_data hypermap_warnings hypermap_determinism
                                         GTest::gmock GTest::gtest_main)
@@ -143,7 +144,7 @@ function(hypermap_add_tests name)
     add_dependencies(thread_tests ${name})
     set(label LABELS threads)
   endif()
-  if(HYPERMAP_WHOLE_TEST_PROGRAMS)
+  if(HYPERMAP_WHOLE_TEST_PROGRAMS OR ARG_IN_ONE_PROCESS)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES TIMEOUT 1800 ${label})
   else()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seen_surfaces.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,6 +11,31 @@
 namespace hypermap {
 namespace {
 
+/// The slab of points near a triangle's plane: cheaper to ask than the triangle, and most cells of
+/// the box around a slanting one lie outside.
+class Slab {
+ public:
+  /// All points no farther than `reach_m` from the triangle lie in it.
+  /// Boundary: around a triangle without an area it is all of space.
+  Slab(const Triangle& triangle, double reach_m)
+      : corner_(triangle[0]),
+        normal_((triangle[1] - corner_).cross(triangle[2] - corner_)),
+        // A little wider than the reach: rounding takes no point away that the triangle would keep.
+        max_offset_(1.000001 * reach_m * normal_.norm()) {}
+
+  [[nodiscard]] bool contains(const Eigen::Vector3d& point) const {
+    const double offset = normal_.x() * (point.x() - corner_.x()) +
+                          normal_.y() * (point.y() - corner_.y()) +
+                          normal_.z() * (point.z() - corner_.z());
+    return std::abs(offset) <= max_offset_;
+  }
+
+ private:
+  Eigen::Vector3d corner_;
+  Eigen::Vector3d normal_;  ///< Of any length.
+  double max_offset_;       ///< Along `normal_`, times its length.
+};
+
 /// The cells whose centres are no farther from the triangle than half their diagonal.
 void append_cells_of(const Triangle& triangle, double edge_m, std::vector<SurfaceCell>& cells) {
   const double reach_m = 0.5 * std::sqrt(3.0) * edge_m;
@@ -16,11 +43,13 @@ void append_cells_of(const Triangle& triangle, double edge_m, std::vector<Surfac
   const Eigen::Vector3d high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
   const SurfaceCell first = cell_of(low.array() - reach_m, edge_m);
   const SurfaceCell last = cell_of(high.array() + reach_m, edge_m);
+  const Slab slab(triangle, reach_m);
   SurfaceCell cell;
   for (cell.x = first.x; cell.x <= last.x; ++cell.x) {
     for (cell.y = first.y; cell.y <= last.y; ++cell.y) {
       for (cell.z = first.z; cell.z <= last.z; ++cell.z) {
-        if (squared_distance(centre_of(cell, edge_m), triangle) <= reach_m * reach_m)
+        const Eigen::Vector3d centre = centre_of(cell, edge_m);
+        if (slab.contains(centre) && squared_distance(centre, triangle) <= reach_m * reach_m)
           cells.push_back(cell);
       }
     }
