@@ -131,7 +131,8 @@ class Pipeline(unittest.TestCase):
     def test_every_layer_that_info_lists_can_be_asked(self):
         layers = json.loads(run("info", self.archive, "--json").stdout)["layers"]
         self.assertLessEqual({"octree", "objects", "occupancy", "semantic", "chair"}, {one["name"] for one in layers})
-        for layer in layers:
+        # A sanitizer has seen all once it has seen one layer of each kind.
+        for layer in {one["class"]: one for one in layers}.values() if IS_SANITIZED else layers:
             with self.subTest(layer["name"]):
                 low, high = (layer["bounds"][end] for end in ("min", "max"))
                 area = f"{low[0]} {low[1]},{high[0]} {low[1]},{high[0]} {high[1]},{low[0]} {high[1]}"

@@ -17,6 +17,7 @@ from contract_case import Case
 from program import IS_SANITIZED, PROGRAM, digest, run, run_measured
 
 OLD = b"what was there before"
+SMALL = ("--size", "160x120")  # its frames still take long enough to be interrupted
 
 
 def limited(*arguments, **limits):
@@ -57,12 +58,12 @@ class Signals(Case):
 
     def test_simulate_rolls_back(self):
         status, message = self.interrupted(signal.SIGTERM, "simulate", "--frames", 200, "--output",
-                                           self.folder / "lab")
+                                           self.folder / "lab", *SMALL)
         self.assertEqual(status, 128 + signal.SIGTERM, message)
         self.assert_names()
 
     def test_what_a_killed_run_left_goes_with_the_next(self):
-        arguments = ["simulate", "--frames", 200, "--output", self.folder / "lab"]
+        arguments = ["simulate", "--frames", 200, "--output", self.folder / "lab", *SMALL]
         status, _ = self.interrupted(signal.SIGKILL, *arguments)
         self.assertEqual(status, -signal.SIGKILL)
         self.assertNotIn("lab", os.listdir(self.folder))

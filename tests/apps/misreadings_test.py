@@ -142,7 +142,7 @@ class Misreadings(unittest.TestCase):
     def test_a_wrong_scale_is_named(self):
         for sequence in self.each():
             scale = sequence.KEYS["depth_scale"]
-            for factor in (0.1, 0.2, 5, 10):
+            for factor in (0.1, 10) if IS_SANITIZED else (0.1, 0.2, 5, 10):
                 with self.subTest(factor=factor):
                     self.assert_named(sequence.describe(depth_scale=scale * factor),
                                       f'better: with "depth_scale: {scale}"')
@@ -194,7 +194,7 @@ class Misreadings(unittest.TestCase):
     def test_what_is_described_right_is_left_alone_at_any_stride(self):
         for sequence in self.each():
             folder = sequence.describe(up_axis=sequence.KEYS.get("up_axis", "-y"))
-            for stride in (1, 2, 3, 5, 8, 13, 21):
+            for stride in (5, 21) if IS_SANITIZED else (1, 2, 3, 5, 8, 13, 21):
                 with self.subTest(stride=stride):
                     result = self.strictly_mapped(folder, "--stride", stride, "--resolution", 0.2)
                     self.assertEqual(result.returncode, 0, result.stderr)

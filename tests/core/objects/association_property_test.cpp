@@ -4,6 +4,7 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/confirmation.hpp"
 #include "support/object_builders.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ TEST_P(RandomRoom, HasEachThingOnce) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomRoom, ::testing::Range(1U, 13U));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomRoom, ::testing::Range(1U, 1U + test::repetitions(12U)));
 
 TEST(RandomRoom, TwoRunsGiveTheSameObjects) {
   std::vector<ObjectMap> maps(2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/segmentation/office_scene.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ struct Expected {
 class Foreground : public testing::TestWithParam<Expected> {};
 
 TEST_P(Foreground, FindsTheThingAndNotWhatCarriesIt) {
-  for (const unsigned seed : {1U, 2U, 3U}) {
+  for (unsigned seed = 1; seed <= test::repetitions(3U); ++seed) {
     const SceneView view = office_view(seed);
     const auto found = segment(view.frame, detection_of(view, GetParam().object), {});
     ASSERT_TRUE(found.has_value()) << to_string(found.error());

@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "io/archive/archive_edits.hpp"
 #include "io/archive/sample_archive.hpp"
+#include "support/sanitized.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ TEST(DamagedMapArchive, AFlippedBitGivesTheSameMapOrAnError) {
   const MapArchive archive = sample_archive();
   const std::string bytes = write_archive(archive).value();
   std::mt19937 engine(1);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::repetitions(2000); ++i) {
     std::string flipped = bytes;
     const std::size_t at = engine() % flipped.size();
     flipped[at] = static_cast<char>(flipped[at] ^ 1 << (engine() % 8));
@@ -48,7 +49,7 @@ TEST(DamagedMapArchive, DamageInsideAMemberNeverBecomesAnotherKindOfFailure) {
   std::mt19937 engine(2);
   for (const ZipMember& member : zip->members()) {
     const std::string content = zip->read(member.name).value();
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::repetitions(60); ++i) {
       std::string damaged = content;
       damaged[engine() % damaged.size()] = static_cast<char>(engine() & 0xff);
       // Whatever is accepted can be written and read again.

@@ -112,12 +112,15 @@ TEST(YamlRoundTrip, TextsOfStrangersAreTheSameInEveryFormAndPlace) {
 
 TEST(YamlRoundTrip, TextsOfTwoActiveCharactersAreTheSameInEveryFormAndPlace) {
   constexpr std::string_view kActive = "0a-+.:,;#?[{}]'\"!&*%@=~_\\|>< \t`";
+  constexpr std::size_t kStep = test::kSanitized ? 4 : 1;
   std::size_t count = 0;
-  for (const char first : kActive) {
-    count += num_read(std::string(1, first));
-    for (const char second : kActive) count += num_read(std::string{first, second});
+  for (std::size_t i = 0; i < kActive.size(); ++i) {
+    count += num_read(std::string(1, kActive[i]));
+    // Every fourth is another one for each first character.
+    for (std::size_t j = i % kStep; j < kActive.size(); j += kStep)
+      count += num_read(std::string{kActive[i], kActive[j]});
   }
-  EXPECT_GT(count, 20'000U);
+  EXPECT_GT(count, test::repetitions(20'000U));
 }
 
 TEST(YamlRoundTrip, LongerTextsOfActiveCharactersAreTheSameInEveryFormAndPlace) {

@@ -25,6 +25,9 @@ const std::vector<RgbdFrame>& seen_frames() {
   return kFrames;
 }
 
+/// The next allocation to fail comes this part of those granted after the last.
+constexpr long kSpacing = test::kSanitized ? 8 : 16;
+
 /// Threads, and how often a snapshot is published.
 class WithoutMemory : public ::testing::TestWithParam<std::tuple<int, int, MemoryLoss>> {
  protected:
@@ -59,7 +62,7 @@ TEST_P(WithoutMemory, AFrameIsWholeOrNotAtAll) {
   ASSERT_TRUE(expected.integrate(frame));
   std::size_t num_refused = 0;
   long granted = 0;
-  for (bool done = false; !done; granted += 1 + granted / 16) {
+  for (bool done = false; !done; granted += 1 + granted / kSpacing) {
     SemanticMapper mapper = WithoutMemory::mapper();
     ASSERT_TRUE(mapper.integrate(seen_frames()[0]));
     const SemanticOctree octree = mapper.octree();
