@@ -113,7 +113,8 @@ class InstanceMatching {
 
   [[nodiscard]] double distance_within(std::size_t o, std::size_t t, double limit_m) const {
     const double distance = distance_m(objects_[o].box, instances_[t].box);
-    return is_of_right_class(o, t) && distance <= limit_m ? distance : kForbiddenPair;
+    if (is_of_right_class(o, t) && distance <= limit_m) return distance;
+    return kForbiddenPair;
   }
 
   /// Pairs of what is left of the objects and of the things that count, or of those that do not.

@@ -25,7 +25,7 @@ InstanceSightings::InstanceSightings(const ListedInstances& listed)
     Volume volume{
         .instance_from_input =
             input_from_instance(instance, listed.up_in_input).isometry().inverse(),
-        .half_size_m = 0.5 * instance.size_m + Eigen::Vector3d::Constant(kInstanceMargin_m)};
+        .half_size_m = 0.5 * instance.size_m + Eigen::Vector3d::Constant(kInstanceMarginM)};
     volume.class_names.reserve(instance.class_names.size());
     for (const std::string& name : instance.class_names)
       volume.class_names.push_back(canonical_class_name(name));

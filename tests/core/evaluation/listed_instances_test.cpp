@@ -8,13 +8,13 @@
 namespace hypermap {
 namespace {
 
-constexpr double kQuarterTurn_rad = std::numbers::pi / 2.0;
+constexpr double kQuarterTurnRad = std::numbers::pi / 2.0;
 
 TEST(ListedInstances, YawTurnsTheWidthAboutUp) {
   const ListedInstance instance{.name = "table",
                                 .centre = {{1.0, 2.0, 0.5}},
                                 .size_m = {2.0, 1.0, 0.8},
-                                .yaw_rad = kQuarterTurn_rad};
+                                .yaw_rad = kQuarterTurnRad};
   const Box box = box_in_map(instance, Eigen::Vector3d::UnitZ(), {});
   EXPECT_TRUE(box.min_in_map.isApprox(Eigen::Vector3d(0.5, 1.0, 0.1)));
   EXPECT_TRUE(box.max_in_map.isApprox(Eigen::Vector3d(1.5, 3.0, 0.9)));

@@ -127,8 +127,9 @@ std::vector<Eigen::Vector3f> wall(double from_m, double to_m) {
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; from_m + 0.01 * i < to_m; ++i) {
     for (int k = 0; k < 10; ++k) {
-      points.emplace_back(
-          static_cast<float>(from_m + 0.01 * i + 0.005), 0.0F, 0.01F * static_cast<float>(k) + 0.005F);
+      points.emplace_back(static_cast<float>(from_m + 0.01 * i + 0.005),
+                          0.0F,
+                          0.01F * static_cast<float>(k) + 0.005F);
     }
   }
   return points;

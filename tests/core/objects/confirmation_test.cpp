@@ -52,8 +52,8 @@ TEST(Confirmation, TwoThatADetectorToldApartAreBothThere) {
     return confirmed_objects(map, {}).size();
   };
   EXPECT_EQ(num_confirmed(0), 2U) << "in all of its eight frames";
-  EXPECT_EQ(num_confirmed(8), 2U) << "in four";
-  EXPECT_EQ(num_confirmed(9), 1U) << "in three";
+  EXPECT_EQ(num_confirmed(6), 2U) << "in six";
+  EXPECT_EQ(num_confirmed(7), 1U) << "in five";
 }
 
 TEST(Confirmation, ThreeObservationsAreThree) {

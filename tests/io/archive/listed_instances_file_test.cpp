@@ -83,9 +83,9 @@ TEST(ListedInstancesFile, ErrorsNameFileInstanceFieldRuleAndValue) {
   EXPECT_THAT(size, HasSubstr("-0.6"));
   EXPECT_THAT(size, HasSubstr("(of thing c)"));
   for (const std::string bad : {".nan", ".inf", "1e999", "1001", "wide"}) {
-    EXPECT_THAT(
-        instance_refusal("class: chair, centre: [0, " + bad + ", 0], size: [1, 1, 1]" + rest),
-        HasSubstr("things[0].centre[1]"));
+    std::string instance = "class: chair, centre: [0, ";
+    instance.append(bad).append(", 0], size: [1, 1, 1]").append(rest);
+    EXPECT_THAT(instance_refusal(instance), HasSubstr("things[0].centre[1]"));
   }
   EXPECT_THAT(instance_refusal("class: chair, centre: [0, 0], size: [1, 1, 1]" + rest),
               HasSubstr("must have 3 numbers, has 2"));

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr int kSide_px = 20;
+constexpr int kSidePx = 20;
 
 /// Four frames of 20 x 20 pixels, 1 m deep, and a description of them with these lines more.
 class DatasetForms : public ::testing::Test {
@@ -28,7 +28,7 @@ class DatasetForms : public ::testing::Test {
   void describe(const std::string& lines, const std::string& fy = "8") {
     for (int i = 0; i < 4; ++i)
       write_text(folder_ / ("d/" + test::padded(i, 4) + ".pgm"),
-                 test::pgm16(1000, kSide_px, kSide_px));
+                 test::pgm16(1000, kSidePx, kSidePx));
     write_text(
         folder_ / "dataset.yaml",
         "intrinsics: {width: 20, height: 20, fx: 8, fy: " + fy +
@@ -45,11 +45,11 @@ class DatasetForms : public ::testing::Test {
 
   /// Label images whose left half is class `number`, the rest 0.
   void write_labels(std::uint16_t number) {
-    std::string image = test::pgm16(0, kSide_px, kSide_px);
-    const std::size_t num_pixels = std::size_t{kSide_px} * kSide_px;
+    std::string image = test::pgm16(0, kSidePx, kSidePx);
+    const std::size_t num_pixels = std::size_t{kSidePx} * kSidePx;
     const std::size_t begin = image.size() - 2 * num_pixels;
     for (std::size_t i = 0; i < num_pixels; ++i) {
-      if (i % kSide_px >= kSide_px / 2) continue;
+      if (i % kSidePx >= kSidePx / 2) continue;
       image[begin + 2 * i] = static_cast<char>(number >> 8U);
       image[begin + 2 * i + 1] = static_cast<char>(number & 0xFFU);
     }
@@ -119,7 +119,7 @@ TEST_F(DatasetForms, RotatedDepthIsReadAsTheDescriptionSays) {
   // 2,000 rotated left by 3 bits: 2,000 * 8.
   for (int i = 0; i < 4; ++i)
     write_text(folder_ / ("d/" + test::padded(i, 4) + ".pgm"),
-               test::pgm16(16'000, kSide_px, kSide_px));
+               test::pgm16(16'000, kSidePx, kSidePx));
   const auto reader = opened();
   ASSERT_TRUE(reader) << to_string(reader.error());
   EXPECT_EQ((*reader)->read(0)->depth_m.at(5, 5), 2.0F);

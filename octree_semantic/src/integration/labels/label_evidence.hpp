@@ -85,8 +85,8 @@ class LabelEvidence {
 };
 
 /// Adds the evidence to a voxel's belief: every class of the vector, then the cut to the best
-/// three. When the best exceeds `limit`, all are lowered alike: two classes that a detector confuses
-/// keep their difference.
+/// three. When the best exceeds `limit`, all are lowered alike: two classes that a detector
+/// confuses keep their difference.
 ///
 /// Source: [smap] Eq. (3.18) in log-odds, within +-`limit`.
 void observe(VoxelLabel& label, const VoxelEvidence& evidence, MilliLogOdds limit) noexcept;

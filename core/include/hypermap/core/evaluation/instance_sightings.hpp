@@ -18,7 +18,7 @@ namespace hypermap {
 /// Pixels of a thing in a detection from which on that names it.
 inline constexpr std::size_t kMinNamedPixels = 200;
 /// How far beyond the listed box measured points are still the thing's.
-inline constexpr double kInstanceMargin_m = 0.05;
+inline constexpr double kInstanceMarginM = 0.05;
 
 /// Counts frames. A detection names the thing of its best class that has most of the measured
 /// pixels in its box (of equals the first listed), when those are `kMinNamedPixels` or more.

@@ -28,7 +28,7 @@ struct ConfirmationOptions {
   double same_place_share = 0.5;  ///< Share of the points of the smaller that lie in the other ...
   double same_place_diagonal = 0.4;  ///< ... whose diagonal it has at least this share of.
   /// Both are, when they were detected beside each other in so many frames ...
-  std::uint32_t apart_frames = 4;
+  std::uint32_t apart_frames = 6;
   double apart_share = 0.5;  ///< ... and in this share of those that show the weaker one.
   friend bool operator==(const ConfirmationOptions&, const ConfirmationOptions&) = default;
 };
