@@ -90,6 +90,17 @@ EvaluationJson json_of(const CalibrationReport& report) {
           {"bins", std::move(bins)}};
 }
 
+EvaluationJson json_of(const ObjectOutcome& object) {
+  EvaluationJson truth = nullptr;
+  if (object.true_id) truth = {{"id", *object.true_id}, {"class", object.true_class_name}};
+  return {{"id", object.id},
+          {"class", object.class_name},
+          {"confirmed", object.is_confirmed},
+          {"real_probability", object.real_probability},
+          {"class_probability", object.best_class_probability},
+          {"truth", std::move(truth)}};
+}
+
 }  // namespace
 
 std::string json_text_of(const EvaluationOutcome& outcome) {
@@ -105,6 +116,8 @@ std::string json_text_of(const EvaluationOutcome& outcome) {
   if (!outcome.voxels) json["why_no_voxels"] = outcome.why_no_voxels;
   json["calibration"] = {{"best_class", json_of(outcome.best_class)},
                          {"real", json_of(outcome.real)}};
+  json["objects"] = EvaluationJson::array();
+  for (const ObjectOutcome& object : outcome.objects) json["objects"].push_back(json_of(object));
   if (outcome.against) {
     json["against"] = {{"p_jaccard_greater", number(outcome.against->jaccard.p)},
                        {"p_distance_smaller", number(outcome.against->distance.p)}};

@@ -35,6 +35,7 @@ class ObjectIdentification {
       for (const bool confirmed : {true, false}) assign_round(confirmed, same_class);
     }
     ObjectPredictions predictions;
+    predictions.truth_of = truth_of_;
     for (std::size_t m = 0; m < objects_.size(); ++m) {
       const BelievedObject& object = objects_[m];
       const auto t = truth_of_[m];

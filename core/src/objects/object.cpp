@@ -20,25 +20,6 @@ ClassBelief merged_belief(const Object& a, const Object& b) {
 
 }  // namespace
 
-std::optional<ClassEvidence> best_class(const Object& object) {
-  const auto best = object.belief.best();
-  if (!best) return std::nullopt;
-  for (const ClassEvidence& e : object.belief.distribution()) {
-    if (e.id == best->id) return e;
-  }
-  return std::nullopt;
-}
-
-Probability object_confidence(const Object& object, const ObjectConfidenceOptions& options) {
-  const auto best = object.belief.best();
-  const double tp1 = best ? best->log_odds.probability().value() : 0.0;
-  const double tp2 = object.box_confidence.probability().value();
-  const double tp3 = object.histogram.confidence();
-  const double p = options.rule == ConfidenceRule::kWeighted ? (4.0 * tp1 + tp2 + tp3) / 6.0
-                                                             : tp3 * (4.0 * tp1 + tp2) / 5.0;
-  return Probability(std::clamp(p, 0.0, 1.0));
-}
-
 Result<Polygon> footprint(const Object& object, ShapePolicy policy) {
   if (policy == ShapePolicy::kVoxels) return object.points.footprint();
   std::optional<Polygon> shape =

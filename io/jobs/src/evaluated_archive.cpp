@@ -22,8 +22,9 @@ std::optional<BelievedObject> believed(const Object& object,
                                        bool is_confirmed) {
   const auto best = best_class(object);
   if (!best || !classes.contains(best->id)) return std::nullopt;
-  BelievedObject result{.is_confirmed = is_confirmed,
-                        .real_probability = object.existence.probability().value(),
+  BelievedObject result{.id = object.id.value,
+                        .is_confirmed = is_confirmed,
+                        .real_probability = real_probability(object).value(),
                         .best_class_probability = best->probability.value()};
   result.shape.class_name = classes.name(best->id);
   result.shape.centroid = object.centroid_in_map.head<2>();

@@ -96,11 +96,11 @@ void add_to(std::vector<Prediction>& predictions, const std::vector<Prediction>&
   predictions.insert(predictions.end(), more.begin(), more.end());
 }
 
-/// The predictions of the map and those of the further pairs.
-Result<ObjectPredictions> all_predictions(const EvaluatedArchive& map,
+/// The predictions of the map, and those of the further pairs behind them.
+Result<ObjectPredictions> all_predictions(std::span<const BelievedObject> believed,
                                           const EvaluatedArchive& truth,
                                           const EvaluationJob& job) {
-  ObjectPredictions all = object_predictions(believed_objects(map), truth.objects, job.options);
+  ObjectPredictions all = object_predictions(believed, truth.objects, job.options);
   for (const MapAndTruth& pair : job.also) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other_truth, load_evaluated(pair.truth, source_of(job)));
     HYPERMAP_ASSIGN_OR_RETURN(const auto other_map,
@@ -111,6 +111,27 @@ Result<ObjectPredictions> all_predictions(const EvaluatedArchive& map,
     add_to(all.best_class, more.best_class);
   }
   return all;
+}
+
+/// `predictions` are those of `believed` in its order.
+std::vector<ObjectOutcome> object_outcomes(std::span<const BelievedObject> believed,
+                                           const ObjectPredictions& predictions,
+                                           const EvaluatedArchive& truth) {
+  std::vector<ObjectOutcome> outcomes;
+  outcomes.reserve(believed.size());
+  for (std::size_t i = 0; i < believed.size(); ++i) {
+    const BelievedObject& object = believed[i];
+    ObjectOutcome& outcome =
+        outcomes.emplace_back(ObjectOutcome{.id = object.id,
+                                            .class_name = object.shape.class_name,
+                                            .is_confirmed = object.is_confirmed,
+                                            .real_probability = object.real_probability,
+                                            .best_class_probability = object.best_class_probability});
+    if (!predictions.truth_of[i]) continue;
+    outcome.true_id = truth.ids[*predictions.truth_of[i]];
+    outcome.true_class_name = truth.objects[*predictions.truth_of[i]].class_name;
+  }
+  return outcomes;
 }
 
 bool knows_frames_named(const std::vector<EvaluatedObject>& truth) {
@@ -133,9 +154,12 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions, all_predictions(map, truth, job));
+  const std::vector<BelievedObject> believed = believed_objects(map);
+  HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions,
+                            all_predictions(believed, truth, job));
   outcome.best_class = calibration(predictions.best_class, job.calibration);
   outcome.real = calibration(predictions.real, job.calibration);
+  outcome.objects = object_outcomes(believed, predictions, truth);
   if (job.against) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
     HYPERMAP_ASSIGN_OR_RETURN(

@@ -156,6 +156,7 @@ Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto observations =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
+  for (Observation& observation : observations) observation.num_classes = classes_->size();
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;

@@ -11,11 +11,6 @@ namespace {
 /// A surface is measured so much before or behind where it is.
 constexpr double kSurfaceNoiseM = 0.05;
 
-OwnerLabel label_of(const Object& object, const ClassEvidence& best) {
-  const double is_real = object.existence.probability().value();
-  return {best.id, LogOdds::of(Probability(is_real * best.probability.value()))};
-}
-
 }  // namespace
 
 VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> confirmed) {
@@ -24,7 +19,8 @@ VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> con
     const Object* object = objects.find(id);
     const auto best = object != nullptr ? best_class(*object) : std::nullopt;
     if (!best) continue;
-    owners_.emplace(id, Owner{label_of(*object, *best), grown(object->box, kSurfaceNoiseM)});
+    owners_.emplace(id, Owner{OwnerLabel{best->id, LogOdds::of(object_confidence(*object))},
+                               grown(object->box, kSurfaceNoiseM)});
   }
 }
 

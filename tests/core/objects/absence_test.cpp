@@ -86,6 +86,25 @@ TEST(Absences, NobodyExpectsADetectionFromFartherThanEver) {
   EXPECT_DOUBLE_EQ(existence_after(far, {.expected_range_factor = 0.0}), 4.8);
 }
 
+TEST(Absences, WhatShowsAgainFromFarAwayIsNoLongerLookedThrough) {
+  // Nothing decays by such a look, since no detection is expected: it is recorded all the same.
+  ObjectMap map = map_of_one();
+  const auto run_after = [&map](const VisibilityResult& result) {
+    (void)apply_absences(map, std::array{result}, {});
+    return absence_run(map.at(ObjectId{1}).observation_log).looks;
+  };
+  VisibilityResult far = result_of(Visibility::kVisible);
+  far.distance_m = 4.0;  // it was detected from 2.2 m
+  EXPECT_EQ(run_after(result_of(Visibility::kAbsent)), 1U);
+  EXPECT_EQ(run_after(result_of(Visibility::kAbsent)), 2U);
+  EXPECT_EQ(run_after(result_of(Visibility::kOccluded)), 2U);
+  EXPECT_EQ(run_after(result_of(Visibility::kOutOfView)), 2U);
+  EXPECT_EQ(run_after(far), 0U);
+  const std::size_t entries = map.at(ObjectId{1}).observation_log.state().newest.size();
+  EXPECT_EQ(run_after(far), 0U);
+  EXPECT_EQ(map.at(ObjectId{1}).observation_log.state().newest.size(), entries);
+}
+
 TEST(Absences, WhatNobodyBelievesInIsRemoved) {
   ObjectMap map = map_of_one(1);
   std::vector<ObjectId> removed;

@@ -64,6 +64,22 @@ TEST(Learning, ExistenceIsCapped) {
   EXPECT_DOUBLE_EQ(object.existence.value(), 20.0);
 }
 
+TEST(UpdateObject, TheClassesThatAVectorLeavesOutCount) {
+  // [smap] Eq. (3.18), N = 10 of the combined set: logit(p) - logit(1/10), so that what is named
+  // with 0.15 is likelier than what is not named at all. By the vector's own length, 3, it is not.
+  Observation seen = observed(surface_of(box_at({0, 0, 0.2}, {0.4, 0.4, 0.4})),
+                              {{ClassId{2}, Probability(0.7)},
+                               {ClassId{4}, Probability(0.15)},
+                               {ClassId{6}, Probability(0.15)}});
+  EXPECT_LT(make_object(seen, {}).belief.log_odds(ClassId{4}), LogOdds{});
+  seen.num_classes = 10;
+  const Object object = make_object(seen, {});
+  EXPECT_NEAR(object.belief.log_odds(ClassId{4}).value(),
+              std::log(0.15 / 0.85) - std::log(0.1 / 0.9),
+              1e-12);
+  EXPECT_GT(object.belief.log_odds(ClassId{4}), LogOdds{});
+}
+
 TEST(Association, BearingIsThatOfTheCameraFromTheObject) {
   EXPECT_NEAR(bearing_from_object_rad({1, 1, 0}, {1, 3, 5}), M_PI / 2, 1e-12);
   EXPECT_DOUBLE_EQ(bearing_from_object_rad({1, 1, 0}, {1, 1, 5}), 0.0);

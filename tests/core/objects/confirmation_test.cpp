@@ -63,6 +63,42 @@ TEST(Confirmation, ThreeObservationsAreThree) {
   EXPECT_EQ(confirmed_objects(map, {}), std::vector{ObjectId{2}});
 }
 
+TEST(Confirmation, WhatIsSeenAndSeldomDetectedIsAFalseAlarm) {
+  // Eight detections of one view and 20 frames that show it well without one.
+  ObjectMap map;
+  Object object = seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 8);
+  for (int i = 0; i < 20; ++i) {
+    object.observation_log.add({.frame_index = 8,
+                                .kind = ObservationKind::kMissedDetection,
+                                .visibility = Visibility::kVisible,
+                                .class_id = kSeenCup,
+                                .score = 0.8F});
+  }
+  (void)map.add(std::move(object));
+  EXPECT_TRUE(confirmed_objects(map, {}).empty());
+  EXPECT_EQ(confirmed_objects(map, {.min_real_probability = std::nullopt}).size(), 1U);
+}
+
+TEST(Confirmation, WhatIsGoneIsNotConfirmedUntilItIsDetectedAgain) {
+  ObjectMap map;
+  const ObjectId id = map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 40));
+  const auto num_confirmed = [&map] { return confirmed_objects(map, {}).size(); };
+  for (int look = 1; look <= 5; ++look) {
+    map.modify(id, [look](Object& object) {
+      object.observation_log.add({.frame_index = 100,
+                                  .stamp = Stamp{1'000'000'000LL * look},
+                                  .kind = ObservationKind::kMissedDetection,
+                                  .visibility = Visibility::kAbsent});
+    });
+    EXPECT_EQ(num_confirmed(), look < 5 ? 1U : 0U);
+  }
+  map.modify(id, [](Object& object) {
+    const auto points = surface_of(object.box);
+    update_object(object, observed(points, scores(kSeenCup, 0.8), 200), {});
+  });
+  EXPECT_EQ(num_confirmed(), 1U);
+}
+
 TEST(Confirmation, ASmallThingOnALargeOneIsPublished) {
   ObjectMap map;
   (void)map.add(seen_times(box_at({0, 0, 0.72}, {1.4, 0.8, 0.04}), kSeenOven, 4));
@@ -75,7 +111,7 @@ TEST(Confirmation, TheConfidenceRuleAsksForTheConfidence) {
   // 0.847 of p = 0.7): (3.89 + 0.8) / 6 = 0.78.
   ObjectMap map;
   (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 1));
-  ConfirmationOptions options{.min_existence = std::nullopt,
+  ConfirmationOptions options{.min_real_probability = std::nullopt,
                               .min_confidence = Probability(0.77),
                               .confidence = {ConfidenceRule::kWeighted},
                               .min_observations = 1};

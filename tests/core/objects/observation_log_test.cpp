@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace hypermap {
 namespace {
@@ -50,6 +52,82 @@ TEST(ObservationLog, ItNeverTakesMoreThanSixteenKilobytes) {
                             state.summaries.size() * sizeof(ObservationLogSummary);
   EXPECT_LE(bytes, 16U * 1024U);
   EXPECT_EQ(observation_log.num_detections() + state.num_unsummarised, 10'000U);
+}
+
+ObservationLogEntry not_seen(double at_s, Visibility visibility, float visible_share = 0.0F) {
+  return {.stamp = Stamp{std::llround(1e9 * at_s)},
+          .kind = ObservationKind::kMissedDetection,
+          .visibility = visibility,
+          .score = visible_share};
+}
+
+/// After one detection, looks through the object's place, `step_s` apart.
+ObservationLog looked_through(int looks, double step_s) {
+  ObservationLog log;
+  log.add(seen(0));
+  for (int i = 0; i < looks; ++i) log.add(not_seen(step_s * i, Visibility::kAbsent));
+  return log;
+}
+
+TEST(DetectionRegularity, CountsDetectionsDirectionsAndWhatWasVisibleWithoutOne) {
+  ObservationLog log;
+  log.add(seen(0));
+  log.add(seen(1, ClassId{2}));
+  log.add(seen(2, ClassId{1}, 3.0F));
+  log.add(not_seen(3, Visibility::kVisible, 0.75F));
+  log.add(not_seen(4, Visibility::kPartlyOccluded, 0.5F));
+  EXPECT_EQ(detection_regularity(log),
+            (DetectionRegularity{
+                .num_detections = 3, .num_directions = 2, .missed_visibility = 1.25}));
+  EXPECT_EQ(detection_regularity({}), DetectionRegularity{});
+}
+
+TEST(Gone, AfterFiveClearLooksAndOneSecondWhicheverIsLater) {
+  EXPECT_FALSE(is_gone(looked_through(4, 1.0)));
+  EXPECT_TRUE(is_gone(looked_through(5, 1.0)));
+  EXPECT_FALSE(is_gone(looked_through(5, 0.1))) << "0.4 s";
+  EXPECT_FALSE(is_gone(looked_through(10, 0.1))) << "0.9 s";
+  EXPECT_TRUE(is_gone(looked_through(11, 0.1))) << "1 s";
+}
+
+TEST(Gone, ALookThatShowsItThereBeginsAnew) {
+  for (const Visibility shown : {Visibility::kVisible, Visibility::kPartlyOccluded}) {
+    ObservationLog log = looked_through(9, 1.0);
+    log.add(not_seen(9.0, shown, 0.5F));
+    EXPECT_FALSE(is_gone(log));
+    for (int i = 0; i < 4; ++i) log.add(not_seen(10.0 + i, Visibility::kAbsent));
+    EXPECT_EQ(absence_run(log), (AbsenceRun{4, Stamp{10'000'000'000}, Stamp{13'000'000'000}}));
+    EXPECT_FALSE(is_gone(log));
+  }
+}
+
+TEST(Gone, ADetectionBringsItBack) {
+  ObservationLog log = looked_through(9, 1.0);
+  log.add(seen(20));
+  EXPECT_EQ(absence_run(log), AbsenceRun{});
+  EXPECT_FALSE(is_gone(log));
+}
+
+TEST(Gone, NoMoreLooksAreAskedForThanAreKept) {
+  EXPECT_FALSE(is_gone(looked_through(63, 0.001)));
+  EXPECT_TRUE(is_gone(looked_through(64, 0.001)));
+}
+
+TEST(Gone, NoLooksMeansNever) {
+  EXPECT_FALSE(is_gone(looked_through(60, 1.0), {.looks = 0}));
+  EXPECT_TRUE(is_gone(looked_through(2, 0.0), {.looks = 2, .seconds = 0.0}));
+}
+
+TEST(Gone, StampsOfAFileMayBeAnyNumbers) {
+  ObservationLog log;
+  constexpr auto kLowest = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kLargest = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t ns : {kLowest, kLowest, kLowest, kLowest, kLargest}) {
+    ObservationLogEntry entry = not_seen(0.0, Visibility::kAbsent);
+    entry.stamp = Stamp{ns};
+    log.add(entry);
+  }
+  EXPECT_TRUE(is_gone(log));
 }
 
 TEST(ObservationLog, MergingKeepsTheOrderOfFrames) {

@@ -9,11 +9,13 @@
 namespace hypermap {
 namespace {
 
-/// Source: [smap] Eq. (3.18); N is the number of classes in the vector.
+/// Source: [smap] Eq. (3.18); N is the number of classes of the combined set, of which a vector may
+/// name a part.
 void update_belief(Object& object, const Observation& observation) {
-  const double num_classes =
-      std::max<double>(2.0, static_cast<double>(observation.class_scores.size()));
-  object.belief.observe(observation.class_scores, Probability(1.0 / num_classes));
+  const std::size_t num_classes =
+      std::max({std::size_t{2}, observation.class_scores.size(), observation.num_classes});
+  object.belief.observe(observation.class_scores,
+                        Probability(1.0 / static_cast<double>(num_classes)));
 }
 
 /// Source: [smap] Eq. (3.20), (3.21): the more confident the track, the less one observation moves

@@ -85,6 +85,14 @@ void record(Object& object,
                               .effect = static_cast<float>(-decay.existence.value())});
 }
 
+/// Whether the object shows again, or its place is at least not seen through, after clear looks
+/// through it: an entry of the log, though nothing decays by it.
+bool ends_absence(const Object& object, const VisibilityResult& result) {
+  const bool is_there = result.state == Visibility::kVisible ||
+                        (result.state == Visibility::kPartlyOccluded && result.visible_fraction > 0);
+  return is_there && absence_run(object.observation_log).looks > 0;
+}
+
 /// C.3 of [smap] figure 3.23.
 bool is_to_be_removed(const Object& object, const AbsenceOptions& options) {
   return options.removal == RemovalRule::kExistence
@@ -108,7 +116,8 @@ AbsenceReport apply_absences(ObjectMap& objects,
     const bool is_detected = std::binary_search(detected.begin(), detected.end(), result.object);
     if (is_detected && options.spare_seen) continue;
     const Decay decay = decay_for(*object, result, options);
-    if (decay.existence == LogOdds{} && decay.absence == 0.0) continue;
+    const bool has_effect = decay.existence != LogOdds{} || decay.absence != 0.0;
+    if (!has_effect && !ends_absence(*object, result)) continue;
     objects.modify(result.object, [&](Object& weakened) {  // step 8
       weaken(weakened, result, decay, options);
       record(weakened, result, decay, frame_index, stamp);

@@ -15,6 +15,7 @@ using Belief = ClassBeliefOptions;
 using Histogram = VisibilityHistogramOptions;
 
 constexpr std::string_view kSaturationNames[] = {"clamp", "shift"};
+constexpr std::string_view kTemperingNames[] = {"none", "views"};
 
 /// The presets have the printed bounds where the default of an object's belief is wider.
 constexpr OptionRow kBeliefRows[] = {
@@ -38,6 +39,12 @@ constexpr OptionRow kBeliefRows[] = {
         {.effect = "What happens at the bound: each class stops, or all are shifted.",
          .smap = Saturation::kClamp,
          .hypermap = Saturation::kClamp}),
+    option::choice<&Belief::tempering>(
+        "tempering",
+        kTemperingNames,
+        {.effect = "What the probability of a class is read from: the sum, or views.",
+         .smap = ClassTempering::kNone,
+         .hypermap = ClassTempering::kNone}),
 };
 
 constexpr OptionRow kHistogramRows[] = {

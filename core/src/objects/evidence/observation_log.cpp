@@ -2,6 +2,7 @@
 #include "hypermap/core/objects/observation_log.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -121,6 +122,42 @@ std::uint64_t ObservationLog::num_detections(std::optional<ClassId> class_id) co
     if (counts) count += s.count;
   }
   return count;
+}
+
+DetectionRegularity detection_regularity(const ObservationLog& log) {
+  DetectionRegularity regularity;
+  std::bitset<ObservationLog::kNumBearingBins> directions;
+  for (const ObservationLogSummary& s : log.state().summaries) {
+    if (s.kind == ObservationKind::kDetection) {
+      regularity.num_detections += s.count;
+      directions.set(s.bearing_bin);
+    } else {
+      regularity.missed_visibility += static_cast<double>(s.score_sum);
+    }
+  }
+  regularity.num_directions = static_cast<int>(directions.count());
+  return regularity;
+}
+
+AbsenceRun absence_run(const ObservationLog& log) {
+  const auto& newest = log.state().newest;
+  const auto begin =
+      std::find_if(newest.rbegin(), newest.rend(), [](const ObservationLogEntry& entry) {
+        return entry.visibility != Visibility::kAbsent;
+      }).base();
+  if (begin == newest.end()) return {};
+  return {.looks = static_cast<std::uint32_t>(newest.end() - begin),
+          .first = begin->stamp,
+          .last = newest.back().stamp};
+}
+
+bool is_gone(const ObservationLog& log, const GoneRule& rule) {
+  const AbsenceRun run = absence_run(log);
+  if (rule.looks == 0 || run.looks < rule.looks) return false;
+  // As doubles: the difference of two stamps from a file may be no int64.
+  const double seconds =
+      1e-9 * (static_cast<double>(run.last.ns) - static_cast<double>(run.first.ns));
+  return run.looks >= ObservationLog::kMaxNewest || seconds >= rule.seconds;
 }
 
 std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {

@@ -13,15 +13,16 @@ using Confirmation = ConfirmationOptions;
 
 constexpr std::string_view kVisibilityNames[] = {"rays", "hull", "panels"};
 constexpr std::string_view kRemovalNames[] = {"existence", "confidence"};
-constexpr std::string_view kConfidenceNames[] = {"weighted", "multiplied"};
+constexpr std::string_view kConfidenceNames[] = {"real_and_class", "weighted", "multiplied"};
 
 constexpr OptionRow kConfidenceRows[] = {
     option::choice<&ObjectConfidenceOptions::rule>(
         "rule",
         kConfidenceNames,
         {.source = "[smap] Eq. (3.27)",
-         .effect = "How the terms of the object confidence are combined.",
-         .smap = ConfidenceRule::kWeighted}),
+         .effect = "What an object's confidence is.",
+         .smap = ConfidenceRule::kWeighted,
+         .hypermap = ConfidenceRule::kMultiplied}),
 };
 
 /// [smap] has no existence, attenuates what is partly occluded and decays a little what is hidden,
@@ -100,6 +101,18 @@ constexpr OptionRow kAbsenceRows[] = {
         {.effect = "Share of panels before the box that means occluded."}),
 };
 
+/// The sources lower an existence, or a confidence, instead.
+constexpr OptionRow kGoneRows[] = {
+    option::count<&GoneRule::looks>(
+        "looks",
+        {0, ObservationLog::kMaxNewest},
+        {.effect = "Clear looks through its place in a row that end an object; 0: none do.",
+         .smap = 0,
+         .hypermap = 0}),
+    option::number<&GoneRule::seconds>(
+        "seconds", {0, 3600}, {.unit = "s", .effect = "Time over which they are, at least."}),
+};
+
 constexpr OptionRow kPublicationRows[] = {
     option::number<&Confirmation::min_existence>("min_existence",
                                                  {-1000, 1000},
@@ -108,6 +121,14 @@ constexpr OptionRow kPublicationRows[] = {
                                                   .effect = "Published above; none: not asked.",
                                                   .smap = kNoValue,
                                                   .hypermap = 2.0}),
+    option::number<&Confirmation::min_real_probability>(
+        "min_real_probability",
+        {0, 1},
+        {.unit = "probability",
+         .effect = "Probability of being real, from here on; none: not asked.",
+         .smap = kNoValue,
+         .hypermap = kNoValue}),
+    option::section<&Confirmation::gone>("gone"),
     option::number<&Confirmation::min_confidence>(
         "min_confidence",
         {0, 1},
@@ -141,6 +162,11 @@ constexpr OptionRow kPublicationRows[] = {
 
 const OptionTable& option_table(const ObjectConfidenceOptions&) {
   static constexpr OptionTable kTable{kConfidenceRows};
+  return kTable;
+}
+
+const OptionTable& option_table(const GoneRule&) {
+  static constexpr OptionTable kTable{kGoneRows};
   return kTable;
 }
 

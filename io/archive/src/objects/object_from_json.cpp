@@ -27,8 +27,19 @@ Result<ClassLogOdds> parse_class(const JsonNode& node) {
   return ClassLogOdds{.id = ClassId{id}, .log_odds = LogOdds(log_odds)};
 }
 
+/// An older file, which does not say it, means the sum.
+Result<ClassTempering> tempering_at(const JsonNode& belief) {
+  const auto tempering = belief.find("tempering");
+  if (!tempering) return ClassTempering::kNone;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string_view name, tempering->string());
+  if (name != "none" && name != "views")
+    return tempering->error(ErrorCode::kMalformedFile, "expected none or views");
+  return name == "none" ? ClassTempering::kNone : ClassTempering::kViews;
+}
+
 Result<ClassBelief> parse_belief(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"max_log_odds", "min_log_odds", "saturation", "classes"}));
+  HYPERMAP_TRY(
+      expect_keys(node, {"max_log_odds", "min_log_odds", "saturation", "classes"}, {"tempering"}));
   ClassBeliefOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.max_log_odds, log_odds_at(node, "max_log_odds"));
   HYPERMAP_ASSIGN_OR_RETURN(options.min_log_odds, log_odds_at(node, "min_log_odds"));
@@ -37,6 +48,7 @@ Result<ClassBelief> parse_belief(const JsonNode& node) {
   if (name != "clamp" && name != "shift")
     return saturation.error(ErrorCode::kMalformedFile, "expected clamp or shift");
   options.saturation = name == "clamp" ? Saturation::kClamp : Saturation::kShift;
+  HYPERMAP_ASSIGN_OR_RETURN(options.tempering, tempering_at(node));
   HYPERMAP_ASSIGN_OR_RETURN(auto entries, list_at(node, "classes", parse_class));
   return validated(node, ClassBelief::from_entries(options, std::move(entries)));
 }

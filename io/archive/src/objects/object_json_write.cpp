@@ -66,6 +66,7 @@ class ObjectWriter {
         {{"max_log_odds", number(options.max_log_odds)},
          {"min_log_odds", number(options.min_log_odds)},
          {"saturation", options.saturation == Saturation::kClamp ? "\"clamp\"" : "\"shift\""},
+         {"tempering", options.tempering == ClassTempering::kNone ? "\"none\"" : "\"views\""},
          {"classes", json_array(belief.entries(), [this](const ClassLogOdds& entry) {
             return "[" + count(entry.id.value) + "," + number(entry.log_odds) + "]";
           })}});

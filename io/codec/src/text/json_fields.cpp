@@ -7,12 +7,17 @@
 
 namespace hypermap {
 
-Result<void> expect_keys(const JsonNode& object, std::initializer_list<std::string_view> keys) {
+Result<void> expect_keys(const JsonNode& object,
+                         std::initializer_list<std::string_view> keys,
+                         std::initializer_list<std::string_view> optional) {
+  const auto is_in = [](std::initializer_list<std::string_view> names, std::string_view key) {
+    return std::find(names.begin(), names.end(), key) != names.end();
+  };
   HYPERMAP_TRY(object.expect(JsonKind::kObject));
   for (const std::string_view key : keys) HYPERMAP_TRY(object.require(key));
   for (std::size_t i = 0; i < object.size(); ++i) {
     const JsonNode member = object.at(i);
-    if (std::find(keys.begin(), keys.end(), member.key()) == keys.end())
+    if (!is_in(keys, member.key()) && !is_in(optional, member.key()))
       return member.error(ErrorCode::kMalformedFile, "unknown key");
   }
   return {};

@@ -8,6 +8,9 @@
 #include "hypermap/core/evaluation/calibration.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +18,7 @@ namespace hypermap {
 
 /// An object with what the map believes of it; `shape.class_name` is its best class.
 struct BelievedObject {
+  std::uint64_t id = 0;
   EvaluatedObject shape = {};
   bool is_confirmed = false;
   double real_probability = 0.0;        ///< That it exists.
@@ -24,6 +28,8 @@ struct BelievedObject {
 struct ObjectPredictions {
   std::vector<Prediction> real;        ///< Of all objects.
   std::vector<Prediction> best_class;  ///< Of confirmed objects that are real and can be named.
+  /// Which true object each object is; none: it is false, or a duplicate.
+  std::vector<std::optional<std::size_t>> truth_of;
 };
 
 /// An object is real when it is assigned a true one, excluded ones included. Assigned at most once,

@@ -28,7 +28,7 @@ struct OptionTable;
 /// One detected and segmented object of one frame.
 struct Observation {
   Segment segment;
-  /// Full class vector, sorted by id, summing to 1.
+  /// Class vector, sorted by id, summing to 1.
   std::vector<ClassEvidence> class_scores;
   Probability score;  ///< Of the detection.
   DetectorId detector;
@@ -36,6 +36,9 @@ struct Observation {
   double distance_m = 0.0;   ///< From the camera to the segment's centroid.
   Stamp stamp;
   std::uint64_t frame_index = 0;
+  /// Classes of the combined set, all that any detector can name now; at least those of
+  /// `class_scores` and two count.
+  std::size_t num_classes = 0;
 };
 
 /// What a detection and its segment say about the map, seen from the frame's camera.

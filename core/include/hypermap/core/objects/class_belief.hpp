@@ -29,6 +29,14 @@ enum class Saturation {
   kShift,
 };
 
+/// How the probability of a class is read from what was observed; see class_distribution(Object).
+enum class ClassTempering {
+  /// From the sum of the log-odds: each observation is independent. Source: [smap] Eq. (3.18).
+  kNone,
+  /// From how often each class was named in each view. Ours: frames of one view err alike.
+  kViews,
+};
+
 struct ClassBeliefOptions {
   /// Evidence saturates here, so a wrong belief can still be overturned.
   LogOdds max_log_odds{10.0};
@@ -36,6 +44,8 @@ struct ClassBeliefOptions {
   LogOdds min_log_odds{-10.0};
   /// Deviation: the sources clamp; test ASimilarClassNeverCatchesUpWhenTheBeliefShifts.
   Saturation saturation = Saturation::kShift;
+  /// Deviation: the sources read the sum.
+  ClassTempering tempering = ClassTempering::kViews;
 
   friend bool operator==(const ClassBeliefOptions&, const ClassBeliefOptions&) = default;
 };

@@ -18,7 +18,11 @@ struct OptionTable;
 
 struct ConfirmationOptions {
   /// Existence must be above. None: no condition.
-  std::optional<LogOdds> min_existence = LogOdds(2.5);
+  std::optional<LogOdds> min_existence = std::nullopt;
+  /// P(real) must not be below. None: no condition. Deviation: the sources ask for existence or
+  /// confidence, which do not know how often a detection was to be expected.
+  std::optional<Probability> min_real_probability = Probability(0.5);
+  GoneRule gone = {};  ///< What is gone is not confirmed.
   /// Object confidence must not be below, o_valid. None: no condition.
   std::optional<Probability> min_confidence = std::nullopt;
   ObjectConfidenceOptions confidence = {};

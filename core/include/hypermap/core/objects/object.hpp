@@ -50,26 +50,48 @@ struct Object {
   friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// The class that an object most likely is, with the share that class has of the whole belief;
-/// none without any evidence.
+/// The probability of each class, in ascending order of ids; sums to 1, empty without any evidence.
+///
+/// Tempering none: the belief's distribution. Views, ours: with s(c, v) the share of the detections
+/// of view v (a bearing bin of the observation log) that named class c, and n(v) their number,
+/// p(c) ~ (sum over v of sqrt(n(v)) s(c, v))^2, and 0.2 for all classes together that are in the
+/// belief and were never named. So frames of one view do not erase what other views, or fewer of
+/// its frames, say. Source: docs/EVALUATION.md, "Calibration".
+/// Boundary: without recorded detections, the belief's distribution.
+/// Cost: linear in classes, and in summaries of the log times their logarithm.
+[[nodiscard]] std::vector<ClassEvidence> class_distribution(const Object& object);
+
+/// The class that an object most likely is and its share of `class_distribution`: of equals the one
+/// most believed in, then the lowest id. None without any evidence.
 [[nodiscard]] std::optional<ClassEvidence> best_class(const Object& object);
 
-/// How the three terms of the object confidence are combined.
+/// Probability that a detected object is one real object, not a false alarm or a part of another:
+/// logistic in how often, from how many directions it was detected, and how visible it was when it
+/// was not. An object that is gone (GoneRule's defaults) has the odds e^-looks at most.
+///
+/// Source: ours; the coefficients are fitted, see docs/EVALUATION.md, "Calibration".
+/// Boundary: without recorded detections, the probability of its existence.
+/// Cost: linear in the log's summaries.
+[[nodiscard]] Probability real_probability(const Object& object);
+
+/// How sure an object is.
 enum class ConfidenceRule {
-  kWeighted,    ///< (4 tp1 + tp2 + tp3) / 6. Source: [smap] Eq. (3.27), table D.2.
-  kMultiplied,  ///< tp3 (4 tp1 + tp2) / 5. Source: [smap] chapter 6, future work.
+  kRealAndClass,  ///< P(real) times that of its best class. Ours.
+  kWeighted,      ///< (4 tp1 + tp2 + tp3) / 6. Source: [smap] Eq. (3.27), table D.2.
+  kMultiplied,    ///< tp3 (4 tp1 + tp2) / 5. Source: [smap] chapter 6, future work.
 };
 
 struct ObjectConfidenceOptions {
-  ConfidenceRule rule = ConfidenceRule::kMultiplied;
+  ConfidenceRule rule = ConfidenceRule::kRealAndClass;
   friend bool operator==(const ObjectConfidenceOptions&, const ObjectConfidenceOptions&) = default;
 };
 [[nodiscard]] const OptionTable& option_table(const ObjectConfidenceOptions& options);
 
-/// How sure the map is of an object: tp1 = probability of the best class, tp2 = that of the box,
-/// tp3 = confidence of the visibility histogram.
+/// How sure the map is of an object. Rules weighted and multiplied: tp1 = probability of the best
+/// class, tp2 = that of the box, tp3 = confidence of the visibility histogram.
 ///
-/// Source: [smap] Eq. (3.27), table D.2. Boundary: tp1 is 0 when no class was ever named.
+/// Source: [smap] Eq. (3.27), table D.2. Boundary: tp1, and that of real and class, is 0 when no
+/// class was ever named.
 [[nodiscard]] Probability object_confidence(const Object& object,
                                             const ObjectConfidenceOptions& options = {});
 

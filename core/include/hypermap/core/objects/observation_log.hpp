@@ -17,6 +17,8 @@
 
 namespace hypermap {
 
+struct OptionTable;
+
 /// What one frame shows of the place where an object should be.
 enum class Visibility : std::uint8_t {
   kOutOfView,       ///< Outside the image or the range.
@@ -102,6 +104,36 @@ static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
                       sizeof(ObservationLog) <=
                   std::size_t{16} * 1024,
               "an observation log takes at most 16 KB");
+
+/// How regularly a log's object was detected, from the sums over all its entries.
+struct DetectionRegularity {
+  std::uint64_t num_detections = 0;
+  int num_directions = 0;  ///< Bearing bins with a detection.
+  /// Sum of the visible shares of the frames that should have shown it to the detector and did not.
+  double missed_visibility = 0.0;
+  friend bool operator==(const DetectionRegularity&, const DetectionRegularity&) = default;
+};
+[[nodiscard]] DetectionRegularity detection_regularity(const ObservationLog& log);
+
+/// The newest entries of a log in which the camera looks through the object's place, one after the
+/// other; whatever shows it there, detected or not, ends them.
+struct AbsenceRun {
+  std::uint32_t looks = 0;
+  Stamp first = {};  ///< Stamps of the first and the last of them.
+  Stamp last = {};
+  friend bool operator==(const AbsenceRun&, const AbsenceRun&) = default;
+};
+[[nodiscard]] AbsenceRun absence_run(const ObservationLog& log);
+
+/// When an object is gone: so many clear looks through its place in a row, over so long a time.
+/// One frame of false depth is one look; frames in which something hides the place are none.
+struct GoneRule {
+  std::uint32_t looks = 5;  ///< 0: never. At most ObservationLog::kMaxNewest.
+  double seconds = 1.0;     ///< Not asked of a run of kMaxNewest looks, the most that are kept.
+  friend bool operator==(const GoneRule&, const GoneRule&) = default;
+};
+[[nodiscard]] const OptionTable& option_table(const GoneRule& rule);
+[[nodiscard]] bool is_gone(const ObservationLog& log, const GoneRule& rule = {});
 
 /// Frames in whose detections both logs had one of their own, of those that both still hold. Two
 /// objects with such frames were told apart by a detector.

@@ -18,9 +18,11 @@
 
 namespace hypermap {
 
-/// Errors: kMalformedFile for a key that is not in `keys` or one of them that is missing.
+/// Errors: kMalformedFile for a key that is neither in `keys` nor in `optional`, or one of `keys`
+/// that is missing.
 [[nodiscard]] Result<void> expect_keys(const JsonNode& object,
-                                       std::initializer_list<std::string_view> keys);
+                                       std::initializer_list<std::string_view> keys,
+                                       std::initializer_list<std::string_view> optional = {});
 /// Errors: kMalformedFile unless it is an array of `size`.
 [[nodiscard]] Result<void> expect_array(const JsonNode& array, std::size_t size);
 

@@ -10,6 +10,7 @@
 #include "hypermap/core/evaluation/voxel_evaluation.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -41,6 +42,17 @@ struct VoxelOutcome {
   std::optional<double> surface_covered = std::nullopt;
 };
 
+/// One object of the map, what it says of itself, and which true object it is.
+struct ObjectOutcome {
+  std::uint64_t id = 0;
+  std::string class_name = {};
+  bool is_confirmed = false;
+  double real_probability = 0.0;        ///< That it exists.
+  double best_class_probability = 0.0;  ///< That it is of its class.
+  std::optional<std::uint64_t> true_id = {};  ///< None: it is false, or a duplicate.
+  std::string true_class_name = {};           ///< Empty without one.
+};
+
 struct EvaluationOutcome {
   EvaluationReport report = {};
   std::optional<MapComparison> against =
@@ -51,6 +63,7 @@ struct EvaluationOutcome {
   bool knows_frames_named = false;
   CalibrationReport best_class = {};  ///< P(best class) of the map's confirmed objects.
   CalibrationReport real = {};        ///< P(real) of all its objects.
+  std::vector<ObjectOutcome> objects = {};  ///< Of the map alone, tentative ones too, by id.
 };
 
 /// Errors: those of load_archive, validate(EvaluationOptions) and validate(CalibrationOptions);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an object's evidence says with which probability.
+#include "hypermap/core/objects/object.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace hypermap {
+namespace {
+
+/// Coefficients of P(real), of the natural logarithms of what they are named after. Fitted by
+/// `scripts/fit_real_probability` to rooms and seeds that no reported figure is of.
+constexpr double kRealIntercept = -2.24;
+constexpr double kRealPerDetections = 2.59;
+constexpr double kRealPerDirections = 2.14;
+constexpr double kRealPerMissedVisibility = -2.20;  ///< Of 1 + it.
+
+/// Weight of all classes together that no detection named.
+constexpr double kNeverNamed = 0.2;
+
+using DirectionCounts = std::array<std::uint64_t, ObservationLog::kNumBearingBins>;
+
+/// Detections of each class in each direction.
+std::map<ClassId, DirectionCounts> named_classes(const ObservationLog& log) {
+  std::map<ClassId, DirectionCounts> counts;
+  for (const ObservationLogSummary& s : log.state().summaries) {
+    if (s.kind == ObservationKind::kDetection) counts[s.class_id][s.bearing_bin] += s.count;
+  }
+  return counts;
+}
+
+/// The square of what the views say: each has the square root of its detections to share out.
+double weight_of(const DirectionCounts& of_class, const DirectionCounts& of_all) {
+  double sum = 0.0;
+  for (std::size_t view = 0; view < of_all.size(); ++view) {
+    if (of_class[view] == 0) continue;
+    sum += static_cast<double>(of_class[view]) / std::sqrt(static_cast<double>(of_all[view]));
+  }
+  return sum * sum;
+}
+
+/// Classes of the belief and of the log, each once, ascending, with weights that need not sum to 1.
+std::map<ClassId, double> view_weights(const Object& object) {
+  const auto named = named_classes(object.observation_log);
+  DirectionCounts of_all{};
+  for (const auto& [id, counts] : named) {
+    for (std::size_t view = 0; view < counts.size(); ++view) of_all[view] += counts[view];
+  }
+  std::map<ClassId, double> weights;
+  std::size_t num_never_named = 0;
+  for (const ClassLogOdds& entry : object.belief.entries()) {
+    num_never_named += named.contains(entry.id) ? 0U : 1U;
+    weights.emplace(entry.id, 0.0);
+  }
+  for (auto& [id, weight] : weights) weight = kNeverNamed / static_cast<double>(num_never_named);
+  for (const auto& [id, counts] : named) weights[id] = weight_of(counts, of_all);
+  return weights;
+}
+
+bool has_detections(const ObservationLog& log) {
+  return std::ranges::any_of(log.state().summaries, [](const ObservationLogSummary& s) {
+    return s.kind == ObservationKind::kDetection;
+  });
+}
+
+double share_of_best(const Object& object) {
+  const auto best = best_class(object);
+  return best ? best->probability.value() : 0.0;
+}
+
+}  // namespace
+
+std::vector<ClassEvidence> class_distribution(const Object& object) {
+  const bool by_views = object.belief.options().tempering == ClassTempering::kViews;
+  if (!by_views || !has_detections(object.observation_log)) return object.belief.distribution();
+  const auto weights = view_weights(object);
+  double sum = 0.0;
+  for (const auto& [id, weight] : weights) sum += weight;
+  std::vector<ClassEvidence> distribution;
+  distribution.reserve(weights.size());
+  for (const auto& [id, weight] : weights) {
+    distribution.push_back({id, Probability(std::min(1.0, weight / sum))});
+  }
+  return distribution;
+}
+
+std::optional<ClassEvidence> best_class(const Object& object) {
+  const std::vector<ClassEvidence> classes = class_distribution(object);
+  if (classes.empty()) return std::nullopt;
+  const auto rank = [&](const ClassEvidence& c) {
+    return std::tuple(c.probability, object.belief.log_odds(c.id));
+  };
+  return *std::ranges::max_element(
+      classes, [&](const ClassEvidence& a, const ClassEvidence& b) { return rank(a) < rank(b); });
+}
+
+Probability real_probability(const Object& object) {
+  const DetectionRegularity seen = detection_regularity(object.observation_log);
+  if (seen.num_detections == 0) return object.existence.probability();
+  double log_odds = kRealIntercept +
+                    kRealPerDetections * std::log(static_cast<double>(seen.num_detections)) +
+                    kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
+                    kRealPerMissedVisibility * std::log1p(seen.missed_visibility);
+  if (is_gone(object.observation_log)) {
+    const double looks = absence_run(object.observation_log).looks;
+    log_odds = std::min(log_odds, -looks);
+  }
+  return LogOdds(log_odds).probability();
+}
+
+Probability object_confidence(const Object& object, const ObjectConfidenceOptions& options) {
+  if (options.rule == ConfidenceRule::kRealAndClass) {
+    return Probability(real_probability(object).value() * share_of_best(object));
+  }
+  const auto best = object.belief.best();
+  const double tp1 = best ? best->log_odds.probability().value() : 0.0;
+  const double tp2 = object.box_confidence.probability().value();
+  const double tp3 = object.histogram.confidence();
+  const double p = options.rule == ConfidenceRule::kWeighted ? (4.0 * tp1 + tp2 + tp3) / 6.0
+                                                             : tp3 * (4.0 * tp1 + tp2) / 5.0;
+  return Probability(std::clamp(p, 0.0, 1.0));
+}
+
+}  // namespace hypermap

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fits P(real), `real_probability` of the library, to maps whose objects were held against the truth.
+
+Usage: fit_real_probability.py FOLDER, with pairs of a map NAME.hmap and the report NAME.json that `hypermap eval --json` writes of it.
+Prints a coefficient a line: of a constant, and of the natural logarithms of the detections, of the directions from which
+they came, and of 1 + the visibility in frames without one, all as the observation log of an object sums them up."""
+
+import json
+import math
+import pathlib
+import sys
+import zipfile
+
+DETECTION = 0
+NAMES = ("intercept", "per detections", "per directions", "per missed visibility")
+
+
+def features(log):
+    """Of one observation log as objects.jsonl has it; None when nothing was ever detected. A row of its sums is: kind,
+    detector, class, bearing bin, count, sum of scores, sum of effects, last frame."""
+    detections = [row for row in log["summaries"] if row[0] == DETECTION]
+    missed = sum(row[5] for row in log["summaries"] if row[0] != DETECTION)
+    if not detections:
+        return None
+    count = sum(row[4] for row in detections)
+    directions = len({row[3] for row in detections})
+    return [1.0, math.log(count), math.log(directions), math.log1p(missed)]
+
+
+def cases_of(map_path, report_path):
+    """Features and whether the object is real, of each object of a map."""
+    is_real = {row["id"]: row["truth"] is not None for row in json.loads(report_path.read_text())["objects"]}
+    with zipfile.ZipFile(map_path) as archive:
+        lines = archive.read("objects.jsonl").decode().splitlines()[1:]
+    objects = [json.loads(line) for line in lines]
+    cases = [(features(o["ledger"]), is_real[o["id"]]) for o in objects if o["id"] in is_real]
+    return [case for case in cases if case[0] is not None]
+
+
+def solved(matrix, right):
+    """The solution of a system of linear equations, by elimination with pivots."""
+    rows = [list(row) + [value] for row, value in zip(matrix, right)]
+    n = len(rows)
+    for i in range(n):
+        pivot = max(range(i, n), key=lambda k: abs(rows[k][i]))
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for k in range(n):
+            if k != i:
+                factor = rows[k][i] / rows[i][i]
+                rows[k] = [a - factor * b for a, b in zip(rows[k], rows[i])]
+    return [row[n] / row[i] for i, row in enumerate(rows)]
+
+
+def fitted(cases, penalty=0.01):
+    """Coefficients of the logistic regression with the least penalised loss, by Newton's method."""
+    n = len(cases[0][0])
+    weights = [0.0] * n
+    for _ in range(50):
+        gradient = [penalty * w for w in weights]
+        curvature = [[penalty if i == k else 0.0 for k in range(n)] for i in range(n)]
+        for x, truth in cases:
+            p = 1.0 / (1.0 + math.exp(-max(-30.0, min(30.0, sum(w * v for w, v in zip(weights, x))))))
+            for i in range(n):
+                gradient[i] += (p - truth) * x[i]
+                for k in range(n):
+                    curvature[i][k] += p * (1.0 - p) * x[i] * x[k]
+        step = solved(curvature, gradient)
+        weights = [w - s for w, s in zip(weights, step)]
+        if max(abs(s) for s in step) < 1e-9:
+            break
+    return weights
+
+
+def main(folder):
+    cases = []
+    for report in sorted(pathlib.Path(folder).glob("*.json")):
+        cases += cases_of(report.with_suffix(".hmap"), report)
+    real = sum(truth for _, truth in cases)
+    print(f"{len(cases)} objects, {real} of them real")
+    for name, weight in zip(NAMES, fitted(cases)):
+        print(f"{name}: {weight:.2f}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        sys.exit(0 if len(sys.argv) == 2 else 4)
+    main(sys.argv[1])
