@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
+#include "common_cells.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "point_votes.hpp"
 
@@ -8,6 +9,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +19,9 @@ namespace {
 
 /// From so many observations on, a cell that only one of them saw is a stray.
 constexpr std::uint32_t kNumToOutvoteOne = 4;
+
+constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
 
 void widen(OccupancyVotesState& state) {
   state.votes = widened(state.votes);
@@ -45,6 +50,28 @@ std::uint32_t votes_needed(const OccupancyVotesState& state,
   return std::max(least, static_cast<std::uint32_t>(needed));
 }
 
+CellAgreement agreement_of(const OccupancyVotesState& state, const OccupancyVotesOptions& options) {
+  CellAgreement out;
+  out.typical_votes = typical_votes_of(state);
+  out.votes_needed = votes_needed(state, out.typical_votes, options);
+  PointCell low{kHighest, kHighest, kHighest};
+  PointCell high{kLowest, kLowest, kLowest};
+  for (const auto& [cell, votes] : state.votes) {
+    const bool counts = votes >= out.votes_needed;
+    out.num_cells += counts ? 1U : 0U;
+    low.x = std::min(low.x, counts ? cell.x : kHighest);
+    low.y = std::min(low.y, counts ? cell.y : kHighest);
+    low.z = std::min(low.z, counts ? cell.z : kHighest);
+    high.x = std::max(high.x, counts ? cell.x : kLowest);
+    high.y = std::max(high.y, counts ? cell.y : kLowest);
+    high.z = std::max(high.z, counts ? cell.z : kLowest);
+  }
+  if (out.num_cells == 0) return out;
+  out.low = low;
+  out.high = high;
+  return out;
+}
+
 /// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
 void make_room(OccupancyVotesState& state, const OccupancyVotesOptions& options) {
   while (state.votes.size() > options.max_cells) {
@@ -66,30 +93,6 @@ void make_room(OccupancyVotesState& state, const OccupancyVotesOptions& options)
   }
 }
 
-/// Lowest and highest cell on each axis. Requires: not empty.
-struct CellBounds {
-  PointCell low;
-  PointCell high;
-
-  [[nodiscard]] bool contains(const PointCell& cell) const {
-    return low.x <= cell.x && cell.x <= high.x && low.y <= cell.y && cell.y <= high.y &&
-           low.z <= cell.z && cell.z <= high.z;
-  }
-};
-
-CellBounds bounds_of(std::span<const PointVote> votes) {
-  CellBounds bounds{votes.front().cell, votes.front().cell};
-  for (const auto& [cell, count] : votes) {
-    bounds.low = {std::min(bounds.low.x, cell.x),
-                  std::min(bounds.low.y, cell.y),
-                  std::min(bounds.low.z, cell.z)};
-    bounds.high = {std::max(bounds.high.x, cell.x),
-                   std::max(bounds.high.y, cell.y),
-                   std::max(bounds.high.z, cell.z)};
-  }
-  return bounds;
-}
-
 /// How often the edge `fine_m` doubles up to `coarse_m`.
 int num_doublings(double fine_m, double coarse_m) {
   int count = 0;
@@ -97,41 +100,59 @@ int num_doublings(double fine_m, double coarse_m) {
   return count;
 }
 
-/// For each cell of `finer` the position of the cell of `coarser` around it, where there is one.
-template <class Visit>
-void for_each_common_cell(const OccupancyVotesState& finer,
-                          const OccupancyVotesState& coarser,
-                          Visit visit) {
-  const int shift = num_doublings(finer.edge_m, coarser.edge_m);
-  const CellBounds bounds = bounds_of(coarser.votes);
-  for (std::size_t i = 0; i < finer.votes.size(); ++i) {
-    const PointCell& cell = finer.votes[i].cell;
-    const PointCell around{cell.x >> shift, cell.y >> shift, cell.z >> shift};
-    if (!bounds.contains(around)) continue;
-    const auto found = std::lower_bound(
-        coarser.votes.begin(),
-        coarser.votes.end(),
-        around,
-        [](const PointVote& vote, const PointCell& wanted) { return vote.cell < wanted; });
-    if (found == coarser.votes.end() || found->cell != around) continue;
-    visit(i, static_cast<std::size_t>(found - coarser.votes.begin()));
+/// Whether a cell with so many of its object's votes goes to one with more of another object's.
+class Contest {
+ public:
+  Contest(std::uint32_t my_typical, std::uint32_t their_typical, double factor)
+      : my_typical_(my_typical), their_typical_(their_typical), factor_(factor) {}
+  [[nodiscard]] bool is_lost(const PointVote& mine, const PointVote& theirs) const {
+    const double their_share = static_cast<double>(theirs.votes) / their_typical_;
+    return !(their_share < factor_ * mine.votes / my_typical_);
   }
+
+ private:
+  std::uint32_t my_typical_;
+  std::uint32_t their_typical_;
+  double factor_;
+};
+
+/// Positions of the cells of `mine` that `other` agrees on more, ascending, each once.
+std::vector<std::size_t> lost_cells(const OccupancyVotesState& mine,
+                                    const OccupancyVotesState& other,
+                                    const Contest& contest) {
+  std::vector<std::size_t> lost;
+  const auto compare = [&](std::size_t ours, std::size_t theirs) {
+    if (contest.is_lost(mine.votes[ours], other.votes[theirs])) lost.push_back(ours);
+  };
+  if (other.edge_m < mine.edge_m) {
+    for_each_common_cell(other.votes,
+                         mine.votes,
+                         num_doublings(other.edge_m, mine.edge_m),
+                         [&](std::size_t theirs, std::size_t ours) { compare(ours, theirs); });
+    // A cell stands there once for each of its finer ones that is agreed on more.
+    std::sort(lost.begin(), lost.end());
+    lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
+  } else {
+    for_each_common_cell(
+        mine.votes, other.votes, num_doublings(mine.edge_m, other.edge_m), compare);
+  }
+  return lost;
 }
 
-/// Per cell of `mine` the votes of the cell of `other` there, the best of finer ones; 0 for none.
-std::vector<std::uint32_t> votes_at(const OccupancyVotesState& mine,
-                                    const OccupancyVotesState& other) {
-  std::vector<std::uint32_t> found(mine.votes.size(), 0);
-  if (other.edge_m < mine.edge_m) {
-    for_each_common_cell(other, mine, [&](std::size_t theirs, std::size_t ours) {
-      found[ours] = std::max(found[ours], other.votes[theirs].votes);
-    });
-  } else {
-    for_each_common_cell(mine, other, [&](std::size_t ours, std::size_t theirs) {
-      found[ours] = other.votes[theirs].votes;
-    });
-  }
-  return found;
+/// The votes without those at the positions. Requires: ascending, each once.
+std::vector<PointVote> without(std::span<const PointVote> votes,
+                               std::span<const std::size_t> positions) {
+  std::vector<PointVote> kept;
+  kept.reserve(votes.size() - positions.size());
+  std::size_t next = 0;
+  const auto keep_up_to = [&](std::size_t end) {
+    const auto part = votes.subspan(next, end - next);
+    kept.insert(kept.end(), part.begin(), part.end());
+    next = end + 1;
+  };
+  for (const std::size_t position : positions) keep_up_to(position);
+  keep_up_to(votes.size());
+  return kept;
 }
 
 Result<void> check_edge(double edge_m, double first_edge_m) {
@@ -171,8 +192,7 @@ Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& o
                 "points.votes[" + std::to_string(i) + "]");
   }
   OccupancyVotes evidence(options);
-  evidence.typical_votes_ = typical_votes_of(state);
-  evidence.votes_needed_ = votes_needed(state, evidence.typical_votes_, options);
+  evidence.agreement_ = agreement_of(state, options);
   evidence.state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
   return evidence;
 }
@@ -196,50 +216,35 @@ void OccupancyVotes::merge(const OccupancyVotes& other) {
 
 void OccupancyVotes::take(OccupancyVotesState state) {
   make_room(state, options_);
-  const std::uint32_t typical = typical_votes_of(state);
-  const std::uint32_t needed = votes_needed(state, typical, options_);
+  const CellAgreement agreement = agreement_of(state, options_);
   state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
-  typical_votes_ = typical;
-  votes_needed_ = needed;
+  agreement_ = agreement;
 }
 
 std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other, double factor) {
-  if (empty() || other.empty()) return 0;
-  const std::vector<std::uint32_t> theirs = votes_at(*state_, *other.state_);
-  const auto is_kept = [&](std::size_t i) {
-    const double their_share = static_cast<double>(theirs[i]) / other.typical_votes_;
-    return their_share < factor * state_->votes[i].votes / typical_votes_;
-  };
-  std::size_t num_kept = 0;
-  for (std::size_t i = 0; i < theirs.size(); ++i) num_kept += is_kept(i) ? 1U : 0U;
-  if (num_kept == 0 || num_kept == theirs.size()) return 0;
-  OccupancyVotesState kept{
-      .edge_m = state_->edge_m, .num_observations = state_->num_observations, .votes = {}};
-  kept.votes.reserve(num_kept);
-  for (std::size_t i = 0; i < theirs.size(); ++i) {
-    if (is_kept(i)) kept.votes.push_back(state_->votes[i]);
-  }
-  take(std::move(kept));
-  return theirs.size() - num_kept;
+  const Contest contest(agreement_.typical_votes, other.agreement_.typical_votes, factor);
+  const auto lost = lost_cells(*state_, *other.state_, contest);
+  if (lost.empty() || lost.size() == state_->votes.size()) return 0;
+  take({.edge_m = state_->edge_m,
+        .num_observations = state_->num_observations,
+        .votes = without(state_->votes, lost)});
+  return lost.size();
 }
 
 std::vector<Eigen::Vector3d> OccupancyVotes::agreed_points() const {
   std::vector<Eigen::Vector3d> points;
-  points.reserve(state_->votes.size());
+  points.reserve(agreement_.num_cells);
   for (const PointVote& vote : state_->votes) {
-    if (vote.votes >= votes_needed_) points.push_back(centre_of(vote.cell, state_->edge_m));
+    if (vote.votes >= agreement_.votes_needed)
+      points.push_back(centre_of(vote.cell, state_->edge_m));
   }
   return points;
 }
 
 std::optional<Box> OccupancyVotes::agreed_box() const {
-  const std::vector<Eigen::Vector3d> points = agreed_points();
-  if (points.empty()) return std::nullopt;
-  Box box{points.front(), points.front()};
-  for (const Eigen::Vector3d& p : points) {
-    box.min_in_map = box.min_in_map.cwiseMin(p);
-    box.max_in_map = box.max_in_map.cwiseMax(p);
-  }
+  if (agreement_.num_cells == 0) return std::nullopt;
+  // The centre of a cell grows with its coordinates, so that the lowest cell's is the lowest.
+  Box box{centre_of(agreement_.low, state_->edge_m), centre_of(agreement_.high, state_->edge_m)};
   box.min_in_map.array() -= 0.25 * state_->edge_m;
   box.max_in_map.array() += 0.25 * state_->edge_m;
   return box;

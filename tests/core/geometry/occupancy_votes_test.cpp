@@ -166,6 +166,48 @@ TEST(OccupancyVotes, CellsOfTwoSizesAreComparedByThePlace) {
   EXPECT_NEAR(large.agreed_box()->max_in_map.x(), 1.0, large.state().edge_m);
 }
 
+/// Box and number of the agreed points, from the points themselves.
+void expect_agreement_of_points(const OccupancyVotes& votes) {
+  const std::vector<Eigen::Vector3d> points = votes.agreed_points();
+  ASSERT_FALSE(points.empty());
+  EXPECT_EQ(votes.agreement().num_cells, points.size());
+  Box box{points.front(), points.front()};
+  for (const Eigen::Vector3d& p : points) {
+    box.min_in_map = box.min_in_map.cwiseMin(p);
+    box.max_in_map = box.max_in_map.cwiseMax(p);
+  }
+  box.min_in_map.array() -= 0.25 * votes.state().edge_m;
+  box.max_in_map.array() += 0.25 * votes.state().edge_m;
+  EXPECT_EQ(*votes.agreed_box(), box);
+  EXPECT_EQ(OccupancyVotes::from_state(votes.options(), votes.state())->agreement(),
+            votes.agreement());
+}
+
+TEST(OccupancyVotes, WhatIsKnownOfTheAgreedCellsFollowsEveryChange) {
+  EXPECT_EQ(OccupancyVotes().agreement(), CellAgreement());
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> by(-0.3F, 0.3F);
+  OccupancyVotes one(OccupancyVotesOptions{.max_cells = 1024});
+  OccupancyVotes other = one;
+  std::size_t num_given_up = 0;
+  for (int i = 0; i < 20; ++i) {
+    // A side at y = 0, where the other object's wall stands too.
+    auto seen = surface_of(box_at({0, 0.15, 0.1}, {0.4, 0.3, 0.2}));
+    for (Eigen::Vector3f& p : seen) p.x() += i % 4 == 3 ? by(random) : 0.0F;
+    one.observe(seen);
+    expect_agreement_of_points(one);
+    other.observe(wall(0.1, 0.2 + 0.05 * i));
+    const OccupancyVotes before = one;
+    num_given_up += one.yield_to(other, 1.5);
+    expect_agreement_of_points(one);
+    expect_agreement_of_points(before);
+  }
+  EXPECT_GT(num_given_up, 0U);
+  EXPECT_GT(one.state().edge_m, one.options().edge_m);
+  one.merge(other);
+  expect_agreement_of_points(one);
+}
+
 TEST(OccupancyVotes, NothingIsGivenUpToNobodyAndNotEverything) {
   OccupancyVotes one;
   one.observe(wall(0.0, 0.5));

@@ -37,6 +37,7 @@ class PointSetCache {
 /// An observation and the objects that it may show.
 struct Candidates {
   std::size_t observation = 0;
+  PointSet seen;  ///< Of the observation.
   std::map<ObjectId, double> affinity_of;
 };
 
@@ -45,10 +46,11 @@ std::vector<Candidates> find_candidates(AssociationRun& run, PointSetCache& poin
   std::vector<Candidates> all;
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
     if (run.is_transient(i)) continue;
-    Candidates& candidates = all.emplace_back(Candidates{i, {}});
-    const PointSet seen = point_set_of(run.observations[i], options.near_m);
-    for (const ObjectId id : run.objects.query(grown(seen.box, 2.0 * options.near_m))) {
-      const Overlap c = measure_overlap(seen, point_sets.of(id), options.near_m);
+    Candidates& candidates =
+        all.emplace_back(Candidates{i, point_set_of(run.observations[i], options.near_m), {}});
+    const Box around = grown(candidates.seen.box, 2.0 * options.near_m);
+    for (const ObjectId id : run.objects.query(around)) {
+      const Overlap c = measure_overlap(candidates.seen, point_sets.of(id), options.near_m);
       if (is_same_object(c, options)) candidates.affinity_of[id] = affinity(c);
     }
   }
@@ -92,16 +94,13 @@ ObjectId best_candidate(const Candidates& candidates) {
 
 /// Whether an observation shows another object than the observations that took its candidates:
 /// depth has them beside each other.
-bool shows_another(const AssociationRun& run,
+bool shows_another(const AssignmentOptions& options,
                    const std::vector<Candidates>& all,
                    const std::vector<std::optional<ObjectId>>& matches,
                    std::size_t which) {
-  const AssignmentOptions& options = run.options.assignment;
-  const PointSet seen = point_set_of(run.observations[all[which].observation], options.near_m);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!matches[i] || !all[which].affinity_of.contains(*matches[i])) continue;
-    const PointSet taker = point_set_of(run.observations[all[i].observation], options.near_m);
-    const Overlap c = measure_overlap(seen, taker, options.near_m);
+    const Overlap c = measure_overlap(all[which].seen, all[i].seen, options.near_m);
     const bool is_beside = std::max(c.share_of_first, c.share_of_second) <= options.apart_share &&
                            c.box_share <= kMostBoxShareApart;
     if (!is_beside) return false;
@@ -166,7 +165,8 @@ void associate_by_assignment(AssociationRun& run) {
     const std::size_t observation = all[i].observation;
     if (matches[i]) {
       run.match(observation, *matches[i]);
-    } else if (all[i].affinity_of.empty() || shows_another(run, all, matches, i)) {
+    } else if (all[i].affinity_of.empty() ||
+               shows_another(run.options.assignment, all, matches, i)) {
       run.create(observation);
     } else {  // its object was shown better by another observation of this frame
       run.report.object_of_observation[observation] = best_candidate(all[i]);

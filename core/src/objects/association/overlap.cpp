@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "overlap.hpp"
 
+#include "geometry/floor_of.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -10,18 +12,66 @@ namespace {
 
 constexpr std::size_t kComparedPoints = 300;
 
-std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points) {
-  const std::size_t stride = (points.size() + kComparedPoints - 1) / kComparedPoints;
-  std::vector<Eigen::Vector3d> out;
-  for (std::size_t i = 0; i < points.size(); i += stride) out.push_back(points[i]);
+std::vector<ProximityCell> thinned(const std::vector<ProximityCell>& cells) {
+  const std::size_t stride = (cells.size() + kComparedPoints - 1) / kComparedPoints;
+  std::vector<ProximityCell> out;
+  out.reserve(std::min(cells.size(), kComparedPoints));
+  for (std::size_t i = 0; i < cells.size(); i += stride) out.push_back(cells[i]);
   return out;
 }
 
 PointSet make_point_set(const Box& box,
-                        const std::vector<Eigen::Vector3d>& points,
-                        std::vector<ClassEvidence> classes,
-                        double near_m) {
-  return {box, thinned(points), std::move(classes), ProximityGrid(points, near_m)};
+                        const std::vector<ProximityCell>& cells,
+                        std::vector<ClassEvidence> classes) {
+  return {box, thinned(cells), std::move(classes), ProximityGrid(cells)};
+}
+
+/// Where the centres of an object's cells lie among those of a proximity grid, along one axis: the
+/// same number as `proximity_cell_of` the centre.
+class AxisCells {
+ public:
+  /// `low`, `high`: of the coordinates that are going to be asked for.
+  AxisCells(std::int32_t low, std::int32_t high, double edge_m, double near_m)
+      : low_(low), edge_m_(edge_m), near_m_(near_m) {
+    const std::int64_t count = std::int64_t{high} - low + 1;
+    if (count > kMaxListed) return;
+    known_.reserve(static_cast<std::size_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) {
+      known_.push_back(computed(static_cast<std::int32_t>(low + i)));
+    }
+  }
+  [[nodiscard]] std::int64_t at(std::int32_t coordinate) const {
+    if (known_.empty()) return computed(coordinate);
+    return known_[static_cast<std::size_t>(std::int64_t{coordinate} - low_)];
+  }
+
+ private:
+  static constexpr std::int64_t kMaxListed = 1024;
+
+  [[nodiscard]] std::int64_t computed(std::int32_t coordinate) const {
+    return floor_of(edge_m_ * (coordinate + 0.5) / near_m_);
+  }
+
+  std::int32_t low_;
+  double edge_m_;
+  double near_m_;
+  std::vector<std::int64_t> known_;  ///< From low_ on; empty when there are too many.
+};
+
+/// The cells of the points that an object's observations agree on.
+std::vector<ProximityCell> agreed_cells(const OccupancyVotes& votes, double near_m) {
+  const auto& [typical, needed, num_cells, low, high] = votes.agreement();
+  const double edge_m = votes.state().edge_m;
+  const AxisCells x(low.x, high.x, edge_m, near_m);
+  const AxisCells y(low.y, high.y, edge_m, near_m);
+  const AxisCells z(low.z, high.z, edge_m, near_m);
+  std::vector<ProximityCell> cells;
+  cells.reserve(num_cells);
+  for (const PointVote& vote : votes.state().votes) {
+    if (vote.votes < needed) continue;
+    cells.push_back({x.at(vote.cell.x), y.at(vote.cell.y), z.at(vote.cell.z)});
+  }
+  return cells;
 }
 
 double box_share(const Box& a, const Box& b) {
@@ -39,25 +89,25 @@ double highest(std::span<const ClassEvidence> classes) {
 }  // namespace
 
 PointSet point_set_of(const Observation& observation, double near_m) {
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(observation.segment.points_in_map.size());
+  std::vector<ProximityCell> cells;
+  cells.reserve(observation.segment.points_in_map.size());
   for (const Eigen::Vector3f& p : observation.segment.points_in_map) {
-    points.emplace_back(p.cast<double>());
+    cells.push_back(proximity_cell_of(p.cast<double>(), near_m));
   }
-  return make_point_set(observation.segment.box, points, observation.class_scores, near_m);
+  return make_point_set(observation.segment.box, cells, observation.class_scores);
 }
 
 PointSet point_set_of(const Object& object, double near_m) {
   return make_point_set(
-      object.box, object.points.agreed_points(), object.belief.distribution(), near_m);
+      object.box, agreed_cells(object.points, near_m), object.belief.distribution());
 }
 
 Overlap measure_overlap(const PointSet& first, const PointSet& second, double near_m) {
   const double first_diagonal = grown(first.box, near_m).extent().norm();
   const double second_diagonal = grown(second.box, near_m).extent().norm();
   Overlap out;
-  out.share_of_first = second.grid.share_near(first.points);
-  out.share_of_second = first.grid.share_near(second.points);
+  out.share_of_first = second.grid.share_near(first.cells);
+  out.share_of_second = first.grid.share_near(second.cells);
   out.box_share = box_share(grown(first.box, near_m), grown(second.box, near_m));
   out.distance = (first.box.centre() - second.box.centre()).norm() /
                  (0.5 * (first_diagonal + second_diagonal));

@@ -13,12 +13,14 @@ namespace hypermap {
 /// Box, points and classes of an observation or an object, ready to be compared.
 struct PointSet {
   Box box;
-  std::vector<Eigen::Vector3d> points;  ///< Thinned evenly to at most 300.
-  std::vector<ClassEvidence> classes;   ///< Ascending by id.
-  ProximityGrid grid;                   ///< Of all points.
+  std::vector<ProximityCell> cells;    ///< Of its points, thinned evenly to at most 300.
+  std::vector<ClassEvidence> classes;  ///< Ascending by id.
+  ProximityGrid grid;                  ///< Of all points.
   std::uint32_t num_observations = 1;
 };
 
+/// `near_m`: points so near are near each other, those beyond twice that never. Requires: > 0.
+/// Cost: O(points), no list of them is made.
 [[nodiscard]] PointSet point_set_of(const Observation& observation, double near_m);
 [[nodiscard]] PointSet point_set_of(const Object& object, double near_m);
 
@@ -34,6 +36,7 @@ struct Overlap {
   double maturity_ratio = 1.0;
 };
 
+/// Requires: both were made with this `near_m`.
 [[nodiscard]] Overlap measure_overlap(const PointSet& first, const PointSet& second, double near_m);
 
 /// The largest common probability of one class, each relative to its best class, in [0, 1]: 1 when

@@ -31,10 +31,12 @@ bool lies_in(const PixelBox& inner, const PixelBox& outer) {
          area_px2(inner) <= kInnerMostArea * area_px2(outer);
 }
 
-/// How far from the middle of the box, 1 at its edge.
-double distance_from_middle(const PixelBox& box, double u_px, double v_px) {
-  return std::max(std::abs(2.0 * u_px - box.u_min_px - box.u_max_px) / box.width_px(),
-                  std::abs(2.0 * v_px - box.v_min_px - box.v_max_px) / box.height_px());
+/// How far from the middle of the box along one axis, 1 at its edge.
+double columns_from_middle(const PixelBox& box, double u_px) {
+  return std::abs(2.0 * u_px - box.u_min_px - box.u_max_px) / box.width_px();
+}
+double rows_from_middle(const PixelBox& box, double v_px) {
+  return std::abs(2.0 * v_px - box.v_min_px - box.v_max_px) / box.height_px();
 }
 
 /// To whom cells in both boxes belong.
@@ -46,22 +48,25 @@ Precedence precedence(const PixelBox& ours, const PixelBox& theirs) {
   return Precedence::kNearerMiddle;
 }
 
-/// Calls `visit(cell)` for the measured cells of the window that belong to the other box.
+/// Calls `visit(cell, is_in_our_box)` for the measured cells of the window that belong to the other
+/// box.
 template <class Visit>
 void for_each_cell_of_other(const DepthWindow& window, const CompetingBox& other, Visit visit) {
   const Precedence in_both = precedence(window.box_px, other.box_px);
   for (int y = other.cells.v_begin; y < other.cells.v_end; ++y) {
+    const double v_px = window.pixel_v(y) + 0.5;
+    const double our_rows = rows_from_middle(window.box_px, v_px);
+    const double their_rows = rows_from_middle(other.box_px, v_px);
+    const auto is_theirs_in_both = [&](int x) {
+      if (in_both != Precedence::kNearerMiddle) return in_both == Precedence::kTheirs;
+      const double u_px = window.pixel_u(x) + 0.5;
+      return std::max(columns_from_middle(other.box_px, u_px), their_rows) <
+             std::max(columns_from_middle(window.box_px, u_px), our_rows);
+    };
     for (int x = other.cells.u_begin; x < other.cells.u_end; ++x) {
-      if (window.box.contains(x, y)) {
-        if (in_both == Precedence::kOurs) continue;
-        const double u_px = window.pixel_u(x) + 0.5;
-        const double v_px = window.pixel_v(y) + 0.5;
-        const bool is_theirs =
-            in_both == Precedence::kTheirs || distance_from_middle(other.box_px, u_px, v_px) <
-                                                  distance_from_middle(window.box_px, u_px, v_px);
-        if (!is_theirs) continue;
-      }
-      visit(window.cell(x, y));
+      const bool is_in_our_box = window.box.contains(x, y);
+      if (is_in_our_box && !is_theirs_in_both(x)) continue;
+      visit(window.cell(x, y), is_in_our_box);
     }
   }
 }
@@ -75,19 +80,33 @@ std::vector<CellCounts> count_cells_of_other(const DepthWindow& window,
                                              const DepthComponents& labelled,
                                              const CompetingBox& other) {
   std::vector<CellCounts> counts(labelled.components.size());
-  for_each_cell_of_other(window, other, [&](std::size_t cell) {
+  for_each_cell_of_other(window, other, [&](std::size_t cell, bool is_in_our_box) {
     const std::uint32_t id = labelled.of_cell[cell];
     if (id == kNoComponent) return;
     ++counts[id].theirs;
-    const int x = static_cast<int>(cell % window.slope_x.size());
-    const int y = static_cast<int>(cell / window.slope_x.size());
-    if (window.box.contains(x, y)) ++counts[id].theirs_in_our_box;
+    counts[id].theirs_in_our_box += is_in_our_box ? 1U : 0U;
   });
   return counts;
 }
 
 double num_cells(const PixelRect& cells) {
   return static_cast<double>(cells.width()) * cells.height();
+}
+
+/// Per component whether it fills both boxes.
+std::vector<bool> shared_components(const DepthWindow& window,
+                                    const DepthComponents& labelled,
+                                    const CompetingBox& other) {
+  const auto counts = count_cells_of_other(window, labelled, other);
+  std::vector<bool> is_shared(counts.size(), false);
+  for (std::size_t id = 0; id < counts.size(); ++id) {
+    const DepthComponent& component = labelled.components[id];
+    const double ours = component.num_in_box - counts[id].theirs_in_our_box;
+    is_shared[id] = component.kind == 0 &&
+                    counts[id].theirs >= kTheirLeastShare * num_cells(other.cells) &&
+                    ours >= kOurLeastShare * num_cells(window.box);
+  }
+  return is_shared;
 }
 
 }  // namespace
@@ -97,17 +116,11 @@ std::vector<std::uint8_t> shared_out(const DepthWindow& window,
                                      std::vector<std::uint8_t> kind_of_cell) {
   if (window.is_masked) return kind_of_cell;
   for (const CompetingBox& other : window.competing_boxes) {
-    const auto counts = count_cells_of_other(window, labelled, other);
-    const auto is_shared = [&](std::uint32_t id) {
-      const DepthComponent& component = labelled.components[id];
-      const double ours = component.num_in_box - counts[id].theirs_in_our_box;
-      return component.kind == 0 &&
-             counts[id].theirs >= kTheirLeastShare * num_cells(other.cells) &&
-             ours >= kOurLeastShare * num_cells(window.box);
-    };
-    for_each_cell_of_other(window, other, [&](std::size_t cell) {
+    const std::vector<bool> is_shared = shared_components(window, labelled, other);
+    if (std::find(is_shared.begin(), is_shared.end(), true) == is_shared.end()) continue;
+    for_each_cell_of_other(window, other, [&](std::size_t cell, bool /*is_in_our_box*/) {
       const std::uint32_t id = labelled.of_cell[cell];
-      if (id != kNoComponent && is_shared(id)) kind_of_cell[cell] = kOthersKind;
+      if (id != kNoComponent && is_shared[id]) kind_of_cell[cell] = kOthersKind;
     });
   }
   return kind_of_cell;

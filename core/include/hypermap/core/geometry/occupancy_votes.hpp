@@ -61,6 +61,16 @@ struct OccupancyVotesState {
   friend bool operator==(const OccupancyVotesState&, const OccupancyVotesState&) = default;
 };
 
+/// Which cells of a state count, and where they lie. Follows from the state and the options.
+struct CellAgreement {
+  std::uint32_t typical_votes = 1;  ///< Of the cell of a typical vote.
+  std::uint32_t votes_needed = 1;   ///< Of a cell that counts.
+  std::size_t num_cells = 0;        ///< That count.
+  PointCell low;                    ///< The lowest coordinates of those; zeros when there are none.
+  PointCell high;                   ///< The highest ones.
+  friend bool operator==(const CellAgreement&, const CellAgreement&) = default;
+};
+
 /// A bounded set of voted cells. Frame: Map. A value; memory at most max_cells cells, shared by
 /// copies until one of them observes.
 class OccupancyVotes {
@@ -84,13 +94,16 @@ class OccupancyVotes {
   /// Gives up the cells that another object's observations agree on more, by `factor` and more;
   /// votes count relative to the cell of a typical vote of either. Of finer cells of the other the
   /// best one counts. Returns how many went.
+  /// Requires: factor > 0.
   /// Boundary: all stay when none would be left.
-  /// Cost: O(cells), and log for each cell in the bounds of both.
+  /// Cost: O(cells of the slabs of x that both have); allocates for the cells that go.
   std::size_t yield_to(const OccupancyVotes& other, double factor);
 
+  /// Which cells enough observations agree on: those of `agreement().votes_needed` votes and more.
+  [[nodiscard]] const CellAgreement& agreement() const noexcept { return agreement_; }
   /// Centres of the cells that enough observations agree on, in the order of cells.
   [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
-  /// Box of the agreed points, a quarter of a cell wider. None when empty.
+  /// Box of the agreed points, a quarter of a cell wider. None when empty. Cost: O(1).
   [[nodiscard]] std::optional<Box> agreed_box() const;
   /// Convex hull, from above, of the agreed points, each a square of half a cell.
   /// Errors: kNotFound when there are no points.
@@ -108,8 +121,7 @@ class OccupancyVotes {
 
   OccupancyVotesOptions options_;
   std::shared_ptr<const OccupancyVotesState> state_;  ///< Never null.
-  std::uint32_t typical_votes_ = 1;  ///< Of the cell of a typical vote. Follows from state_.
-  std::uint32_t votes_needed_ = 1;   ///< Of a cell that counts. Follows from state_.
+  CellAgreement agreement_;                           ///< Of state_: whoever sets one sets both.
 };
 
 }  // namespace hypermap

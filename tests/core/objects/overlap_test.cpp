@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "objects/association/overlap.hpp"
+
+#include "support/object_builders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using testing_support::box_at;
+using testing_support::surface_of;
+
+constexpr double kNearM = 0.025;
+
+/// Every `stride`-th cell of an object's agreed points, made of the points themselves.
+std::vector<ProximityCell> cells_of_points(const OccupancyVotes& votes) {
+  const std::vector<Eigen::Vector3d> points = votes.agreed_points();
+  const std::size_t stride = (points.size() + 299) / 300;
+  std::vector<ProximityCell> cells;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    cells.push_back(proximity_cell_of(points[i], kNearM));
+  }
+  return cells;
+}
+
+TEST(PointSet, OfAnObjectHasTheCellsOfItsAgreedPoints) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0.0F, 0.01F);
+  Object object;
+  for (int i = 0; i < 12; ++i) {
+    auto seen = surface_of(box_at({-0.3, 0.2, 0.5}, {0.4, 0.7, 1.0}));
+    for (Eigen::Vector3f& p : seen) p += Eigen::Vector3f(noise(random), noise(random), 0.0F);
+    object.points.observe(seen);
+    const PointSet set = point_set_of(object, kNearM);
+    ASSERT_EQ(set.cells, cells_of_points(object.points)) << i;
+    for (const Eigen::Vector3d& p : object.points.agreed_points()) {
+      ASSERT_TRUE(set.grid.is_near(proximity_cell_of(p, kNearM)));
+    }
+  }
+}
+
+TEST(PointSet, OfAnObjectWithPointsFarApartHasThemToo) {
+  // 40 m are 4,000 cells of the object: more than are listed.
+  Object object;
+  object.points.observe(std::vector<Eigen::Vector3f>{{-20, 0, 0}, {20, 0, 1}, {20, 0.01F, 1}});
+  EXPECT_EQ(point_set_of(object, kNearM).cells, cells_of_points(object.points));
+}
+
+TEST(PointSet, OfAnObjectWithoutPointsIsEmpty) {
+  const PointSet set = point_set_of(Object{}, kNearM);
+  EXPECT_TRUE(set.cells.empty());
+  EXPECT_FALSE(set.grid.is_near({0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace hypermap
