@@ -38,6 +38,7 @@ struct MapArguments {
   std::optional<std::string> mode;
   std::optional<std::string> resolution_m;
   std::optional<std::string> max_range_m;
+  bool refine_poses = false;
   std::optional<std::string> stats;
   std::optional<std::string> transform;
   int num_threads = 0;
@@ -67,11 +68,14 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   if (arguments.config) {
     HYPERMAP_ASSIGN_OR_RETURN(options, read_options(*arguments.config, options));
   }
+  const std::optional<std::string> refinement =
+      arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
   HYPERMAP_ASSIGN_OR_RETURN(options,
                             with_flags(std::move(options),
                                        {{"integration.mode", arguments.mode},
                                         {"octree.resolution_m", arguments.resolution_m},
-                                        {"integration.max_range_m", arguments.max_range_m}}));
+                                        {"integration.max_range_m", arguments.max_range_m},
+                                        {"refinement.rule", refinement}}));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
@@ -85,13 +89,29 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   return job;
 }
 
-void print(const MappingReport& report, const MapArguments& arguments) {
+void print(const PoseCounts& poses) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const std::size_t num_given =
+      poses.num_too_few_points + poses.num_ambiguous + poses.num_too_large + poses.num_no_better;
+  std::printf(
+      "%zu poses refined, by %.1f mm and %.2f degrees on the mean, %.1f mm and %.2f degrees "
+      "at most; %zu used as given\n",
+      poses.num_refined,
+      poses.mean_translation_m * 1000.0,
+      poses.mean_rotation_rad * kDegrees,
+      poses.max_translation_m * 1000.0,
+      poses.max_rotation_rad * kDegrees,
+      num_given);
+}
+
+void print(const MappingReport& report, const MappingJob& job, const MapArguments& arguments) {
   std::printf("%zu frames, %zu detections, ", report.num_frames, report.num_detections);
   if (report.num_filtered > 0)
     std::printf("%zu of them left out by their class, ", report.num_filtered);
   std::printf("%zu of them found in the depth\n", report.num_segments);
   if (report.num_resumed > 0)
     std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
+  if (job.mapper.refinement.rule != PoseRefinementRule::kNone) print(report.poses);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
   std::printf("%zu objects (and %zu tentative), %zu occupied and %zu free voxels\n",
               report.num_objects,
@@ -128,7 +148,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   }
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
   if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
-  print(*mapped, arguments);
+  print(*mapped, *job, arguments);
   print_hints_after(*mapped, *job);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
@@ -209,6 +229,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                   arguments.job.poses,
                   "corrected trajectory (TUM's form, or .log by frame) instead of the dataset's")
       ->excludes(append);
+  command.add_flag("--refine-poses",
+                   arguments.refine_poses,
+                   "mend given poses that are a little wrong by the surfaces that earlier frames "
+                   "showed (refinement.rule)");
   command
       .add_option("--checkpoint-every",
                   arguments.job.checkpoint_every,

@@ -27,7 +27,35 @@ std::size_t peak_rss_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024U;
 }
 
+void count(const PoseCorrection& pose, PoseCounts& counts) {
+  switch (pose.outcome) {
+    case PoseOutcome::kGiven:
+      return;
+    case PoseOutcome::kTooFewPoints:
+      ++counts.num_too_few_points;
+      return;
+    case PoseOutcome::kAmbiguous:
+      ++counts.num_ambiguous;
+      return;
+    case PoseOutcome::kTooLarge:
+      ++counts.num_too_large;
+      return;
+    case PoseOutcome::kNoBetter:
+      ++counts.num_no_better;
+      return;
+    case PoseOutcome::kRefined:
+      break;
+  }
+  const auto share = 1.0 / static_cast<double>(++counts.num_refined);
+  counts.mean_translation_m += share * (pose.translation_m - counts.mean_translation_m);
+  counts.mean_rotation_rad += share * (pose.rotation_rad - counts.mean_rotation_rad);
+  counts.max_translation_m = std::max(counts.max_translation_m, pose.translation_m);
+  counts.max_rotation_rad = std::max(counts.max_rotation_rad, pose.rotation_rad);
+}
+
 void count(const FrameReport& frame, MappingReport& report) {
+  count(frame.pose, report.poses);
+  report.seconds.refine += frame.seconds.refine;
   ++report.num_frames;
   report.num_detections += frame.num_detections;
   report.num_filtered += frame.num_transient;
@@ -150,11 +178,26 @@ void save_checkpoint(MappingRun& run,
   }
 }
 
+/// Reads the frames before the checkpoint again: further poses are refined by their surfaces.
+Result<void> add_surfaces(MappingRun& run, const MappingJob& job, MappingReport& report) {
+  if (job.mapper.refinement.rule == PoseRefinementRule::kNone) return {};
+  for (std::size_t i = 0; i < run.num_resumed_positions; ++i) {
+    if (std::ranges::binary_search(run.skipped_positions, i)) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(i));
+    HYPERMAP_TRY(add_detections(frame, run.detector));
+    frame.index += run.index_offset;
+    HYPERMAP_ASSIGN_OR_RETURN(const PoseCorrection pose, run.mapper->add_surfaces(frame));
+    count(pose, report.poses);
+  }
+  return {};
+}
+
 Result<void> map_frames(MappingRun& run,
                         const MappingJob& job,
                         MappingReport& report,
                         const JobProgress& progress) {
   const std::size_t begin = run.num_resumed_positions;
+  HYPERMAP_TRY(add_surfaces(run, job, report));
   FrameStream stream(*run.dataset, job.mapper.num_threads > 1, begin);
   const std::size_t total = run.dataset->size();
   for (std::size_t i = begin; i < total; ++i) {

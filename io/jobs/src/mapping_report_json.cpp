@@ -5,8 +5,25 @@
 
 namespace hypermap {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PoseCounts& poses) {
+  return {{"refined", poses.num_refined},
+          {"too_few_points", poses.num_too_few_points},
+          {"ambiguous", poses.num_ambiguous},
+          {"too_large", poses.num_too_large},
+          {"no_better", poses.num_no_better},
+          {"mean_translation_m", poses.mean_translation_m},
+          {"max_translation_m", poses.max_translation_m},
+          {"mean_rotation_rad", poses.mean_rotation_rad},
+          {"max_rotation_rad", poses.max_rotation_rad}};
+}
+
+}  // namespace
+
 std::string to_json(const MappingReport& report) {
-  using Json = nlohmann::ordered_json;
   const MappingSeconds& seconds = report.seconds;
   const IntegrationReport& points = report.points;
   Json json;
@@ -24,6 +41,7 @@ std::string to_json(const MappingReport& report) {
   json["detections_filtered"] = report.num_filtered;
   json["segments"] = report.num_segments;
   json["frames_unjudged"] = report.num_visibility_skipped;
+  json["poses"] = json_of(report.poses);
   json["objects"] = report.num_objects;
   json["objects_tentative"] = report.num_tentative;
   json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};
@@ -31,6 +49,7 @@ std::string to_json(const MappingReport& report) {
   json["wall_s"] = seconds.wall;
   json["stages_s"] = {{"read", seconds.read},
                       {"detect", seconds.detect},
+                      {"refine", seconds.refine},
                       {"segment", seconds.segment},
                       {"integrate", seconds.integrate},
                       {"associate", seconds.associate},

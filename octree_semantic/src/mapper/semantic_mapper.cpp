@@ -113,6 +113,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
       octree_(std::move(octree)),
       objects_(std::move(objects)),
       occlusion_(std::move(occlusion)),
+      refiner_(options_.refinement),
       classes_(std::move(classes)),
       snapshots_(std::move(snapshots)) {
   options_.integration.num_threads = options_.num_threads;
@@ -125,10 +126,8 @@ SemanticMapper::~SemanticMapper() = default;
 bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_scores) const {
   const auto best = best_class(class_scores);
   if (!best) return true;
-  const auto is_in = [&best](const std::vector<ClassId>& ids) {
-    return std::binary_search(ids.begin(), ids.end(), best->id);
-  };
-  return !is_in(transient) && (wanted.empty() || is_in(wanted));
+  return !std::ranges::binary_search(transient, best->id) &&
+         (wanted.empty() || std::ranges::binary_search(wanted, best->id));
 }
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
@@ -139,13 +138,21 @@ Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
   }
 }
 
-Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& frame) {
-  FrameReport report;
+Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& given) {
   StopWatch watch(clock_);
-  HYPERMAP_TRY(check(frame));
+  HYPERMAP_TRY(check(given));
+  if (options_.refinement.rule != PoseRefinementRule::kNone) return integrate_refined(given, watch);
+  return integrate_at_pose(given, given.detections, watch);
+}
+
+Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
+                                                      std::span<const Detection> given_detections,
+                                                      StopWatch& watch) {
+  FrameReport report;
+  report.map_from_camera = frame.map_from_camera;
   apply_pending_relabels();  // what an earlier frame left to be done
   HYPERMAP_ASSIGN_OR_RETURN(auto detections,
-                            stack_detections(frame.detections, options_.objects.stacking));
+                            stack_detections(given_detections, options_.objects.stacking));
   report.num_detections = detections.size();
   std::erase_if(detections,
                 [this](const Detection& d) { return !class_filter_.accepts(d.class_scores); });

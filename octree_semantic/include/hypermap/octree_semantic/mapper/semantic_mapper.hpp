@@ -14,6 +14,8 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/registration/pose_refinement.hpp"
+#include "hypermap/core/registration/pose_refiner.hpp"
 #include "hypermap/core/segmentation/labelled_cloud.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
@@ -45,6 +47,8 @@ struct SemanticMapperOptions {
   VisibilityOptions visibility = {};
   /// Bounds the work on a frame, for live use; off to begin with.
   DeadlineOptions deadline = {};
+  /// Mends given poses of frames by the surfaces that earlier frames showed; off to begin with.
+  PoseRefinementOptions refinement = {};
   /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
   /// not stay are named in `objects.transient_class_names`.
   std::vector<std::string> wanted_class_names = {};
@@ -64,6 +68,7 @@ struct SemanticMapperOptions {
 
 /// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
 struct StageSeconds {
+  double refine = 0.0;
   double segment = 0.0;
   double associate = 0.0;
   double integrate = 0.0;
@@ -87,6 +92,8 @@ struct FrameReport {
   bool visibility_evaluated = false;
   /// Whether the frame is in a snapshot now. When memory ends before it is, the next frame tries.
   bool published = false;
+  PoseCorrection pose;            ///< What became of the given pose.
+  MapFromCamera map_from_camera;  ///< Where the frame stands in the map.
   IntegrationReport integration;
   StageSeconds seconds;
 };
@@ -119,7 +126,8 @@ class SemanticMapper {
                                                      ObjectMap objects,
                                                      const ClassRegistry& classes = {});
 
-  /// Puts one frame into the map: whole, or on an error not at all.
+  /// Puts one frame into the map: whole, or on an error not at all. With `refinement` it stands in
+  /// the map at its refined pose, for everything that is learnt from it.
   ///
   /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
   /// that cannot be found in the depth is counted, no error. Objects are updated on a copy that
@@ -127,7 +135,14 @@ class SemanticMapper {
   /// the frame's work waits for the next one, see `FrameReport::visibility_evaluated`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
-  /// Puts one scan into the map: whole, or on an error not at all. Instances meet the objects as
+  /// Learns the surfaces of a frame that is in the map already, as `integrate` did when it was put
+  /// there: the refinement of what comes after a resumed map's frames is then the same as without
+  /// the interruption. Without it a resumed mapper refines by the frames to come alone. Nothing
+  /// happens unless `refinement` is on. Errors: those of validate(frame); kOutOfMemory.
+  [[nodiscard]] Result<PoseCorrection> add_surfaces(const RgbdFrame& frame);
+
+  /// Puts one scan into the map: whole, or on an error not at all. Its pose is used as given, and
+  /// no frame is refined by it. Instances meet the objects as
   /// detections do; points of a class alone label voxels. Visibility is not evaluated: what a scan
   /// does not show is no missed detection.
   ///
@@ -164,6 +179,7 @@ class SemanticMapper {
     std::vector<ClassId> transient;  ///< Ascending.
     std::vector<ClassId> wanted;     ///< Ascending; none: all.
     [[nodiscard]] bool accepts(std::span<const ClassEvidence> class_scores) const;
+    [[nodiscard]] bool is_transient(std::span<const ClassEvidence> class_scores) const;
   };
   SemanticMapper(SemanticMapperOptions options,
                  ClassFilter class_filter,
@@ -182,7 +198,12 @@ class SemanticMapper {
   void note_frame(std::uint64_t index, Stamp stamp) noexcept;
   [[nodiscard]] bool publish_if_due();
   void publish();
-  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& frame);
+  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& given);
+  [[nodiscard]] Result<FrameReport> integrate_refined(const RgbdFrame& given, StopWatch& watch);
+  [[nodiscard]] Result<FrameReport> integrate_at_pose(const RgbdFrame& frame,
+                                                      std::span<const Detection> given_detections,
+                                                      StopWatch& watch);
+  [[nodiscard]] RefinedPose refine(const RgbdFrame& given) const;
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
   [[nodiscard]] Result<FrameReport> integrate_cloud_or_throw(const LabelledCloud& cloud);
   /// Makes room for what `adopt` notes. Throws std::bad_alloc.
@@ -209,6 +230,7 @@ class SemanticMapper {
   ObjectMap objects_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
+  PoseRefiner refiner_;
   Clock clock_ = wall_clock_s;
   /// A box around all voxels that bear an object's id, perhaps larger: what an id's voxels are
   /// found by when it ends.

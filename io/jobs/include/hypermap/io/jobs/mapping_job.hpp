@@ -77,6 +77,7 @@ struct MappingJob {
 struct MappingSeconds {
   double read = 0.0;
   double detect = 0.0;
+  double refine = 0.0;
   double segment = 0.0;
   double integrate = 0.0;
   double associate = 0.0;
@@ -84,6 +85,19 @@ struct MappingSeconds {
   double project = 0.0;
   double write = 0.0;
   double wall = 0.0;
+};
+
+/// What became of the given poses, when they are refined; all 0 otherwise.
+struct PoseCounts {
+  std::size_t num_refined = 0;
+  std::size_t num_too_few_points = 0;  ///< Of these four the given poses were used.
+  std::size_t num_ambiguous = 0;
+  std::size_t num_too_large = 0;
+  std::size_t num_no_better = 0;
+  double mean_translation_m = 0.0;  ///< Of the refined ones, as are the next three.
+  double max_translation_m = 0.0;
+  double mean_rotation_rad = 0.0;
+  double max_rotation_rad = 0.0;
 };
 
 struct MappingReport {
@@ -95,6 +109,7 @@ struct MappingReport {
   std::size_t num_filtered = 0;  ///< Detections of a class that is transient or not wanted.
   std::size_t num_segments = 0;
   std::size_t num_visibility_skipped = 0;  ///< Frames without evaluation of visibility.
+  PoseCounts poses;                        ///< Of all frames in the map of this run.
   IntegrationReport points;                ///< Summed over the frames.
   std::size_t num_objects = 0;             ///< Confirmed.
   std::size_t num_tentative = 0;           ///< Not confirmed.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The surfaces that frames showed, as planes to register further frames to.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// A piece of a surface: the points near `point_m` lie along its normal within `stddev_m`.
+struct SurfacePlane {
+  Eigen::Vector3d point_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of length 1, either sign.
+  double stddev_m = 0.0;
+};
+
+/// Cubic cells with count, mean and covariance of the points in them (voxelised Gaussians).
+///
+/// A plane is fitted to the 2 x 2 x 2 cells nearest to a place: windows overlap, so that a surface
+/// along the border of two cells, whose noise puts points into both, is one plane and not two that
+/// lie too far apart. A value. Memory: 112 B a cell and 12 B a slot of the index.
+class SurfaceModel {
+ public:
+  /// Requires: cell_m > 0, max_cells >= 2.
+  SurfaceModel(double cell_m, std::size_t max_cells);
+
+  /// Adds the points of one frame, in its order. With more than `max_cells` cells those that
+  /// received no point for the longest time are dropped until half of them are left (cells of one
+  /// frame go together). A cell of many points forgets the oldest ones slowly. Boundary: points
+  /// farther than 2^20 cells from the origin, or not finite, are left out.
+  void add(std::span<const Eigen::Vector3d> points_m);
+
+  /// The plane around `place_m`; none when fewer than 12 points lie there or they are no plane:
+  /// their standard deviation across it is more than `max_stddev_m`, or more than a third of that
+  /// along its shorter side. What bends or has an edge would otherwise pull everything its way.
+  /// Cost: eight look-ups.
+  [[nodiscard]] std::optional<SurfacePlane> plane_at(const Eigen::Vector3d& place_m,
+                                                     double max_stddev_m) const;
+
+  [[nodiscard]] std::size_t num_cells() const noexcept { return cells_.size(); }
+  void clear() noexcept;
+
+ private:
+  /// Sums over the points, relative to the centre of the cell.
+  struct Cell {
+    std::uint64_t key = 0;
+    std::uint64_t newest_frame = 0;
+    double weight = 0.0;  ///< Number of points, less what was forgotten.
+    Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d products_m2 = Eigen::Matrix3d::Zero();
+  };
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const noexcept;
+  [[nodiscard]] const Cell* find(std::uint64_t key) const noexcept;
+  Cell& find_or_add(std::uint64_t key);
+  void rebuild_index(std::size_t num_slots);
+  void drop_oldest();
+
+  double cell_m_;
+  std::size_t max_cells_;
+  std::uint64_t num_frames_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> slots_;  ///< Positions in `cells_` plus 1 by hash of key; 0: free.
+};
+
+}  // namespace hypermap

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/registration/pose_refiner.hpp"
+
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "registration/pose_estimate.hpp"
+#include "registration/rotation_vector.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hypermap {
+namespace {
+
+/// Surfaces are made of so many more pixels, each way, as are registered.
+constexpr int kDensity = 2;
+/// So many frames in a row whose surfaces lie elsewhere: the surfaces are outdated.
+constexpr int kMaxDisagreeing = 10;
+
+int grid_step_px(const RgbdFrame& frame, double num_points) {
+  const double area_px2 = static_cast<double>(frame.depth_m.size());
+  return std::max(1, static_cast<int>(std::sqrt(area_px2 / num_points)));
+}
+
+/// Measured pixels of a regular grid in rows of the image.
+std::vector<Eigen::Vector3d> sample(const RgbdFrame& frame,
+                                    const MaskImage& left_out,
+                                    int step_px,
+                                    double max_depth_m) {
+  std::vector<Eigen::Vector3d> points;
+  const DepthImage& depth_m = frame.depth_m;
+  points.reserve(depth_m.size() / static_cast<std::size_t>(step_px * step_px) + 1);
+  for (int v = step_px / 2; v < depth_m.height_px(); v += step_px) {
+    for (int u = step_px / 2; u < depth_m.width_px(); u += step_px) {
+      const float z_m = depth_m.at(u, v);
+      if (!is_measured(z_m) || static_cast<double>(z_m) > max_depth_m) continue;
+      if (!left_out.empty() && left_out.at(u, v) != 0) continue;
+      points.push_back(frame.camera.unproject(u, v, static_cast<double>(z_m)).xyz);
+    }
+  }
+  return points;
+}
+
+bool says_surfaces_lie_elsewhere(PoseOutcome outcome) {
+  return outcome == PoseOutcome::kTooLarge;
+}
+
+}  // namespace
+
+PoseRefiner::PoseRefiner(const PoseRefinementOptions& options)
+    : options_(options), surfaces_(options.cell_m, static_cast<std::size_t>(options.max_cells)) {}
+
+RefinedPose PoseRefiner::refine(const RgbdFrame& frame, const MaskImage& left_out) const {
+  assert(options_.rule != PoseRefinementRule::kNone);
+  const int step_px = grid_step_px(frame, options_.num_points);
+  const auto points = sample(frame, left_out, step_px, options_.max_depth_m);
+  const Eigen::Isometry3d given = map_from_model_.inverse() * frame.map_from_camera.isometry();
+  const PoseEstimate estimate = estimate_pose(points, given, surfaces_, options_);
+  RefinedPose refined{.map_from_camera = frame.map_from_camera,
+                      .correction = estimate.correction,
+                      .model_from_camera = estimate.model_from_camera,
+                      .points_in_camera = sample(
+                          frame, left_out, std::max(1, step_px / kDensity), options_.max_depth_m)};
+  if (estimate.correction.outcome != PoseOutcome::kRefined) return refined;
+  const Eigen::Isometry3d pose = map_from_model_ * estimate.model_from_camera;
+  const Eigen::Isometry3d& before = frame.map_from_camera.isometry();
+  refined.map_from_camera = MapFromCamera(pose);
+  refined.correction.translation_m = (pose.translation() - before.translation()).norm();
+  refined.correction.rotation_rad =
+      rotation_vector(pose.linear() * before.linear().transpose()).norm();
+  return refined;
+}
+
+void PoseRefiner::add(const RgbdFrame& frame, const RefinedPose& refined) {
+  Eigen::Isometry3d model_from_camera = refined.model_from_camera;
+  if (says_surfaces_lie_elsewhere(refined.correction.outcome)) {
+    if (++num_disagreeing_ < kMaxDisagreeing) return;
+    surfaces_.clear();
+    information_.setZero();
+    map_from_model_.setIdentity();
+    model_from_camera = frame.map_from_camera.isometry();
+  }
+  num_disagreeing_ = 0;
+  if (refined.correction.outcome == PoseOutcome::kAmbiguous) return;  // it would blur them
+  const bool is_first = information_.isZero(0.0);
+  if (is_first || refined.correction.outcome == PoseOutcome::kRefined) {
+    follow_given(frame.map_from_camera, model_from_camera);
+  }
+  std::vector<Eigen::Vector3d> points = refined.points_in_camera;
+  for (Eigen::Vector3d& point : points) point = model_from_camera * point;
+  surfaces_.add(points);
+}
+
+/// Moves the model in the map by the frame's share in the mean of all differences: a Kalman filter.
+void PoseRefiner::follow_given(const MapFromCamera& given,
+                               const Eigen::Isometry3d& model_from_camera) {
+  const Eigen::Isometry3d pose = map_from_model_ * model_from_camera;
+  Eigen::Matrix<double, 6, 1> difference;
+  difference << rotation_vector(given.isometry().linear() * pose.linear().transpose()),
+      given.isometry().translation() - pose.translation();
+  Eigen::Matrix<double, 6, 6> slope = Eigen::Matrix<double, 6, 6>::Identity();
+  slope.bottomLeftCorner<3, 3>() = -cross_matrix(pose.translation());
+  Eigen::Matrix<double, 6, 1> precision;
+  precision << Eigen::Vector3d::Constant(1.0 / (options_.sigma_rad * options_.sigma_rad)),
+      Eigen::Vector3d::Constant(1.0 / (options_.sigma_m * options_.sigma_m));
+  information_ *= 1.0 - 1.0 / options_.window_frames;
+  information_ += slope.transpose() * precision.asDiagonal() * slope;
+  const Eigen::Matrix<double, 6, 1> change =
+      information_.ldlt().solve(slope.transpose() * precision.asDiagonal() * difference);
+  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+  moved.linear() = rotation_of(change.head<3>());
+  moved.translation() = change.tail<3>();
+  map_from_model_ = moved * map_from_model_;
+}
+
+}  // namespace hypermap

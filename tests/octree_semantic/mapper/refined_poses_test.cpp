@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Refinement of given poses in the whole mapper.
+#include "hypermap/core/base/random_numbers.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+#include "octree_semantic/support/detected_frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+const std::vector<RgbdFrame>& true_frames() {
+  static const std::vector<RgbdFrame> kFrames = test::detected_room_frames(24, 320);
+  return kFrames;
+}
+
+/// The frames with 1 cm and 0.5 degrees of white noise on their poses.
+std::vector<RgbdFrame> noisy_frames() {
+  std::vector<RgbdFrame> frames = true_frames();
+  for (RgbdFrame& frame : frames) {
+    CounterRng random(5, frame.index);
+    Eigen::Isometry3d pose = frame.map_from_camera.isometry();
+    for (int i = 0; i < 3; ++i) {
+      pose.translation()[i] += 0.01 * random.normal();
+      pose.linear() =
+          Eigen::AngleAxisd(0.0087 * random.normal(), Eigen::Vector3d::Unit(i)) * pose.linear();
+    }
+    frame.map_from_camera = MapFromCamera(pose);
+  }
+  return frames;
+}
+
+SemanticMapper refining_mapper(int num_threads = 1) {
+  SemanticMapperOptions options;
+  options.refinement.rule = PoseRefinementRule::kPointToPlane;
+  options.num_threads = num_threads;
+  return SemanticMapper::create(options).value();
+}
+
+/// How far what lies 2 m before the camera is misplaced.
+double misplaced_m(const MapFromCamera& pose, const MapFromCamera& truth) {
+  const PointInCamera ahead{{0.0, 0.0, 2.0}};
+  return ((pose * ahead).xyz - (truth * ahead).xyz).norm();
+}
+
+TEST(RefinedPoses, NoisyPosesAreLessThanHalfAsWrong) {
+  SemanticMapper mapper = refining_mapper();
+  const std::vector<RgbdFrame> frames = noisy_frames();
+  double given_m = 0.0;
+  double refined_m = 0.0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const FrameReport report = mapper.integrate(frames[i]).value();
+    if (i < 4) continue;  // where the map lies is a mean of few frames
+    given_m += misplaced_m(frames[i].map_from_camera, true_frames()[i].map_from_camera);
+    refined_m += misplaced_m(report.map_from_camera, true_frames()[i].map_from_camera);
+  }
+  EXPECT_LT(refined_m, 0.5 * given_m);
+}
+
+TEST(RefinedPoses, OffGivenPosesAreUsed) {
+  SemanticMapper mapper = SemanticMapper::create({}).value();
+  for (const RgbdFrame& frame : noisy_frames()) {
+    const FrameReport report = mapper.integrate(frame).value();
+    EXPECT_EQ(report.pose.outcome, PoseOutcome::kGiven);
+    EXPECT_EQ(report.map_from_camera.isometry().matrix(),
+              frame.map_from_camera.isometry().matrix());
+  }
+}
+
+TEST(RefinedPoses, AnyNumberOfThreadsGivesTheSameMap) {
+  SemanticMapper one = refining_mapper();
+  SemanticMapper four = refining_mapper(4);
+  for (const RgbdFrame& frame : noisy_frames()) {
+    ASSERT_TRUE(one.integrate(frame));
+    ASSERT_TRUE(four.integrate(frame));
+  }
+  EXPECT_TRUE(one.octree() == four.octree());
+  EXPECT_TRUE(one.objects() == four.objects());
+}
+
+TEST(RefinedPoses, AResumedMapperThatIsGivenTheSurfacesGoesOnTheSame) {
+  const std::vector<RgbdFrame> frames = noisy_frames();
+  SemanticMapper whole = refining_mapper();
+  SemanticMapper first = refining_mapper();
+  for (std::size_t i = 0; i < 12; ++i) {
+    ASSERT_TRUE(whole.integrate(frames[i]));
+    ASSERT_TRUE(first.integrate(frames[i]));
+  }
+  SemanticMapper second =
+      SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
+  SemanticMapper bare =
+      SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
+  for (std::size_t i = 0; i < 12; ++i) ASSERT_TRUE(second.add_surfaces(frames[i]));
+  EXPECT_EQ(bare.integrate(frames[12])->pose.outcome, PoseOutcome::kTooFewPoints);
+  for (std::size_t i = 12; i < frames.size(); ++i) {
+    const FrameReport report = whole.integrate(frames[i]).value();
+    const FrameReport resumed = second.integrate(frames[i]).value();
+    EXPECT_EQ(report.map_from_camera.isometry().matrix(),
+              resumed.map_from_camera.isometry().matrix());
+  }
+  EXPECT_TRUE(whole.octree() == second.octree());
+}
+
+TEST(RefinedPoses, WhatIsTransientIsNoSurface) {
+  SemanticMapperOptions options;
+  options.refinement.rule = PoseRefinementRule::kPointToPlane;
+  options.objects.transient_class_names = {"person"};
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  std::vector<RgbdFrame> frames = noisy_frames();
+  for (std::size_t i = 0; i < 4; ++i) {
+    RgbdFrame& frame = frames[i];
+    frame.detections = {{.box_px = {0.0,
+                                    0.0,
+                                    static_cast<double>(frame.camera.width_px),
+                                    static_cast<double>(frame.camera.height_px)},
+                         .class_scores = {{person, Probability(1.0)}},
+                         .score = Probability(0.9),
+                         .detector = {},
+                         .mask = {}}};
+    EXPECT_EQ(mapper.integrate(frame)->pose.outcome, PoseOutcome::kTooFewPoints)
+        << "a person fills the image";
+  }
+}
+
+}  // namespace
+}  // namespace hypermap
