@@ -38,16 +38,17 @@ struct Match {
   double stddev_m = 0.0;
 };
 
-std::vector<Match> match(std::span<const Eigen::Vector3d> points_in_camera,
+std::vector<Match> match(std::span<const OrientedPoint> points_in_camera,
                          const Eigen::Isometry3d& pose,
                          const SurfaceModel& surfaces) {
   std::vector<Match> matches;
   matches.reserve(points_in_camera.size());
-  for (const Eigen::Vector3d& point : points_in_camera) {
-    const Eigen::Vector3d from_camera_m = pose.linear() * point;
+  for (const OrientedPoint& point : points_in_camera) {
+    const Eigen::Vector3d from_camera_m = pose.linear() * point.place_m;
     const Eigen::Vector3d place_m = from_camera_m + pose.translation();
-    const double noise_m = axial_noise_m(point.z());
-    const auto plane = surfaces.plane_at(place_m, kThicknessM + kThicknessPerNoise * noise_m);
+    const double noise_m = axial_noise_m(point.place_m.z());
+    const auto plane = surfaces.plane_at({place_m, pose.linear() * point.normal},
+                                         kThicknessM + kThicknessPerNoise * noise_m);
     if (!plane) continue;
     matches.push_back({.normal = plane->normal,
                        .from_camera_m = from_camera_m,
@@ -162,7 +163,7 @@ PoseEstimate refused(const Eigen::Isometry3d& given, PoseCorrection correction, 
 
 }  // namespace
 
-PoseEstimate estimate_pose(std::span<const Eigen::Vector3d> points_in_camera,
+PoseEstimate estimate_pose(std::span<const OrientedPoint> points_in_camera,
                            const Eigen::Isometry3d& given,
                            const SurfaceModel& surfaces,
                            const PoseRefinementOptions& options) {

@@ -22,7 +22,7 @@ struct PoseEstimate {
 /// `given` is right within the options' sigmas; `given` itself with the reason where that is
 /// refused. Gauss-Newton on point-to-plane distances, weighted by the sensor's noise and Tukey's
 /// function. Directions of which the points say less than the given pose does stay as given.
-[[nodiscard]] PoseEstimate estimate_pose(std::span<const Eigen::Vector3d> points_in_camera,
+[[nodiscard]] PoseEstimate estimate_pose(std::span<const OrientedPoint> points_in_camera,
                                          const Eigen::Isometry3d& given,
                                          const SurfaceModel& surfaces,
                                          const PoseRefinementOptions& options);

@@ -10,12 +10,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace hypermap {
 namespace {
 
 /// Surfaces are made of so many more pixels, each way, as are registered.
 constexpr int kDensity = 2;
+/// Normals are of pixels that lie this part of the image apart, each way: 12 of 640.
+constexpr int kReachPerWidth = 50;
 /// So many frames in a row whose surfaces lie elsewhere: the surfaces are outdated.
 constexpr int kMaxDisagreeing = 10;
 
@@ -24,20 +27,43 @@ int grid_step_px(const RgbdFrame& frame, double num_points) {
   return std::max(1, static_cast<int>(std::sqrt(area_px2 / num_points)));
 }
 
-/// Measured pixels of a regular grid in rows of the image.
-std::vector<Eigen::Vector3d> sample(const RgbdFrame& frame,
-                                    const MaskImage& left_out,
-                                    int step_px,
-                                    double max_depth_m) {
-  std::vector<Eigen::Vector3d> points;
+/// The point that the pixel measures; none beyond the image or the range.
+std::optional<Eigen::Vector3d> point_at(const RgbdFrame& frame, int u, int v, double max_depth_m) {
+  if (!frame.depth_m.contains(u, v)) return std::nullopt;
+  const float z_m = frame.depth_m.at(u, v);
+  if (!is_measured(z_m) || static_cast<double>(z_m) > max_depth_m) return std::nullopt;
+  return frame.camera.unproject(u, v, static_cast<double>(z_m)).xyz;
+}
+
+/// The pixel's surface, by the pixels `reach_px` beside it; none where they lie on none.
+std::optional<OrientedPoint> surface_at(
+    const RgbdFrame& frame, int u, int v, int reach_px, double max_depth_m) {
+  const auto place_m = point_at(frame, u, v, max_depth_m);
+  const auto left = point_at(frame, u - reach_px, v, max_depth_m);
+  const auto right = point_at(frame, u + reach_px, v, max_depth_m);
+  const auto above = point_at(frame, u, v - reach_px, max_depth_m);
+  const auto below = point_at(frame, u, v + reach_px, max_depth_m);
+  if (!place_m || !left || !right || !above || !below) return std::nullopt;
+  // x to the right, y down: the product looks at the camera.
+  const Eigen::Vector3d normal = (*below - *above).cross(*right - *left);
+  if (!(normal.norm() > 0.0)) return std::nullopt;
+  return OrientedPoint{.place_m = *place_m, .normal = normal.normalized()};
+}
+
+/// Measured pixels of a regular grid, in rows of the image.
+std::vector<OrientedPoint> sample(const RgbdFrame& frame,
+                                  const MaskImage& left_out,
+                                  int step_px,
+                                  double max_depth_m) {
+  std::vector<OrientedPoint> points;
   const DepthImage& depth_m = frame.depth_m;
+  const int reach_px = std::max(1, depth_m.width_px() / kReachPerWidth);
   points.reserve(depth_m.size() / static_cast<std::size_t>(step_px * step_px) + 1);
   for (int v = step_px / 2; v < depth_m.height_px(); v += step_px) {
     for (int u = step_px / 2; u < depth_m.width_px(); u += step_px) {
-      const float z_m = depth_m.at(u, v);
-      if (!is_measured(z_m) || static_cast<double>(z_m) > max_depth_m) continue;
       if (!left_out.empty() && left_out.at(u, v) != 0) continue;
-      points.push_back(frame.camera.unproject(u, v, static_cast<double>(z_m)).xyz);
+      const auto point = surface_at(frame, u, v, reach_px, max_depth_m);
+      if (point) points.push_back(*point);
     }
   }
   return points;
@@ -88,8 +114,11 @@ void PoseRefiner::add(const RgbdFrame& frame, const RefinedPose& refined) {
   if (is_first || refined.correction.outcome == PoseOutcome::kRefined) {
     follow_given(frame.map_from_camera, model_from_camera);
   }
-  std::vector<Eigen::Vector3d> points = refined.points_in_camera;
-  for (Eigen::Vector3d& point : points) point = model_from_camera * point;
+  std::vector<OrientedPoint> points = refined.points_in_camera;
+  for (OrientedPoint& point : points) {
+    point.place_m = model_from_camera * point.place_m;
+    point.normal = model_from_camera.linear() * point.normal;
+  }
   surfaces_.add(points);
 }
 

@@ -6,14 +6,13 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace hypermap {
 namespace {
 
-constexpr int kKeyBits = 21;
+constexpr int kKeyBits = 20;  // of a coordinate; three more bits are the direction
 constexpr std::int64_t kKeyOffset = std::int64_t{1} << (kKeyBits - 1);
 constexpr double kMinPoints = 12.0;
 constexpr double kMaxWeight = 2000.0;  // then a cell forgets a fourth of its points
@@ -32,8 +31,15 @@ CellIndex floor_of(const Eigen::Vector3d& in_cells) {
   return in_cells.array().floor().cast<std::int64_t>();
 }
 
-std::uint64_t key_of(const CellIndex& index) {
-  std::uint64_t key = 0;
+/// The axis that the normal is nearest to, 0 .. 2, and 3 more when it looks down that axis.
+std::uint64_t direction_of(const Eigen::Vector3d& normal) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return static_cast<std::uint64_t>(axis) + (normal[axis] < 0.0 ? 3U : 0U);
+}
+
+std::uint64_t key_of(const CellIndex& index, std::uint64_t direction) {
+  std::uint64_t key = direction;
   for (const std::int64_t coordinate : index) {
     key = (key << kKeyBits) | static_cast<std::uint64_t>(coordinate + kKeyOffset);
   }
@@ -97,20 +103,20 @@ void SurfaceModel::drop_oldest() {
   rebuild_index(slots_.size());
 }
 
-void SurfaceModel::add(std::span<const Eigen::Vector3d> points_m) {
+void SurfaceModel::add(std::span<const OrientedPoint> points) {
   ++num_frames_;
-  for (const Eigen::Vector3d& point_m : points_m) {
-    const Eigen::Vector3d in_cells = point_m / cell_m_;
-    if (!is_in_reach(in_cells)) continue;
+  for (const OrientedPoint& point : points) {
+    const Eigen::Vector3d in_cells = point.place_m / cell_m_;
+    if (!is_in_reach(in_cells) || !point.normal.allFinite()) continue;
     const CellIndex index = floor_of(in_cells);
-    Cell& cell = find_or_add(key_of(index));
+    Cell& cell = find_or_add(key_of(index, direction_of(point.normal)));
     if (cell.weight >= kMaxWeight) {
       cell.weight *= kKeptShare;
       cell.sum_m *= kKeptShare;
       cell.products_m2 *= kKeptShare;
     }
     const Eigen::Vector3d inside_m =
-        point_m - (index.cast<double>().array() + 0.5).matrix() * cell_m_;
+        point.place_m - (index.cast<double>().array() + 0.5).matrix() * cell_m_;
     cell.newest_frame = num_frames_;
     cell.weight += 1.0;
     cell.sum_m += inside_m;
@@ -119,23 +125,21 @@ void SurfaceModel::add(std::span<const Eigen::Vector3d> points_m) {
   if (cells_.size() > max_cells_) drop_oldest();
 }
 
-std::optional<SurfacePlane> SurfaceModel::plane_at(const Eigen::Vector3d& place_m,
+std::optional<SurfacePlane> SurfaceModel::plane_at(const OrientedPoint& point,
                                                    double max_stddev_m) const {
-  const Eigen::Vector3d in_cells = place_m / cell_m_;
+  const Eigen::Vector3d in_cells = point.place_m / cell_m_;
   if (!is_in_reach(in_cells)) return std::nullopt;
+  const std::uint64_t direction = direction_of(point.normal);
   // The corner that eight cells share, the nearest to the place.
   const CellIndex corner = floor_of(in_cells.array() + 0.5);
   double weight = 0.0;
   Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
   Eigen::Matrix3d products_m2 = Eigen::Matrix3d::Zero();
-  std::array<Eigen::Vector3d, 8> means_m;
-  std::size_t num_means = 0;
   for (int i = 0; i < 8; ++i) {
     const CellIndex below(i & 1, (i >> 1) & 1, (i >> 2) & 1);
-    const Cell* cell = find(key_of(corner - below));
+    const Cell* cell = find(key_of(corner - below, direction));
     if (cell == nullptr) continue;
     const Eigen::Vector3d shift_m = (0.5 - below.cast<double>().array()).matrix() * cell_m_;
-    means_m[num_means++] = cell->sum_m / cell->weight + shift_m;
     weight += cell->weight;
     sum_m += cell->sum_m + cell->weight * shift_m;
     products_m2 += cell->products_m2 + shift_m * cell->sum_m.transpose() +
@@ -150,9 +154,6 @@ std::optional<SurfacePlane> SurfaceModel::plane_at(const Eigen::Vector3d& place_
   if (thickness_m2 > kMaxFlatness * solver.eigenvalues()[1]) return std::nullopt;
   if (thickness_m2 > max_stddev_m * max_stddev_m) return std::nullopt;
   const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  for (std::size_t i = 0; i < num_means; ++i) {
-    if (std::abs(normal.dot(means_m[i] - mean_m)) > 2.0 * max_stddev_m) return std::nullopt;
-  }
   return SurfacePlane{.point_m = mean_m + corner.cast<double>() * cell_m_,
                       .normal = normal,
                       .stddev_m = std::sqrt(thickness_m2)};

@@ -11,12 +11,12 @@ namespace hypermap {
 namespace {
 
 /// Points 2 cm apart on the plane z = height_m over [0, side_m] x [0, side_m].
-std::vector<Eigen::Vector3d> floor_points(double height_m, double side_m, double from_x_m = 0.0) {
-  std::vector<Eigen::Vector3d> points;
+std::vector<OrientedPoint> floor_points(double height_m, double side_m, double from_x_m = 0.0) {
+  std::vector<OrientedPoint> points;
   const int num = static_cast<int>(side_m / 0.02);
   for (int i = 0; i < num; ++i) {
     for (int j = 0; j < num; ++j) {
-      points.emplace_back(from_x_m + 0.01 + 0.02 * i, 0.01 + 0.02 * j, height_m);
+      points.push_back({{from_x_m + 0.01 + 0.02 * i, 0.01 + 0.02 * j, height_m}});
     }
   }
   return points;
@@ -26,7 +26,7 @@ TEST(SurfaceModel, APlaneIsFoundFromEitherSide) {
   SurfaceModel model(0.1, 4096);
   model.add(floor_points(0.33, 1.0));
   for (const double beside_m : {-0.03, 0.0, 0.03}) {
-    const auto plane = model.plane_at({0.5, 0.5, 0.33 + beside_m}, 0.02);
+    const auto plane = model.plane_at({{0.5, 0.5, 0.33 + beside_m}}, 0.02);
     ASSERT_TRUE(plane) << beside_m;
     EXPECT_NEAR(std::abs(plane->normal.z()), 1.0, 1e-9);
     EXPECT_NEAR(plane->point_m.z(), 0.33, 1e-9);
@@ -41,7 +41,7 @@ TEST(SurfaceModel, NoiseAcrossTheBorderOfCellsIsOnePlane) {
   model.add(floor_points(0.19, 1.0));
   model.add(floor_points(0.21, 1.0));
   for (const double beside_m : {-0.02, 0.02}) {
-    const auto plane = model.plane_at({0.5, 0.5, 0.2 + beside_m}, 0.02);
+    const auto plane = model.plane_at({{0.5, 0.5, 0.2 + beside_m}}, 0.02);
     ASSERT_TRUE(plane);
     EXPECT_NEAR(plane->point_m.z(), 0.2, 1e-9);
     EXPECT_NEAR(plane->stddev_m, 0.01, 1e-9);
@@ -50,18 +50,32 @@ TEST(SurfaceModel, NoiseAcrossTheBorderOfCellsIsOnePlane) {
 
 TEST(SurfaceModel, WhatIsNoPlaneOrUnknownIsNone) {
   SurfaceModel model(0.1, 4096);
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, 0.3}, 0.02)) << "empty";
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.3}}, 0.02)) << "empty";
   model.add(floor_points(0.33, 1.0));
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, 0.9}, 0.02)) << "nothing there";
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, std::numeric_limits<double>::quiet_NaN()}, 0.02));
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, 1e30}, 0.02));
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.9}}, 0.02)) << "nothing there";
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, std::numeric_limits<double>::quiet_NaN()}}, 0.02));
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, 1e30}}, 0.02));
   for (int layer = 0; layer < 5; ++layer) model.add(floor_points(0.31 + 0.03 * layer, 1.0));
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, 0.35}, 0.02)) << "as thick as wide";
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.35}}, 0.02)) << "as thick as wide";
+}
+
+TEST(SurfaceModel, BothSidesOfAThinBoardAreTwoPlanes) {
+  SurfaceModel model(0.1, 4096);
+  std::vector<OrientedPoint> bottom = floor_points(0.33, 1.0);
+  for (OrientedPoint& point : bottom) point.normal = -Eigen::Vector3d::UnitZ();
+  model.add(bottom);
+  model.add(floor_points(0.36, 1.0));
+  const auto below = model.plane_at({{0.5, 0.5, 0.345}, -Eigen::Vector3d::UnitZ()}, 0.02);
+  const auto above = model.plane_at({{0.5, 0.5, 0.345}, Eigen::Vector3d::UnitZ()}, 0.02);
+  ASSERT_TRUE(below);
+  ASSERT_TRUE(above);
+  EXPECT_NEAR(below->point_m.z(), 0.33, 1e-9);
+  EXPECT_NEAR(above->point_m.z(), 0.36, 1e-9);
 }
 
 TEST(SurfaceModel, PointsThatAreNoneAreLeftOut) {
   SurfaceModel model(0.1, 4096);
-  model.add(std::vector<Eigen::Vector3d>{{std::nan(""), 0, 0}, {1e9, 0, 0}, {0, -INFINITY, 0}});
+  model.add(std::vector<OrientedPoint>{{{std::nan(""), 0, 0}}, {{1e9, 0, 0}}, {{0, -INFINITY, 0}}});
   EXPECT_EQ(model.num_cells(), 0U);
 }
 
@@ -72,15 +86,15 @@ TEST(SurfaceModel, WhatWasSeenLeastRecentlyGoesFirst) {
   EXPECT_EQ(model.num_cells(), 200U);
   model.add(floor_points(0.05, 1.0, 20.0));
   EXPECT_LE(model.num_cells(), 220U);
-  EXPECT_FALSE(model.plane_at({0.5, 0.5, 0.05}, 0.02));
-  EXPECT_TRUE(model.plane_at({20.5, 0.5, 0.05}, 0.02));
+  EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.05}}, 0.02));
+  EXPECT_TRUE(model.plane_at({{20.5, 0.5, 0.05}}, 0.02));
 }
 
 TEST(SurfaceModel, ACellFollowsASurfaceThatMoved) {
   SurfaceModel model(0.1, 4096);
   for (int i = 0; i < 100; ++i) model.add(floor_points(0.34, 1.0));
   for (int i = 0; i < 400; ++i) model.add(floor_points(0.36, 1.0));
-  const auto plane = model.plane_at({0.5, 0.5, 0.35}, 0.02);
+  const auto plane = model.plane_at({{0.5, 0.5, 0.35}}, 0.02);
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->point_m.z(), 0.36, 1e-3);
 }

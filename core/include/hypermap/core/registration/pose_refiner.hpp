@@ -21,7 +21,7 @@ struct RefinedPose {
   MapFromCamera map_from_camera;
   PoseCorrection correction;
   Eigen::Isometry3d model_from_camera = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector3d> points_in_camera;  ///< Of a denser grid; metres.
+  std::vector<OrientedPoint> points_in_camera;  ///< Of a denser grid; metres.
 };
 
 /// Registers each frame to the surfaces of those before it, starting from its given pose.

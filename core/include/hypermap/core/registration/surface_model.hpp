@@ -20,27 +20,35 @@ struct SurfacePlane {
   double stddev_m = 0.0;
 };
 
-/// Cubic cells with count, mean and covariance of the points in them (voxelised Gaussians).
+/// A point of a surface, and towards which side the surface looks there.
+struct OrientedPoint {
+  Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of length 1; rough is enough.
+};
+
+/// Cubic cells with count, mean and covariance of the points in them (voxelised Gaussians), apart
+/// for the six directions that a surface may mostly look to: so the two faces of a corner, and the
+/// front and back of a thin board, are two planes and not one that lies between them.
 ///
 /// A plane is fitted to the 2 x 2 x 2 cells nearest to a place: windows overlap, so that a surface
 /// along the border of two cells, whose noise puts points into both, is one plane and not two that
-/// lie too far apart. A value. Memory: 112 B a cell and 12 B a slot of the index.
+/// lie too far apart. A value. Memory: 120 B a cell and 4 to 8 B a slot of the index, at least two
+/// slots a cell.
 class SurfaceModel {
  public:
   /// Requires: cell_m > 0, max_cells >= 2.
   SurfaceModel(double cell_m, std::size_t max_cells);
 
   /// Adds the points of one frame, in its order. With more than `max_cells` cells those that
-  /// received no point for the longest time are dropped until half of them are left (cells of one
-  /// frame go together). A cell of many points forgets the oldest ones slowly. Boundary: points
-  /// farther than 2^20 cells from the origin, or not finite, are left out.
-  void add(std::span<const Eigen::Vector3d> points_m);
+  /// received no point for the longest time are dropped until about half of them are left (cells of
+  /// one frame stay or go together). A cell of many points forgets the oldest ones slowly.
+  /// Boundary: points farther than 2^19 cells from the origin, or not finite, are left out.
+  void add(std::span<const OrientedPoint> points);
 
-  /// The plane around `place_m`; none when fewer than 12 points lie there or they are no plane:
-  /// their standard deviation across it is more than `max_stddev_m`, or more than a third of that
-  /// along its shorter side. What bends or has an edge would otherwise pull everything its way.
-  /// Cost: eight look-ups.
-  [[nodiscard]] std::optional<SurfacePlane> plane_at(const Eigen::Vector3d& place_m,
+  /// The plane around `point` that looks to the same side; none when fewer than 12 points lie there
+  /// or they are no plane: their standard deviation across it is more than `max_stddev_m`, or more
+  /// than a third of that along its shorter side. Cost: eight look-ups.
+  [[nodiscard]] std::optional<SurfacePlane> plane_at(const OrientedPoint& point,
                                                      double max_stddev_m) const;
 
   [[nodiscard]] std::size_t num_cells() const noexcept { return cells_.size(); }
