@@ -96,24 +96,6 @@ TEST(ResumedRun, GivesTheBytesOfARunThatWasNotInterrupted) {
   }
 }
 
-TEST(ResumedRun, PosesAreRefinedByTheFramesBeforeTheCheckpoint) {
-  const TempDir folder;
-  MappingJob job = job_in(folder);
-  job.mapper.refinement.rule = PoseRefinementRule::kPointToPlane;
-  ASSERT_TRUE(run_mapping(job));
-  const std::string uninterrupted = content_of(job.output);
-  interrupt(job, 2);
-  job.resume = true;
-  const auto report = run_mapping(job);
-  ASSERT_TRUE(report) << to_string(report.error());
-  const PoseCounts& poses = report->poses;
-  EXPECT_EQ(poses.num_refined + poses.num_too_few_points + poses.num_ambiguous +
-                poses.num_too_large + poses.num_no_better,
-            report->num_frames)
-      << "those before the checkpoint too";
-  EXPECT_EQ(content_of(job.output), uninterrupted);
-}
-
 TEST(ResumedRun, MayEndEarlyAgainAndNeedNoMoreCheckpoints) {
   const TempDir folder;
   MappingJob job = job_in(folder);
