@@ -18,6 +18,10 @@ constexpr OptionRow kPointsRows[] = {
         "min_vote_share",
         {0, 1},
         {.effect = "A cell with fewer votes does not count.", .hypermap = 0.0}),
+    option::number<&Points::min_block_share>(
+        "min_block_share",
+        {0, 1},
+        {.effect = "Nor does one whose block of 4 x 4 x 4 has fewer.", .hypermap = 0.0}),
 };
 
 }  // namespace

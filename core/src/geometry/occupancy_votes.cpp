@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
+#include "block_votes.hpp"
 #include "common_cells.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "point_votes.hpp"
@@ -28,18 +29,6 @@ void widen(OccupancyVotesState& state) {
   state.edge_m *= 2.0;
 }
 
-/// Of the cell of a typical vote: half of all votes lie in cells with more. Strays are many cells
-/// but few votes.
-std::uint32_t typical_votes_of(const OccupancyVotesState& state) {
-  std::uint64_t total = 0;
-  std::uint32_t most = 0;
-  for (const PointVote& vote : state.votes) {
-    total += vote.votes;
-    most = std::max(most, vote.votes);
-  }
-  return total == 0 ? 1 : typical_votes(state.votes, most, total);
-}
-
 /// The share asked for of what the cell of a typical vote has.
 std::uint32_t votes_needed(const OccupancyVotesState& state,
                            std::uint32_t typical,
@@ -50,14 +39,33 @@ std::uint32_t votes_needed(const OccupancyVotesState& state,
   return std::max(least, static_cast<std::uint32_t>(needed));
 }
 
-CellAgreement agreement_of(const OccupancyVotesState& state, const OccupancyVotesOptions& options) {
-  CellAgreement out;
-  out.typical_votes = typical_votes_of(state);
-  out.votes_needed = votes_needed(state, out.typical_votes, options);
+std::vector<CellStanding> standings_of(const OccupancyVotesState& state,
+                                       std::uint32_t needed,
+                                       const OccupancyVotesOptions& options) {
+  std::vector<CellStanding> out;
+  out.reserve(state.votes.size());
+  for (const PointVote& vote : state.votes) {
+    out.push_back(vote.votes >= needed ? CellStanding::kAgreed : CellStanding::kSupported);
+  }
+  if (options.min_block_share == 0.0) return out;
+  const BlockVotes blocks = block_votes(state.votes);
+  const double needed_in_block = options.min_block_share * blocks.typical;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (blocks.of_cell[i] < needed_in_block) out[i] = CellStanding::kStray;
+  }
+  return out;
+}
+
+/// Numbers and bounds of the agreed cells, which `standings` names.
+CellAgreement agreement_of(const OccupancyVotesState& state,
+                           std::span<const CellStanding> standings,
+                           CellAgreement thresholds) {
+  CellAgreement out = thresholds;
   PointCell low{kHighest, kHighest, kHighest};
   PointCell high{kLowest, kLowest, kLowest};
-  for (const auto& [cell, votes] : state.votes) {
-    const bool counts = votes >= out.votes_needed;
+  for (std::size_t i = 0; i < standings.size(); ++i) {
+    const PointCell& cell = state.votes[i].cell;
+    const bool counts = standings[i] == CellStanding::kAgreed;
     out.num_cells += counts ? 1U : 0U;
     low.x = std::min(low.x, counts ? cell.x : kHighest);
     low.y = std::min(low.y, counts ? cell.y : kHighest);
@@ -75,7 +83,7 @@ CellAgreement agreement_of(const OccupancyVotesState& state, const OccupancyVote
 /// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
 void make_room(OccupancyVotesState& state, const OccupancyVotesOptions& options) {
   while (state.votes.size() > options.max_cells) {
-    const std::uint32_t needed = votes_needed(state, typical_votes_of(state), options);
+    const std::uint32_t needed = votes_needed(state, typical_votes(state.votes), options);
     const auto num_agreed = static_cast<std::size_t>(
         std::count_if(state.votes.begin(), state.votes.end(), [&](const PointVote& v) {
           return v.votes >= needed;
@@ -192,8 +200,7 @@ Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& o
                 "points.votes[" + std::to_string(i) + "]");
   }
   OccupancyVotes evidence(options);
-  evidence.agreement_ = agreement_of(state, options);
-  evidence.state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
+  evidence.adopt(std::move(state));
   return evidence;
 }
 
@@ -216,8 +223,18 @@ void OccupancyVotes::merge(const OccupancyVotes& other) {
 
 void OccupancyVotes::take(OccupancyVotesState state) {
   make_room(state, options_);
-  const CellAgreement agreement = agreement_of(state, options_);
+  adopt(std::move(state));
+}
+
+void OccupancyVotes::adopt(OccupancyVotesState state) {
+  CellAgreement thresholds;
+  thresholds.typical_votes = typical_votes(state.votes);
+  thresholds.votes_needed = votes_needed(state, thresholds.typical_votes, options_);
+  auto standings = std::make_shared<const std::vector<CellStanding>>(
+      standings_of(state, thresholds.votes_needed, options_));
+  const CellAgreement agreement = agreement_of(state, *standings, thresholds);
   state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
+  standings_ = std::move(standings);
   agreement_ = agreement;
 }
 
@@ -231,14 +248,22 @@ std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other, double factor)
   return lost.size();
 }
 
-std::vector<Eigen::Vector3d> OccupancyVotes::agreed_points() const {
+std::vector<Eigen::Vector3d> OccupancyVotes::points_from(CellStanding least) const {
   std::vector<Eigen::Vector3d> points;
-  points.reserve(agreement_.num_cells);
-  for (const PointVote& vote : state_->votes) {
-    if (vote.votes >= agreement_.votes_needed)
-      points.push_back(centre_of(vote.cell, state_->edge_m));
+  points.reserve(least == CellStanding::kAgreed ? agreement_.num_cells : state_->votes.size());
+  for (std::size_t i = 0; i < state_->votes.size(); ++i) {
+    if ((*standings_)[i] >= least)
+      points.push_back(centre_of(state_->votes[i].cell, state_->edge_m));
   }
   return points;
+}
+
+std::vector<Eigen::Vector3d> OccupancyVotes::agreed_points() const {
+  return points_from(CellStanding::kAgreed);
+}
+
+std::vector<Eigen::Vector3d> OccupancyVotes::supported_points() const {
+  return points_from(CellStanding::kSupported);
 }
 
 std::optional<Box> OccupancyVotes::agreed_box() const {

@@ -112,10 +112,15 @@ Eigen::Vector3d centre_of(const PointCell& cell, double edge_m) {
   return edge_m * (Eigen::Vector3d(cell.x, cell.y, cell.z).array() + 0.5);
 }
 
-std::uint32_t typical_votes(std::span<const PointVote> votes,
-                            std::uint32_t most,
-                            std::uint64_t total) {
+std::uint32_t typical_votes(std::span<const PointVote> votes) {
   constexpr std::uint32_t kMaxCounted = 4096;
+  std::uint64_t total = 0;
+  std::uint32_t most = 0;
+  for (const PointVote& vote : votes) {
+    total += vote.votes;
+    most = std::max(most, vote.votes);
+  }
+  if (total == 0) return 1;
   if (most > kMaxCounted) {
     std::vector<std::uint32_t> counts;
     for (const PointVote& vote : votes) counts.push_back(vote.votes);

@@ -31,10 +31,9 @@ inline constexpr double kMaxVotedCoordinateM = 1e6;
 [[nodiscard]] std::vector<PointVote> widened(std::span<const PointVote> votes);
 
 /// The votes of the cell that the middle one of all votes lies in, cells in the order of their
-/// votes. Requires: total = the sum of the votes > 0, most = the largest number.
-[[nodiscard]] std::uint32_t typical_votes(std::span<const PointVote> votes,
-                                          std::uint32_t most,
-                                          std::uint64_t total);
+/// votes: half of all votes lie in cells with more. Strays are many cells but few votes. 1 without
+/// votes. The order of the cells does not matter.
+[[nodiscard]] std::uint32_t typical_votes(std::span<const PointVote> votes);
 
 [[nodiscard]] Eigen::Vector3d centre_of(const PointCell& cell, double edge_m);
 

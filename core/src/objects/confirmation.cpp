@@ -21,8 +21,8 @@ bool is_confirmed(const Object& object, const ConfirmationOptions& options) {
   if (options.min_real_probability && real_probability(object) < *options.min_real_probability) {
     return false;
   }
-  return object.num_observations >= options.min_observations &&
-         object.belief.best().has_value() && !is_gone(object.observation_log, options.gone);
+  return object.num_observations >= options.min_observations && object.belief.best().has_value() &&
+         !is_gone(object.observation_log, options.gone);
 }
 
 /// More often seen first, then more existence, then the older one.

@@ -121,12 +121,12 @@ std::vector<ObjectOutcome> object_outcomes(std::span<const BelievedObject> belie
   outcomes.reserve(believed.size());
   for (std::size_t i = 0; i < believed.size(); ++i) {
     const BelievedObject& object = believed[i];
-    ObjectOutcome& outcome =
-        outcomes.emplace_back(ObjectOutcome{.id = object.id,
-                                            .class_name = object.shape.class_name,
-                                            .is_confirmed = object.is_confirmed,
-                                            .real_probability = object.real_probability,
-                                            .best_class_probability = object.best_class_probability});
+    ObjectOutcome& outcome = outcomes.emplace_back(
+        ObjectOutcome{.id = object.id,
+                      .class_name = object.shape.class_name,
+                      .is_confirmed = object.is_confirmed,
+                      .real_probability = object.real_probability,
+                      .best_class_probability = object.best_class_probability});
     if (!predictions.truth_of[i]) continue;
     outcome.true_id = truth.ids[*predictions.truth_of[i]];
     outcome.true_class_name = truth.objects[*predictions.truth_of[i]].class_name;

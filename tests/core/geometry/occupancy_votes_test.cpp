@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -65,6 +66,46 @@ TEST(OccupancyVotes, TheFootprintIsThatOfTheThing) {
   for (int i = 0; i < 5; ++i) points.observe(surface_of(box));
   const Polygon truth = make_polygon({{0.75, 1.8}, {1.25, 1.8}, {1.25, 2.2}, {0.75, 2.2}}).value();
   EXPECT_GT(jaccard(points.footprint().value(), truth), 0.85);
+}
+
+/// A plane of 2 m by 2 m, of which 30 observations see another 2,000 points each, and two of them
+/// the same points, 4 cm apart, of a strip of 0.2 m beyond its end as well.
+OccupancyVotes observed_plane(const OccupancyVotesOptions& options) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> within(0.0F, 2.0F);
+  std::vector<Eigen::Vector3f> strip;
+  for (int i = 0; i < 5; ++i) {
+    for (int k = 0; k < 50; ++k) {
+      const Eigen::Vector3d p(2.305 + 0.04 * i, 0.005 + 0.04 * k, 0.505);
+      strip.push_back(p.cast<float>());
+    }
+  }
+  OccupancyVotes plane(options);
+  for (int frame = 0; frame < 30; ++frame) {
+    std::vector<Eigen::Vector3f> seen;
+    for (int i = 0; i < 2000; ++i) seen.emplace_back(within(random), within(random), 0.505F);
+    if (frame < 2) seen.insert(seen.end(), strip.begin(), strip.end());
+    plane.observe(seen);
+  }
+  return plane;
+}
+
+TEST(OccupancyVotes, OfALargeSurfaceTheBlocksTellWhatTwoSegmentsTookIn) {
+  // 60,000 points in 40,000 cells: the typical cell has two votes, as those of the strip have.
+  const auto right_end = [](double min_block_share) {
+    const auto plane = observed_plane({.max_cells = 65536, .min_block_share = min_block_share});
+    return plane.agreed_box()->max_in_map.x();
+  };
+  EXPECT_NEAR(right_end(0.1), 2.0, 0.02);
+  EXPECT_NEAR(right_end(0.0), 2.465, 0.02);
+}
+
+TEST(OccupancyVotes, SupportedAreTheCellsOfASurfaceThatOnlyOneSaw) {
+  const OccupancyVotes plane = observed_plane({.max_cells = 65536});
+  const auto supported = plane.supported_points();
+  EXPECT_GT(2 * supported.size(), 3 * plane.agreed_points().size());
+  EXPECT_TRUE(std::ranges::none_of(supported, [](const auto& p) { return p.x() > 2.01; }));
+  EXPECT_EQ(plane.standings().size(), plane.state().votes.size());
 }
 
 TEST(OccupancyVotes, StrayPointsAreOutvoted) {

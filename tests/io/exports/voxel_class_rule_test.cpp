@@ -34,8 +34,12 @@ Object object_at(double x, ClassId class_id) {
   Object object;
   object.belief.observe(std::array{ClassEvidence{class_id, Probability(0.9)}}, Probability(0.5));
   object.box = {{x, 0.0, 0.0}, {x + 0.4, 0.4, 0.8}};
-  object.points.observe(std::vector<Eigen::Vector3f>{{static_cast<float>(x), 0.0F, 0.0F},
-                                                     {static_cast<float>(x) + 0.4F, 0.4F, 0.8F}});
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i <= 20; ++i) {
+    const Eigen::Vector3d p(x + 0.02 * i, 0.225, 0.525);
+    points.push_back(p.cast<float>());
+  }
+  object.points.observe(points);
   return object;
 }
 

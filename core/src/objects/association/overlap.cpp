@@ -60,16 +60,18 @@ class AxisCells {
 
 /// The cells of the points that an object's observations agree on.
 std::vector<ProximityCell> agreed_cells(const OccupancyVotes& votes, double near_m) {
-  const auto& [typical, needed, num_cells, low, high] = votes.agreement();
+  const CellAgreement& agreement = votes.agreement();
   const double edge_m = votes.state().edge_m;
-  const AxisCells x(low.x, high.x, edge_m, near_m);
-  const AxisCells y(low.y, high.y, edge_m, near_m);
-  const AxisCells z(low.z, high.z, edge_m, near_m);
+  const AxisCells x(agreement.low.x, agreement.high.x, edge_m, near_m);
+  const AxisCells y(agreement.low.y, agreement.high.y, edge_m, near_m);
+  const AxisCells z(agreement.low.z, agreement.high.z, edge_m, near_m);
   std::vector<ProximityCell> cells;
-  cells.reserve(num_cells);
-  for (const PointVote& vote : votes.state().votes) {
-    if (vote.votes < needed) continue;
-    cells.push_back({x.at(vote.cell.x), y.at(vote.cell.y), z.at(vote.cell.z)});
+  cells.reserve(agreement.num_cells);
+  const auto standings = votes.standings();
+  for (std::size_t i = 0; i < standings.size(); ++i) {
+    if (standings[i] != CellStanding::kAgreed) continue;
+    const PointCell& cell = votes.state().votes[i].cell;
+    cells.push_back({x.at(cell.x), y.at(cell.y), z.at(cell.z)});
   }
   return cells;
 }

@@ -88,8 +88,9 @@ void record(Object& object,
 /// Whether the object shows again, or its place is at least not seen through, after clear looks
 /// through it: an entry of the log, though nothing decays by it.
 bool ends_absence(const Object& object, const VisibilityResult& result) {
-  const bool is_there = result.state == Visibility::kVisible ||
-                        (result.state == Visibility::kPartlyOccluded && result.visible_fraction > 0);
+  const bool is_there =
+      result.state == Visibility::kVisible ||
+      (result.state == Visibility::kPartlyOccluded && result.visible_fraction > 0);
   return is_there && absence_run(object.observation_log).looks > 0;
 }
 

@@ -16,13 +16,12 @@ constexpr std::string_view kRemovalNames[] = {"existence", "confidence"};
 constexpr std::string_view kConfidenceNames[] = {"real_and_class", "weighted", "multiplied"};
 
 constexpr OptionRow kConfidenceRows[] = {
-    option::choice<&ObjectConfidenceOptions::rule>(
-        "rule",
-        kConfidenceNames,
-        {.source = "[smap] Eq. (3.27)",
-         .effect = "What an object's confidence is.",
-         .smap = ConfidenceRule::kWeighted,
-         .hypermap = ConfidenceRule::kMultiplied}),
+    option::choice<&ObjectConfidenceOptions::rule>("rule",
+                                                   kConfidenceNames,
+                                                   {.source = "[smap] Eq. (3.27)",
+                                                    .effect = "What an object's confidence is.",
+                                                    .smap = ConfidenceRule::kWeighted,
+                                                    .hypermap = ConfidenceRule::kMultiplied}),
 };
 
 /// [smap] has no existence, attenuates what is partly occluded and decays a little what is hidden,

@@ -101,12 +101,17 @@ Result<PointVote> parse_vote(const JsonNode& node) {
 Result<OccupancyVotes> parse_points(const JsonNode& node) {
   HYPERMAP_TRY(expect_keys(
       node,
-      {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"}));
+      {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"},
+      {"min_block_share"}));
   OccupancyVotesOptions options;
   OccupancyVotesState state;
   HYPERMAP_ASSIGN_OR_RETURN(options.edge_m, number_at(node, "first_edge_m"));
   HYPERMAP_ASSIGN_OR_RETURN(options.max_cells, integer_at<std::uint32_t>(node, "max_cells"));
   HYPERMAP_ASSIGN_OR_RETURN(options.min_vote_share, number_at(node, "min_vote_share"));
+  options.min_block_share = 0.0;  // an older file does not ask for it
+  if (node.find("min_block_share")) {
+    HYPERMAP_ASSIGN_OR_RETURN(options.min_block_share, number_at(node, "min_block_share"));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(state.edge_m, number_at(node, "edge_m"));
   HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
                             integer_at<std::uint32_t>(node, "num_observations"));

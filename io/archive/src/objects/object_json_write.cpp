@@ -108,6 +108,7 @@ class ObjectWriter {
     return json_object({{"first_edge_m", number(options.edge_m)},
                         {"max_cells", count(options.max_cells)},
                         {"min_vote_share", number(options.min_vote_share)},
+                        {"min_block_share", number(options.min_block_share)},
                         {"edge_m", number(state.edge_m)},
                         {"num_observations", count(state.num_observations)},
                         {"votes", json_array(state.votes, [](const PointVote& vote) {

@@ -46,6 +46,10 @@ struct OccupancyVotesOptions {
   /// A cell counts when it has at least this share of the votes that a typical vote's cell has. 0
   /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
+  /// A cell counts when, besides, the block of 4 x 4 x 4 cells that it lies in has at least this
+  /// share of the votes that a typical vote's block has. Points of a large surface rarely fall into
+  /// one cell twice, so that its cells alone cannot tell a single segment's error. 0 counts all.
+  double min_block_share = 0.1;
   friend bool operator==(const OccupancyVotesOptions&, const OccupancyVotesOptions&) = default;
 };
 
@@ -61,10 +65,17 @@ struct OccupancyVotesState {
   friend bool operator==(const OccupancyVotesState&, const OccupancyVotesState&) = default;
 };
 
+/// What the observations of an object say of a cell that one of them voted for.
+enum class CellStanding : std::uint8_t {
+  kStray,      ///< Few have points near it.
+  kSupported,  ///< Enough have points in its block, too few in the cell itself.
+  kAgreed,     ///< It counts.
+};
+
 /// Which cells of a state count, and where they lie. Follows from the state and the options.
 struct CellAgreement {
   std::uint32_t typical_votes = 1;  ///< Of the cell of a typical vote.
-  std::uint32_t votes_needed = 1;   ///< Of a cell that counts.
+  std::uint32_t votes_needed = 1;   ///< Of a cell that counts, if its block has enough.
   std::size_t num_cells = 0;        ///< That count.
   PointCell low;                    ///< The lowest coordinates of those; zeros when there are none.
   PointCell high;                   ///< The highest ones.
@@ -99,10 +110,14 @@ class OccupancyVotes {
   /// Cost: O(cells of the slabs of x that both have); allocates for the cells that go.
   std::size_t yield_to(const OccupancyVotes& other, double factor);
 
-  /// Which cells enough observations agree on: those of `agreement().votes_needed` votes and more.
+  /// How many cells enough observations agree on, and where those lie.
   [[nodiscard]] const CellAgreement& agreement() const noexcept { return agreement_; }
+  /// Of each cell of the state, in its order.
+  [[nodiscard]] std::span<const CellStanding> standings() const noexcept { return *standings_; }
   /// Centres of the cells that enough observations agree on, in the order of cells.
   [[nodiscard]] std::vector<Eigen::Vector3d> agreed_points() const;
+  /// Those and the supported ones: all of a surface, with the noise across it.
+  [[nodiscard]] std::vector<Eigen::Vector3d> supported_points() const;
   /// Box of the agreed points, a quarter of a cell wider. None when empty. Cost: O(1).
   [[nodiscard]] std::optional<Box> agreed_box() const;
   /// Convex hull, from above, of the agreed points, each a square of half a cell.
@@ -117,11 +132,17 @@ class OccupancyVotes {
   }
 
  private:
+  /// Makes room first.
   void take(OccupancyVotesState state);
+  /// Sets the state and what follows from it. Requires: there is room.
+  void adopt(OccupancyVotesState state);
+  [[nodiscard]] std::vector<Eigen::Vector3d> points_from(CellStanding least) const;
 
   OccupancyVotesOptions options_;
   std::shared_ptr<const OccupancyVotesState> state_;  ///< Never null.
-  CellAgreement agreement_;                           ///< Of state_: whoever sets one sets both.
+  /// Of state_: whoever sets one sets all three. Never null.
+  std::shared_ptr<const std::vector<CellStanding>> standings_;
+  CellAgreement agreement_;
 };
 
 }  // namespace hypermap

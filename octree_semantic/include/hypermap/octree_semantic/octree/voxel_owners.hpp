@@ -8,14 +8,14 @@
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
-#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/octree_semantic/octree/semantic_octree.hpp"
 
+#include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 
 namespace hypermap {
 
@@ -25,27 +25,35 @@ struct OwnerLabel {
   LogOdds probability;  ///< That it is real and of that class.
 };
 
-/// Confirmed objects, asked by voxels. Cost: a table look-up a voxel.
+/// Confirmed objects, asked by voxels.
+///
+/// A voxel belongs to the object that it is labelled with, when that is a confirmed one and has
+/// supported points (OccupancyVotes) within 5 cm of the cube, which a surface may be measured off:
+/// a single segment that took the floor in labels voxels too. Any other voxel belongs to the
+/// confirmed object that has most supported points within 1 cm of the cube, the lowest id of
+/// equals: no segment names all voxels of a surface. An object without points stands for its box
+/// grown by 5 cm, and only owns what is labelled with it.
+/// Cost: a table look-up a voxel and bits of its owner's points, else a query of the objects there;
+/// memory a bit for each cell of 1 cm of an object's box, at most 128 KB an object.
 class VoxelOwners {
  public:
   /// Ids that are no objects, and objects without a class, own nothing.
   VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> confirmed);
 
-  /// Of a cube of that edge that is labelled with `object`. Null when that is no confirmed object,
-  /// or when the cube does not reach its box grown by 5 cm, which a surface may be measured off: a
-  /// single segment that took the floor in labels voxels too.
-  [[nodiscard]] const OwnerLabel* find(ObjectId object,
-                                       const Eigen::Vector3d& centre_in_map,
-                                       double edge_m) const;
+  struct Owned {
+    ObjectId object;
+    OwnerLabel label;
+  };
+  /// Whom an occupied cube of that edge belongs to that is labelled with `object`; none: nobody.
+  [[nodiscard]] std::optional<Owned> find(ObjectId object,
+                                          const Eigen::Vector3d& centre_in_map,
+                                          double edge_m) const;
   /// The leaf with its owner's class, and with neither class nor object when it has no owner.
   [[nodiscard]] LeafSample owned(const LeafSample& leaf) const;
 
  private:
-  struct Owner {
-    OwnerLabel label;
-    Box bounds;
-  };
-  std::unordered_map<ObjectId, Owner> owners_;
+  struct Index;
+  std::shared_ptr<const Index> index_;  ///< Never null; shared by copies.
 };
 
 /// The voxels of the octree as `VoxelOwners::owned`. Requires: `octree` outlives the result.

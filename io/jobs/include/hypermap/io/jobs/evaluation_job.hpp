@@ -47,8 +47,8 @@ struct ObjectOutcome {
   std::uint64_t id = 0;
   std::string class_name = {};
   bool is_confirmed = false;
-  double real_probability = 0.0;        ///< That it exists.
-  double best_class_probability = 0.0;  ///< That it is of its class.
+  double real_probability = 0.0;              ///< That it exists.
+  double best_class_probability = 0.0;        ///< That it is of its class.
   std::optional<std::uint64_t> true_id = {};  ///< None: it is false, or a duplicate.
   std::string true_class_name = {};           ///< Empty without one.
 };
@@ -61,8 +61,8 @@ struct EvaluationOutcome {
   std::string why_no_voxels = {};  ///< Why there is no `voxels`; empty when there is.
   /// The truth tells how often each object was named rightly, so rarely seen ones are excluded.
   bool knows_frames_named = false;
-  CalibrationReport best_class = {};  ///< P(best class) of the map's confirmed objects.
-  CalibrationReport real = {};        ///< P(real) of all its objects.
+  CalibrationReport best_class = {};        ///< P(best class) of the map's confirmed objects.
+  CalibrationReport real = {};              ///< P(real) of all its objects.
   std::vector<ObjectOutcome> objects = {};  ///< Of the map alone, tentative ones too, by id.
 };
 
