@@ -83,6 +83,7 @@ OccupancyVotes observed_plane(const OccupancyVotesOptions& options) {
   OccupancyVotes plane(options);
   for (int frame = 0; frame < 30; ++frame) {
     std::vector<Eigen::Vector3f> seen;
+    seen.reserve(2000 + strip.size());
     for (int i = 0; i < 2000; ++i) seen.emplace_back(within(random), within(random), 0.505F);
     if (frame < 2) seen.insert(seen.end(), strip.begin(), strip.end());
     plane.observe(seen);

@@ -11,18 +11,19 @@ namespace {
 
 constexpr ClassId kMicrowave{0};
 constexpr ClassId kRefrigerator{1};
-constexpr ClassId kTv{2};
-constexpr ClassId kOven{3};
+constexpr ClassId kNamedTv{2};
+constexpr ClassId kNamedOven{3};
 constexpr ClassId kVase{4};  // never named
 
 /// An object that knows all five classes and that nobody saw.
 Object unseen(ClassTempering tempering = ClassTempering::kViews) {
   Object object;
   const LogOdds l{0.0};
-  object.belief = ClassBelief::from_entries(
-                      {.tempering = tempering},
-                      {{kMicrowave, l}, {kRefrigerator, l}, {kTv, l}, {kOven, l}, {kVase, l}})
-                      .value();
+  object.belief =
+      ClassBelief::from_entries(
+          {.tempering = tempering},
+          {{kMicrowave, l}, {kRefrigerator, l}, {kNamedTv, l}, {kNamedOven, l}, {kVase, l}})
+          .value();
   return object;
 }
 
@@ -65,16 +66,16 @@ TEST(ClassDistribution, EachViewHasTheRootOfItsDetectionsToShareOut) {
   // 1/4. View 5: one, tv. Microwave 1.5, tv 0.5 + 1 = 1.5; squares 2.25 each, 0.2 for the rest.
   Object object = unseen();
   name(object, kMicrowave, 3, 0);
-  name(object, kTv, 1, 0);
-  name(object, kTv, 1, 5);
+  name(object, kNamedTv, 1, 0);
+  name(object, kNamedTv, 1, 5);
   EXPECT_NEAR(probability_of(object, kMicrowave), 2.25 / 4.7, 1e-12);
-  EXPECT_NEAR(probability_of(object, kTv), 2.25 / 4.7, 1e-12);
+  EXPECT_NEAR(probability_of(object, kNamedTv), 2.25 / 4.7, 1e-12);
   EXPECT_NEAR(probability_of(object, kVase), 0.2 / 3.0 / 4.7, 1e-12);
 }
 
 TEST(ClassDistribution, SumsToOneAndAscends) {
   Object object = unseen();
-  name(object, kTv, 2);
+  name(object, kNamedTv, 2);
   name(object, ClassId{9}, 1, 3);  // of a class that the belief does not know
   double sum = 0.0;
   const auto classes = class_distribution(object);
@@ -89,26 +90,28 @@ TEST(ClassDistribution, WhatWasNamedLessOftenKeepsAShareThatFollowsItsCount) {
   Object object = unseen();
   name(object, kMicrowave, 13, 4);
   name(object, kRefrigerator, 13, 4);
-  name(object, kTv, 6, 4);
-  name(object, kOven, 3, 4);
+  name(object, kNamedTv, 6, 4);
+  name(object, kNamedOven, 3, 4);
   EXPECT_DOUBLE_EQ(probability_of(object, kMicrowave), probability_of(object, kRefrigerator));
   EXPECT_LT(probability_of(object, kMicrowave), 0.5);
-  EXPECT_NEAR(probability_of(object, kTv) / probability_of(object, kMicrowave), 36.0 / 169.0, 1e-9);
-  EXPECT_NEAR(probability_of(object, kOven) / probability_of(object, kTv), 9.0 / 36.0, 1e-9);
+  EXPECT_NEAR(
+      probability_of(object, kNamedTv) / probability_of(object, kMicrowave), 36.0 / 169.0, 1e-9);
+  EXPECT_NEAR(
+      probability_of(object, kNamedOven) / probability_of(object, kNamedTv), 9.0 / 36.0, 1e-9);
 }
 
 TEST(ClassDistribution, AHundredFramesOfOneViewAreNoHundredViews) {
   // The root of a hundred is ten: four views with five frames each, root 2.24, say as much.
   Object object = unseen();
-  name(object, kOven, 100, 0);
-  for (int view = 1; view <= 5; ++view) name(object, kTv, 5, view);
-  EXPECT_EQ(best_class(object)->id, kTv);
-  EXPECT_GT(probability_of(object, kOven), 0.4);
+  name(object, kNamedOven, 100, 0);
+  for (int view = 1; view <= 5; ++view) name(object, kNamedTv, 5, view);
+  EXPECT_EQ(best_class(object)->id, kNamedTv);
+  EXPECT_GT(probability_of(object, kNamedOven), 0.4);
 }
 
 TEST(ClassDistribution, WithoutTemperingOrDetectionsItIsTheBeliefs) {
   Object object = unseen(ClassTempering::kNone);
-  name(object, kTv, 3);
+  name(object, kNamedTv, 3);
   EXPECT_EQ(class_distribution(object), object.belief.distribution());
   EXPECT_EQ(class_distribution(unseen()), unseen().belief.distribution());
   EXPECT_TRUE(class_distribution(Object{}).empty());
@@ -126,8 +129,8 @@ TEST(ClassDistribution, OfEqualsTheMoreBelievedIsTheBest) {
 TEST(RealProbability, IsLogisticInDetectionsDirectionsAndMisses) {
   // docs/EVALUATION.md, "Calibration": -2.24 + 2.59 ln 4 + 2.14 ln 2 = 2.8338; 1 / (1 + e^-2.8338).
   Object object = unseen();
-  name(object, kTv, 3, 0);
-  name(object, kTv, 1, 1);
+  name(object, kNamedTv, 3, 0);
+  name(object, kNamedTv, 1, 1);
   EXPECT_NEAR(real_probability(object).value(), 0.94449, 1e-4);
   // - 2.20 ln(1 + 4 * 0.75) = -3.0499.
   miss(object, 0.75F, 4);
@@ -137,8 +140,8 @@ TEST(RealProbability, IsLogisticInDetectionsDirectionsAndMisses) {
 TEST(RealProbability, WhatIsSeenAndSeldomDetectedIsAFalseAlarmAtAnyCount) {
   Object often = unseen();
   Object seldom = unseen();
-  name(often, kTv, 8);
-  name(seldom, kTv, 8);
+  name(often, kNamedTv, 8);
+  name(seldom, kNamedTv, 8);
   miss(often, 1.0F, 3);
   miss(seldom, 1.0F, 30);
   EXPECT_GT(real_probability(often).value(), 0.5);
@@ -147,7 +150,7 @@ TEST(RealProbability, WhatIsSeenAndSeldomDetectedIsAFalseAlarmAtAnyCount) {
 
 TEST(RealProbability, WhatIsGoneIsNotReal) {
   Object object = unseen();
-  for (int view = 0; view < 18; ++view) name(object, kTv, 10, view);
+  for (int view = 0; view < 18; ++view) name(object, kNamedTv, 10, view);
   look_through(object, 4);
   EXPECT_GT(real_probability(object).value(), 0.99);
   look_through(object, 5);
@@ -162,8 +165,8 @@ TEST(RealProbability, WithoutDetectionsItIsThatOfTheExistence) {
 
 TEST(ObjectConfidence, IsTheProbabilityOfBeingRealAndOfThatClass) {
   Object object = unseen();
-  name(object, kTv, 3);
-  name(object, kOven, 2, 1);
+  name(object, kNamedTv, 3);
+  name(object, kNamedOven, 2, 1);
   const double expected =
       real_probability(object).value() * best_class(object)->probability.value();
   EXPECT_DOUBLE_EQ(object_confidence(object).value(), expected);

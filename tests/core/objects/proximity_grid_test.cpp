@@ -59,7 +59,8 @@ TEST(ProximityGrid, ACellReachesItsTwentySixNeighboursAcrossAllWords) {
   for (std::int64_t z = -75; z <= 75; ++z) {
     const std::vector<ProximityCell> cells{far, {3, -4, z}};
     const DenseNeighbourhood dense(cells, bounds_of(cells));
-    for (std::int64_t i = 0; i < 7 * 7 * 7; ++i) {
+    constexpr std::int64_t kNumCells = 343;  // 7 on each axis
+    for (std::int64_t i = 0; i < kNumCells; ++i) {
       const ProximityCell cell{i / 49, -7 + i / 7 % 7, z - 3 + i % 7};
       ASSERT_EQ(dense.contains(cell), is_near_one(cell, cells)) << z << ' ' << i;
     }

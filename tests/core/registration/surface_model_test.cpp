@@ -75,7 +75,8 @@ TEST(SurfaceModel, BothSidesOfAThinBoardAreTwoPlanes) {
 
 TEST(SurfaceModel, PointsThatAreNoneAreLeftOut) {
   SurfaceModel model(0.1, 4096);
-  model.add(std::vector<OrientedPoint>{{{std::nan(""), 0, 0}}, {{1e9, 0, 0}}, {{0, -INFINITY, 0}}});
+  model.add(std::vector<OrientedPoint>{
+      {{std::nan(""), 0, 0}}, {{1e9, 0, 0}}, {{0, -std::numeric_limits<double>::infinity(), 0}}});
   EXPECT_EQ(model.num_cells(), 0U);
 }
 

@@ -119,6 +119,7 @@ TEST(PointMask, CountsTheCellsThatABoxTouches) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> within(-0.3, 0.3);
   std::vector<Eigen::Vector3d> points;
+  points.reserve(60);
   for (int i = 0; i < 60; ++i) points.emplace_back(within(random), within(random), within(random));
   const PointMask mask(points, 0.1);
   Eigen::Vector3d low = points.front();
