@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace hypermap {
@@ -238,8 +239,11 @@ TEST(PoseRefinementOptions, ValuesOutOfRangeAreRefusedByName) {
   EXPECT_TRUE(validate(kOn));
   EXPECT_EQ(validate(PoseRefinementOptions{.sigma_m = 0.0}).error().field, "sigma_m");
   EXPECT_EQ(validate(PoseRefinementOptions{.max_cells = 2}).error().field, "max_cells");
-  EXPECT_EQ(validate(PoseRefinementOptions{.max_rotation_rad = NAN}).error().field,
-            "max_rotation_rad");
+  EXPECT_EQ(
+      validate(PoseRefinementOptions{.max_rotation_rad = std::numeric_limits<double>::quiet_NaN()})
+          .error()
+          .field,
+      "max_rotation_rad");
 }
 
 }  // namespace
