@@ -2,6 +2,7 @@
 #include "background_planes.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
+#include "plane_test.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -23,27 +24,6 @@ constexpr double kFreePlaneWeight = 0.75;
 /// Cosine of 3 degrees, what the up axis of a map may be off.
 constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
-
-/// How far sensor noise moves a point along its ray.
-float noise_at(float depth_m, const ForegroundOptions& options) {
-  return static_cast<float>(options.noise_factor * axial_noise_m(static_cast<double>(depth_m)));
-}
-
-/// Which points may be of a plane. They lie on it up to `thickness_m` and the part across the plane
-/// of what noise moves them along their rays.
-struct PlaneTest {
-  Plane plane;
-  float thickness_m = 0.0F;
-  /// Of the tolerance that is meant, for a wider look.
-  float scale = 1.0F;
-
-  // In the order in which Eigen adds: a plane that is found by one is tested alike by the other.
-  [[nodiscard]] bool holds(float x, float y, float z, float noise_m) const {
-    const float along = plane.normal.x() * x + (plane.normal.y() * y + plane.normal.z() * z);
-    const float across = std::abs(along) / z;
-    return std::abs(along + plane.offset_m) <= scale * thickness_m + scale * noise_m * across;
-  }
-};
 
 /// Points side by side, so that a plane is tested against several of them at once.
 class Points {
@@ -115,10 +95,6 @@ std::optional<Plane> plane_through(const Eigen::Vector3f& a,
   const float length = normal.norm();
   if (!(length > 1e-6F)) return std::nullopt;
   return Plane{normal / length, -normal.dot(a) / length};
-}
-
-PlaneTest test_of(const Plane& plane, const ForegroundOptions& options) {
-  return {.plane = plane, .thickness_m = static_cast<float>(options.plane_thickness_m)};
 }
 
 /// Least squares through the points on `plane`.

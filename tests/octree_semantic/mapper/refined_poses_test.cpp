@@ -5,6 +5,7 @@
 #include "octree_semantic/support/detected_frame.hpp"
 #include "support/box_scene.hpp"
 #include "support/camera_pose.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,8 @@ namespace hypermap {
 namespace {
 
 const std::vector<RgbdFrame>& true_frames() {
-  static const std::vector<RgbdFrame> kFrames = test::detected_room_frames(24, 320);
+  static const std::vector<RgbdFrame> kFrames =
+      test::detected_room_frames(test::kSanitized ? 8 : 24, test::kSanitized ? 160 : 320);
   return kFrames;
 }
 
@@ -45,7 +47,8 @@ std::vector<RgbdFrame> small_room_frames() {
   scene.add(3, {-2, 2, 0}, {2, 2.1, 2.5}).add(4, {1.5, 0.8, 0}, {2, 2, 1.2});
   scene.add(5, {0.6, -1.2, 0.7}, {1.6, -0.2, 0.75}).add(6, {-0.6, 1.2, 0}, {0.2, 1.7, 0.8});
   std::vector<RgbdFrame> frames;
-  for (unsigned i = 0; i < 40; ++i) {
+  constexpr unsigned kNumFrames = test::kSanitized ? 12 : 40;
+  for (unsigned i = 0; i < kNumFrames; ++i) {
     const double share = i / 40.0;
     const double yaw_rad = -0.3 + 1.6 * share;
     frames.push_back(
@@ -106,9 +109,10 @@ TEST(RefinedPoses, AnyNumberOfThreadsGivesTheSameMap) {
 
 TEST(RefinedPoses, AResumedMapperThatIsGivenTheSurfacesGoesOnTheSame) {
   const std::vector<RgbdFrame> frames = noisy_frames();
+  const std::size_t half = frames.size() / 2;
   SemanticMapper whole = refining_mapper();
   SemanticMapper first = refining_mapper();
-  for (std::size_t i = 0; i < 12; ++i) {
+  for (std::size_t i = 0; i < half; ++i) {
     ASSERT_TRUE(whole.integrate(frames[i]));
     ASSERT_TRUE(first.integrate(frames[i]));
   }
@@ -116,9 +120,9 @@ TEST(RefinedPoses, AResumedMapperThatIsGivenTheSurfacesGoesOnTheSame) {
       SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
   SemanticMapper bare =
       SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
-  for (std::size_t i = 0; i < 12; ++i) ASSERT_TRUE(second.add_surfaces(frames[i]));
-  EXPECT_EQ(bare.integrate(frames[12])->pose.outcome, PoseOutcome::kTooFewPoints);
-  for (std::size_t i = 12; i < frames.size(); ++i) {
+  for (std::size_t i = 0; i < half; ++i) ASSERT_TRUE(second.add_surfaces(frames[i]));
+  EXPECT_EQ(bare.integrate(frames[half])->pose.outcome, PoseOutcome::kTooFewPoints);
+  for (std::size_t i = half; i < frames.size(); ++i) {
     const FrameReport report = whole.integrate(frames[i]).value();
     const FrameReport resumed = second.integrate(frames[i]).value();
     EXPECT_EQ(report.map_from_camera.isometry().matrix(),

@@ -3,6 +3,7 @@
 /// Our segmentation: what continues outside the box is background.
 #include "pixel_shares.hpp"
 #include "segmentation/background_planes.hpp"
+#include "segmentation/plane_growth.hpp"
 #include "segmentation/voxel_grid.hpp"
 #include "segmentation_policies.hpp"
 #include "surface_choice.hpp"
@@ -87,6 +88,23 @@ std::vector<std::uint8_t> cells_of_object(const DepthWindow& window,
     }
   }
   return firm;
+}
+
+/// What a window shows, and 1 on the cells of the object.
+struct FoundObject {
+  DepthComponents surfaces;
+  std::vector<std::uint8_t> is_object;
+};
+
+FoundObject find_object(const DepthWindow& window,
+                        const std::vector<std::uint8_t>& plane_of_cell,
+                        const Eigen::Matrix3f& gravity_aligned_from_camera,
+                        const ForegroundOptions& options) {
+  FoundObject found{surfaces_of(window, plane_of_cell, options), {}};
+  const ComponentIds chosen =
+      choose_surfaces(window, found.surfaces, gravity_aligned_from_camera, options);
+  found.is_object = cells_of_object(window, found.surfaces, chosen);
+  return found;
 }
 
 /// The measured pixels of the box in the object's cells, on the same surface as their cell.
@@ -201,14 +219,14 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
-  const DepthComponents labelled = surfaces_of(window, kind, foreground);
+  FoundObject found = find_object(window, kind, gravity_aligned_from_camera, foreground);
+  const auto grown = grown_planes(window, planes, kind, found.is_object, foreground);
+  if (grown != kind) found = find_object(window, grown, gravity_aligned_from_camera, foreground);
+  const DepthComponents& labelled = found.surfaces;
   notes.step("surfaces", labelled.components.size(), [&](std::size_t cell) {
     return if_measured(cell, static_cast<std::int32_t>(labelled.of_cell[cell]) + 1);
   });
-
-  const ComponentIds chosen =
-      choose_surfaces(window, labelled, gravity_aligned_from_camera, foreground);
-  const std::vector<std::uint8_t> is_object = cells_of_object(window, labelled, chosen);
+  const std::vector<std::uint8_t>& is_object = found.is_object;
   notes.step(
       "object", 1, [&](std::size_t cell) { return is_object[cell] != 0 ? 1 : kLabelAbsent; });
 
