@@ -2,6 +2,7 @@
 // What an object's evidence says with which probability.
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "objects/evidence/gone_run.hpp"
 
 #include <algorithm>
 #include <array>
@@ -122,10 +123,8 @@ Probability real_probability(const Object& object) {
                     kRealPerDetections * std::log(static_cast<double>(seen.num_detections)) +
                     kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
                     kRealPerMissedVisibility * std::log1p(seen.missed_visibility);
-  if (is_gone(object.observation_log)) {
-    const double looks = absence_run(object.observation_log).looks;
-    log_odds = std::min(log_odds, -looks);
-  }
+  const AbsenceRun run = absence_run(object.observation_log);
+  if (is_gone_by(run, {})) log_odds = std::min(log_odds, -static_cast<double>(run.looks));
   return LogOdds(log_odds).probability();
 }
 
