@@ -4,13 +4,18 @@
 
 Usage: fit_real_probability.py FOLDER, with pairs of a map NAME.hmap and the report NAME.json that `hypermap eval --json` writes of it.
 Prints a coefficient a line: of a constant, and of the natural logarithms of the detections, of the directions from which
-they came, and of 1 + the visibility in frames without one, all as the observation log of an object sums them up."""
+they came, and of 1 + the visibility in frames without one, all as the observation log of an object sums them up.
+What cannot be fitted to is said in a sentence that names folder or file, and the rule; exit status 2."""
 
 import json
 import math
 import pathlib
 import sys
 import zipfile
+
+class UnfitInput(Exception):
+    """Input that breaks a rule; its text names folder or file, and the rule."""
+
 
 DETECTION = 0
 NAMES = ("intercept", "per detections", "per directions", "per missed visibility")
@@ -28,14 +33,35 @@ def features(log):
     return [1.0, math.log(count), math.log(directions), math.log1p(missed)]
 
 
-def cases_of(map_path, report_path):
-    """Features and whether the object is real, of each object of a map."""
-    is_real = {row["id"]: row["truth"] is not None for row in json.loads(report_path.read_text())["objects"]}
+def read_by(reader, path, kind):
+    """What `reader` makes of a file that should be of this kind."""
+    try:
+        return reader(path)
+    except OSError as error:
+        raise UnfitInput(f"{path}: cannot be read: {error.strerror or error}") from error
+    except (ValueError, KeyError, TypeError, IndexError, zipfile.BadZipFile) as error:
+        raise UnfitInput(f"{path}: must be {kind}: {error}") from error
+
+
+def truths_of(report_path):
+    """Whether each object of a report is real, by its id."""
+    return {row["id"]: row["truth"] is not None for row in json.loads(report_path.read_text())["objects"]}
+
+
+def features_of(map_path):
+    """Features of each object of a map, by its id."""
     with zipfile.ZipFile(map_path) as archive:
         lines = archive.read("objects.jsonl").decode().splitlines()[1:]
-    objects = [json.loads(line) for line in lines]
-    cases = [(features(o["ledger"]), is_real[o["id"]]) for o in objects if o["id"] in is_real]
-    return [case for case in cases if case[0] is not None]
+    return {one["id"]: features(one["ledger"]) for one in map(json.loads, lines)}
+
+
+def cases_of(map_path, report_path):
+    """Features and whether the object is real, of each object of a map that was ever detected."""
+    is_real = read_by(truths_of, report_path, "a report of `hypermap eval --json`")
+    if not map_path.exists():
+        raise UnfitInput(f"{map_path.parent}: each report needs its map beside it: {report_path.name} has no {map_path.name}")
+    known = read_by(features_of, map_path, "a map with objects")
+    return [(x, is_real[number]) for number, x in known.items() if number in is_real and x is not None]
 
 
 def solved(matrix, right):
@@ -72,10 +98,23 @@ def fitted(cases, penalty=0.01):
     return weights
 
 
+def all_cases(folder):
+    """Of all pairs in a folder. There are real objects and others, or UnfitInput."""
+    if not folder.is_dir():
+        raise UnfitInput(f"{folder}: must be a folder")
+    reports = sorted(folder.glob("*.json"))
+    if not reports:
+        raise UnfitInput(f"{folder}: needs a report or more, NAME.json beside the map NAME.hmap; has none")
+    cases = [case for report in reports for case in cases_of(report.with_suffix(".hmap"), report)]
+    real = sum(truth for _, truth in cases)
+    if real in (0, len(cases)):
+        raise UnfitInput(f"{folder}: needs detected objects that are real and such that are not; "
+                         f"has {real} and {len(cases) - real}")
+    return cases
+
+
 def main(folder):
-    cases = []
-    for report in sorted(pathlib.Path(folder).glob("*.json")):
-        cases += cases_of(report.with_suffix(".hmap"), report)
+    cases = all_cases(pathlib.Path(folder))
     real = sum(truth for _, truth in cases)
     print(f"{len(cases)} objects, {real} of them real")
     for name, weight in zip(NAMES, fitted(cases)):
@@ -86,4 +125,8 @@ if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         print(__doc__)
         sys.exit(0 if len(sys.argv) == 2 else 4)
-    main(sys.argv[1])
+    try:
+        main(sys.argv[1])
+    except UnfitInput as fault:
+        print(f"fit_real_probability: {fault}", file=sys.stderr)
+        sys.exit(2)

@@ -29,7 +29,7 @@ std::string fixed(const std::optional<double>& value, int digits) {
   return text;
 }
 
-Table::Table(std::vector<std::string> heading) {
+Table::Table(std::vector<std::string> heading, LastColumn last) : last_(last) {
   rows_.push_back(std::move(heading));
 }
 
@@ -47,7 +47,8 @@ std::string Table::text() const {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) line += "  ";
-      line += padded(row[i], widths[i], i == 0);
+      const bool is_text = i == 0 || (i + 1 == row.size() && last_ == LastColumn::kText);
+      line += padded(row[i], widths[i], is_text);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

@@ -6,11 +6,14 @@ Usage: recorded_data_test.py PROGRAM [unittest args]"""
 
 import collections
 import json
+import math
 import pathlib
+import re
 import shutil
 import struct
 import tempfile
 import unittest
+import zipfile
 
 from program import DATA, IS_SANITIZED, SOURCE, digest, run
 
@@ -57,6 +60,40 @@ class RealData(unittest.TestCase):
         self.assertLessEqual(top, 0.60 + 0.04)
         (height, _), = self.layer_heights(archive).most_common(1)
         self.assertLessEqual(abs(height), 0.03, "the floor lies at z = 0")
+
+    def view_weights(self, archive):
+        """The squares that docs/EVALUATION.md, "Calibration", shares out among the classes of a map's only object."""
+        with zipfile.ZipFile(archive) as members:
+            names = re.findall(r"[^\[\],]+", members.read("classes.yaml").decode().strip())
+            (entry,) = members.read("objects.jsonl").decode().splitlines()[1:]
+        detections = [row for row in json.loads(entry)["ledger"]["summaries"] if row[0] == 0]
+        of_view = collections.Counter()
+        for _, _, _, view, count, *_ in detections:
+            of_view[view] += count
+        roots = collections.Counter()
+        for _, _, number, view, count, *_ in detections:
+            roots[names[number].strip()] += count / math.sqrt(of_view[view])
+        return {name: root * root for name, root in roots.items()}
+
+    def test_the_cabinet_answers_with_all_names_that_it_was_given(self):
+        archive, (cabinet,) = self.mapped("tum_fr3_cabinet", "--dataset",
+                                          SOURCE / "data/datasets/tum_fr3_cabinet.yaml")
+        shares = {one["name"]: one["probability"] for one in cabinet["classes"]}
+        self.assertEqual(list(shares.values()), sorted(shares.values(), reverse=True))
+        self.assertAlmostEqual(sum(shares.values()), 1.0, places=9)
+        self.assertEqual(set(list(shares)[:4]), {"microwave", "refrigerator", "tvmonitor", "oven"})
+        weights = self.view_weights(archive)
+        all_classes = sum(weights.values()) + 0.2  # for those that were never named
+        for name in list(shares)[:4]:
+            self.assertAlmostEqual(shares[name], weights[name] / all_classes, places=9)
+        self.assertAlmostEqual(cabinet["class_entropy_nats"], -sum(p * math.log(p) for p in shares.values()), places=9)
+        self.assertEqual(cabinet["name"], next(iter(shares)))
+        self.assertEqual(cabinet["runner_up"], cabinet["classes"][1])
+        self.assertAlmostEqual(cabinet["confidence"], cabinet["real_probability"] * shares[cabinet["name"]], places=9)
+        text = run("query", archive, "--layer", "objects").stdout
+        for name in list(shares)[:4]:
+            self.assertIn(f"{name} {shares[name]:.2f}", text)
+        self.assertNotIn(f"{list(shares)[-1]} 0.00", text)
 
     @sees_the_same
     def test_the_living_room_is_mapped(self):

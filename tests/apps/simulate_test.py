@@ -85,8 +85,28 @@ class Simulate(unittest.TestCase):
         found = json.loads(run("query", folder / "truth.hmap", "--layer", "changes", "--area",
                                "-10 -10,10 -10,10 10,-10 10", "--json").stdout)["results"]
         self.assertEqual(len(found), 4)
-        self.assertIn("num_passes", self.refused("--moved", 1, status=2))
+        for change in ("--moved", "--removed", "--added"):
+            with self.subTest(change):
+                told = self.refused("--passes", 1, change, 2)
+                self.assertIn(change, told)
+                self.assertIn("--passes must be 2 or more, is 1", told)
+                self.assertNotIn("num_passes", told)
         self.assertIn("changes.num_removed", self.refused("--passes", 2, "--removed", 99, status=2))
+
+    def test_a_perfect_detector_has_no_rates(self):
+        for rate in ("--miss-rate", "--false-alarms", "--box-noise", "--wrong-class"):
+            with self.subTest(rate):
+                self.assertIn(f"{rate}: --detector perfect", self.refused("--detector", "perfect", rate, 0.5))
+
+    def test_one_is_singular(self):
+        result = run("simulate", "--output", self.folder / "one", *SMALL, "--frames", 1, "--miss-rate", 1, "--false-alarms", 0)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"^1 frame and 0 detections of \d\d+ objects in ")
+        archive = self.folder / "one.hmap"
+        mapped = run("map", "--input", self.folder / "one", "--output", archive)
+        self.assertIn("1 frame, 0 detections, 0 of them", mapped.stdout)
+        self.assertIn("0 objects (and 0 tentative)", mapped.stdout)
+        self.assertIn(", 1 frame (1 depth, 1 colour, 1 pose)", run("info", self.folder / "one").stdout)
 
     def test_what_is_no_value_is_a_wrong_command_line(self):
         for options in (("--frame-step", 0), ("--passes", 0), ("--speed", 0), ("--lens-height", 0.01),

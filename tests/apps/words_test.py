@@ -143,6 +143,7 @@ class Names(Case):
 
     def test_case_does_not_count(self):
         for arguments in (["QUERY", self.archive, "--Layer", "Occupancy", "--STRING", "free"],
+                          ["query", self.archive, "--layer", "Evidence", "--at", "0,0"],
                           ["info", self.archive, "--JSON"], ["config", "--preset", "SMAP"],
                           ["export", self.archive, "--format", "OctoMap", "--output", self.folder / "a.ot"],
                           ["export", self.archive, "--format", "Color OctoMap", "--output", self.folder / "c.ot"],
@@ -177,6 +178,7 @@ class Names(Case):
                 (["snapshot", self.archive, "--view", "topp", *output], 4, "top"),
                 (["eval", "--map", self.archive, "--truth", self.archive, "--layer", "semantc"], 2, "semantic"),
                 ([*query, "ocupancy", "--at", "0,0"], 2, "occupancy"),
+                ([*query, "evidenc", "--at", "0,0"], 2, "evidence"),
                 ([*query, "octree", "--at", "0,0", "--frame", "mpa"], 2, "map"),
                 (["query", self.archive, "--nearest", "chair", "--at", "0,0", "--frame", "mpa"], 2, "map"),
                 ([*query, "occupancy", "--string", "Fre"], 0, "Free")):

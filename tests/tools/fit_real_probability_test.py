@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/fit_real_probability.py: what it takes from an observation log, and that it finds the coefficients again."""
+"""scripts/fit_real_probability.py: what it takes from an observation log, that it finds the coefficients again,
+and what it says of a folder that it cannot fit to."""
 
+import json
 import math
 import pathlib
 import random
+import subprocess
 import sys
+import tempfile
 import unittest
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -43,6 +48,71 @@ class Fit(unittest.TestCase):
         weights = fit_real_probability.fitted([([1.0, 0.0], False), ([1.0, 1.0], True)])
         self.assertGreater(weights[1], 1.0)
         self.assertTrue(all(math.isfinite(w) for w in weights))
+
+
+class Folder(unittest.TestCase):
+    """A folder of reports and maps, on the command line."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def put(self, name, are_real, detections=4):
+        """A report and its map, of one object for each truth."""
+        rows = [{"id": i + 1, "truth": {"id": 7} if is_real else None} for i, is_real in enumerate(are_real)]
+        (self.folder / f"{name}.json").write_text(json.dumps({"objects": rows}))
+        kind = 0 if detections else 1
+        objects = [json.dumps({"id": r["id"], "ledger": {"summaries": [row(kind, 3, detections, 1.0)]}}) for r in rows]
+        with zipfile.ZipFile(self.folder / f"{name}.hmap", "w") as archive:
+            archive.writestr("objects.jsonl", "\n".join(["{}", *objects]))
+
+    def run_script(self, folder=None):
+        return subprocess.run([sys.executable, "-B", ROOT / "scripts/fit_real_probability.py", folder or self.folder],
+                              capture_output=True, text=True, check=False)
+
+    def assert_refused(self, *words, folder=None):
+        result = self.run_script(folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        for word in (str(folder or self.folder), *words):
+            self.assertIn(word, result.stderr)
+
+    def test_pairs_are_fitted(self):
+        self.put("a", [True, False])
+        self.put("b", [True])
+        result = self.run_script()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(result.stdout.splitlines()[0], "3 objects, 2 of them real")
+
+    def test_a_folder_without_reports(self):
+        self.assert_refused("needs a report or more")
+
+    def test_no_folder(self):
+        self.assert_refused("must be a folder", folder=self.folder / "absent")
+
+    def test_a_report_without_its_map(self):
+        self.put("a", [True, False])
+        (self.folder / "a.hmap").unlink()
+        self.assert_refused("each report needs its map beside it", "a.json has no a.hmap")
+
+    def test_objects_of_one_kind_of_truth(self):
+        for are_real, counts in (([True, True], "2 and 0"), ([False], "0 and 1"), ([], "0 and 0")):
+            with self.subTest(are_real):
+                self.put("a", are_real)
+                self.assert_refused("real and such that are not", counts)
+
+    def test_what_was_never_detected_is_of_no_kind(self):
+        self.put("a", [True, False], detections=0)
+        self.assert_refused("has 0 and 0")
+
+    def test_files_that_are_no_pair_are_named(self):
+        self.put("a", [True, False])
+        for name, text in (("a.json", "{"), ("a.json", "{}"), ("a.json", "[]"), ("a.hmap", "no archive")):
+            with self.subTest(name=name, text=text):
+                self.put("a", [True, False])
+                (self.folder / name).write_text(text)
+                self.assert_refused(f"{name}: must be a")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "dataset_arguments.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/jobs/detection_job.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
@@ -35,12 +36,13 @@ Result<DetectionJobReport> run(const DetectArguments& arguments, const std::stri
 }
 
 ExitCode print(const DetectionJobReport& done, const DetectArguments& arguments) {
-  std::printf("%zu detections in %zu frames, written to %s\n",
-              done.num_detections,
-              done.num_frames,
+  std::printf("%s in %s, written to %s\n",
+              count_text(done.num_detections, "detection").c_str(),
+              count_text(done.num_frames, "frame").c_str(),
               arguments.output.c_str());
   if (done.num_filtered > 0)
-    std::printf("%zu detections of other classes left out\n", done.num_filtered);
+    std::printf("%s of other classes left out\n",
+                count_text(done.num_filtered, "detection").c_str());
   ExitCode worst = ExitCode::kDone;
   for (const Error& skipped : done.skipped)
     worst = std::max(worst, report(Finding{Severity::kWarning, skipped}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_texts.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "tables.hpp"
 
 #include <string>
@@ -46,11 +47,11 @@ std::string object_table(const EvaluationReport& report) {
 
 std::string object_remarks(const EvaluationOutcome& outcome) {
   const OneToOneMetric& one = outcome.report.all.one_to_one;
-  std::string text = std::to_string(one.excluded) + " true objects excluded, " +
+  std::string text = count_text(one.excluded, "true object") + " excluded, " +
                      std::to_string(one.rarely_seen) + " of them rarely seen";
   if (!outcome.knows_frames_named)
     text += " (the truth does not tell how often they were named: only 200 depth pixels are asked)";
-  text += "; Jaccard in place over " + std::to_string(one.num_judged) + " footprints of " +
+  text += "; Jaccard in place over " + count_text(one.num_judged, "footprint") + " of " +
           fixed(EvaluationOptions{}.min_judged_area_m2, 2) + " m2 and more, worst " +
           fixed(one.worst_jaccard_in_place, 2) + "; over the " + std::to_string(one.num_seen) +
           " of them half seen " + fixed(one.seen_jaccard_in_place, 2) + "\n";
@@ -107,8 +108,8 @@ std::string calibration_text(const std::string& name, const CalibrationReport& r
   if (!report.expected_error) return name + ": nothing to calibrate\n";
   return name + ": expected calibration error " + fixed(report.expected_error, 3) +
          " (95 %: " + fixed(report.error_low, 3) + " .. " + fixed(report.error_high, 3) +
-         "), log loss " + fixed(report.log_loss, 3) + ", over " + std::to_string(report.n) +
-         " objects\n";
+         "), log loss " + fixed(report.log_loss, 3) + ", over " + count_text(report.n, "object") +
+         "\n";
 }
 
 std::string comparison_text(const MapComparison& comparison) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "dataset_arguments.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
@@ -37,7 +38,7 @@ std::string size_text(const LayerSummary& layer) {
            " unknown cells";
   }
   if (layer.num_objects) {
-    std::string objects = std::to_string(*layer.num_objects) + " objects";
+    std::string objects = count_text(*layer.num_objects, "object");
     if (layer.num_tentative.value_or(0) > 0) {
       objects += " (and " + std::to_string(*layer.num_tentative) + " tentative)";
     }
@@ -50,7 +51,7 @@ std::string size_text(const LayerSummary& layer) {
     return voxels + " in " + std::to_string(layer.leaves->occupied + layer.leaves->free) +
            " leaves";
   }
-  if (layer.num_values) return std::to_string(*layer.num_values) + " values";
+  if (layer.num_values) return count_text(*layer.num_values, "value");
   return "kept as it is";
 }
 
@@ -72,9 +73,10 @@ void print(const ArchiveInfo& info) {
                size_text(layer)});
   }
   std::printf("%s", table.text().c_str());
-  std::printf("%zu classes, %zu transforms, format version %lld\n",
+  std::printf("%zu %s, %s, format version %lld\n",
               info.classes.size(),
-              info.transforms.size(),
+              info.classes.size() == 1 ? "class" : "classes",
+              count_text(info.transforms.size(), "transform").c_str(),
               static_cast<long long>(info.format_version));
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
@@ -115,13 +117,13 @@ Json dataset_json(const DatasetSummary& summary) {
 }
 
 void print(const DatasetSummary& summary) {
-  std::printf("%s: %s, %zu frames (%zu depth, %zu colour, %zu poses)\n",
+  std::printf("%s: %s, %s (%zu depth, %zu colour, %s)\n",
               printable(summary.name).c_str(),
               summary.layout.c_str(),
-              summary.num_frames,
+              count_text(summary.num_frames, "frame").c_str(),
               summary.num_depth,
               summary.num_color,
-              summary.num_poses);
+              count_text(summary.num_poses, "pose").c_str());
   std::printf("camera %d x %d, fx %.2f fy %.2f cx %.2f cy %.2f, %.0f depth units a metre\n",
               summary.camera.width_px,
               summary.camera.height_px,
@@ -130,10 +132,10 @@ void print(const DatasetSummary& summary) {
               summary.camera.cx_px,
               summary.camera.cy_px,
               summary.depth_units_per_m);
-  std::printf("%zu detections in %zu frames, %zu files without partner\n",
-              summary.num_detections,
-              summary.num_detection_frames,
-              summary.unpaired.size());
+  std::printf("%s in %s, %s without partner\n",
+              count_text(summary.num_detections, "detection").c_str(),
+              count_text(summary.num_detection_frames, "frame").c_str(),
+              count_text(summary.unpaired.size(), "file").c_str());
 }
 
 std::string to_json(const DatasetSummary& summary) {

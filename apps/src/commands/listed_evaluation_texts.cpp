@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_texts.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -122,8 +123,8 @@ std::string summary_text(const ListedEvaluation& outcome,
   if (outcome.frames_named.empty())
     text += "not known how often things were named: none is taken out as rarely seen (--input)\n";
   else
-    text += "named in " + std::to_string(outcome.num_frames) +
-            " frames; rarely seen: in fewer than " + std::to_string(kMinFramesNamed) + "\n";
+    text += "named in " + count_text(outcome.num_frames, "frame") +
+            "; rarely seen: in fewer than " + std::to_string(kMinFramesNamed) + "\n";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "load_arguments.hpp"
 #include "map_hints.hpp"
+#include "mapping_text.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -14,7 +15,6 @@
 #include <CLI/Validators.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -89,41 +89,6 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   return job;
 }
 
-void print(const PoseCounts& poses) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  const std::size_t num_given =
-      poses.num_too_few_points + poses.num_ambiguous + poses.num_too_large + poses.num_no_better;
-  std::printf(
-      "%zu poses refined, by %.1f mm and %.2f degrees on the mean, %.1f mm and %.2f degrees "
-      "at most; %zu used as given\n",
-      poses.num_refined,
-      poses.mean_translation_m * 1000.0,
-      poses.mean_rotation_rad * kDegrees,
-      poses.max_translation_m * 1000.0,
-      poses.max_rotation_rad * kDegrees,
-      num_given);
-}
-
-void print(const MappingReport& report, const MappingJob& job, const MapArguments& arguments) {
-  std::printf("%zu frames, %zu detections, ", report.num_frames, report.num_detections);
-  if (report.num_filtered > 0)
-    std::printf("%zu of them left out by their class, ", report.num_filtered);
-  std::printf("%zu of them found in the depth\n", report.num_segments);
-  if (report.num_resumed > 0)
-    std::printf("went on after the %zu frames of the checkpoint\n", report.num_resumed);
-  if (job.mapper.refinement.rule != PoseRefinementRule::kNone) print(report.poses);
-  if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
-  std::printf("%zu objects (and %zu tentative), %zu occupied and %zu free voxels\n",
-              report.num_objects,
-              report.num_tentative,
-              report.leaves.occupied,
-              report.leaves.free);
-  std::printf("%.1f s, %.1f frames a second; written to %s\n",
-              report.seconds.wall,
-              static_cast<double>(report.num_frames - report.num_resumed) / report.seconds.wall,
-              arguments.job.output.c_str());
-}
-
 ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
@@ -148,7 +113,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   }
   for (const Finding& finding : mapped->findings) worst = std::max(worst, report(finding));
   if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
-  print(*mapped, *job, arguments);
+  print_mapping_report(*mapped, *job);
   print_hints_after(*mapped, *job);
   if (!arguments.stats) return worst;
   const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));

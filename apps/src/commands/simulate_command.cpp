@@ -2,6 +2,7 @@
 #include "choices.hpp"
 #include "command.hpp"
 #include "data_dir.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 #include "number_lists.hpp"
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace hypermap::app {
 namespace {
@@ -44,6 +46,26 @@ SimulatedDetectorOptions detector_of(const SimulateArguments& arguments) {
   return detector;
 }
 
+/// What contradicts what on the command line, for people.
+std::optional<std::string> usage_fault(const SimulateArguments& arguments) {
+  const SimulationOptions& simulation = arguments.simulation;
+  if (simulation.num_passes < 2 && simulation.changes.total() > 0) {
+    return "--moved, --removed and --added change what the last pass shows: --passes must be 2 or "
+           "more, is " +
+           std::to_string(simulation.num_passes);
+  }
+  if (arguments.detector != "perfect") return std::nullopt;
+  const std::pair<const char*, bool> rates[] = {
+      {"--miss-rate", arguments.miss_rate.has_value()},
+      {"--false-alarms", arguments.false_alarms.has_value()},
+      {"--box-noise", arguments.box_jitter.has_value()},
+      {"--wrong-class", arguments.wrong_class_rate.has_value()}};
+  for (const auto& [flag, is_given] : rates) {
+    if (is_given) return std::string(flag) + ": --detector perfect makes no mistakes";
+  }
+  return std::nullopt;
+}
+
 /// For `check`: WIDTHxHEIGHT.
 CLI::Validator image_size() {
   const auto check = [](const std::string& text) {
@@ -66,12 +88,14 @@ Result<SimulationReport> run(const SimulateArguments& arguments, const std::stri
 void print(const SimulationReport& report, const std::string& output) {
   std::size_t num_counted = 0;
   for (const SimulatedTruth& truth : report.objects) num_counted += truth.exclusion_reason.empty();
-  std::printf("%zu frames and %zu detections of %zu objects in %s\n",
-              report.num_frames,
-              report.num_detections,
-              report.objects.size(),
+  std::printf("%s and %s of %s in %s\n",
+              count_text(report.num_frames, "frame").c_str(),
+              count_text(report.num_detections, "detection").c_str(),
+              count_text(report.objects.size(), "object").c_str(),
               output.c_str());
-  std::printf("%zu objects count in evaluations; not counted:\n", num_counted);
+  std::printf("%s %s in evaluations; not counted:\n",
+              count_text(num_counted, "object").c_str(),
+              num_counted == 1 ? "counts" : "count");
   for (const SimulatedTruth& truth : report.objects) {
     if (truth.exclusion_reason.empty()) continue;
     std::printf(
@@ -159,6 +183,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
                 {"hypermap simulate --scene laboratory --frames 200 --output lab",
                  "hypermap simulate --passes 2 --moved 2 --removed 1 --output changing"});
   command.callback([arguments, &common, &action] {
+    if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("simulate", *fault);
     action = [arguments, &common] {
       arguments->simulation.detector = detector_of(*arguments);
       if (const auto size = parse_sides(arguments->size, "--size")) {

@@ -32,9 +32,9 @@ bool is_stronger(const Object& a, const Object& b) {
 }
 
 /// Whether a detector showed them beside each other in most frames that show the weaker one.
-bool were_told_apart(const Object& weaker,
-                     const Object& stronger,
-                     const ConfirmationOptions& options) {
+bool stood_beside_in_most_frames(const Object& weaker,
+                                 const Object& stronger,
+                                 const ConfirmationOptions& options) {
   const std::size_t apart = num_common_frames(weaker.observation_log, stronger.observation_log);
   return apart >= options.apart_frames &&
          static_cast<double>(apart) >= options.apart_share * weaker.num_observations;
@@ -69,11 +69,12 @@ std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
   std::vector<Taken> taken;
   for (const Object* object : candidates) {
     PointSet point_set = point_set_of(*object, kNearM);
-    const bool is_duplicate = options.one_per_place &&
-                              std::any_of(taken.begin(), taken.end(), [&](const Taken& stronger) {
-                                return is_same_place(point_set, stronger.points, options) &&
-                                       !were_told_apart(*object, *stronger.object, options);
-                              });
+    const bool is_duplicate =
+        options.one_per_place &&
+        std::any_of(taken.begin(), taken.end(), [&](const Taken& stronger) {
+          return is_same_place(point_set, stronger.points, options) &&
+                 !stood_beside_in_most_frames(*object, *stronger.object, options);
+        });
     if (is_duplicate) continue;
     ids.push_back(object->id);
     taken.push_back({object, std::move(point_set)});

@@ -14,13 +14,14 @@
 namespace hypermap {
 namespace {
 
-MapAnswer answer_of(const LayerAnswer& found) {
+MapAnswer answer_of(LayerAnswer found) {
   return {.id = found.id,
-          .name = found.name,
+          .name = std::move(found.name),
           .value = found.value,
           .position = {found.position, found.z_m},
           .confidence = found.confidence,
-          .size_m = found.size_m};
+          .size_m = found.size_m,
+          .beliefs = std::move(found.beliefs)};
 }
 
 /// What a flat layer can be asked. Errors: kInvalidArgument.
@@ -81,14 +82,14 @@ Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
   if (layer.content->is_flat()) HYPERMAP_TRY(check_flat(query));
   HYPERMAP_TRY(check_frame(archive, query.frame_id));
   HYPERMAP_ASSIGN_OR_RETURN(
-      const auto found,
+      auto found,
       query_layer(layer,
                   archive.hypermap.frames(),
                   query.frame_id,
                   {.text = query.text, .value = query.value, .at = query.at, .area = query.area}));
   MapAnswers answers{.frame_id = query.frame_id.empty() ? layer.info.frame_id : query.frame_id,
                      .found = {}};
-  for (const LayerAnswer& one : found) answers.found.push_back(answer_of(one));
+  for (LayerAnswer& one : found) answers.found.push_back(answer_of(std::move(one)));
   return answers;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks of what sequences are made of.
 #include "file_checks.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/listed_instances_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
@@ -24,10 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxSequenceTextBytes = std::size_t{256} << 20U;
 
-std::string number_of(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// Words of the first line that is neither blank nor a comment.
 std::size_t num_columns(std::string_view text) {
   for (const TextLine& line : split_lines(text)) {
@@ -39,8 +36,8 @@ std::size_t num_columns(std::string_view text) {
 
 Result<FileSummary> check_frames(const DatasetReader& reader) {
   const DatasetSummary& summary = reader.summary();
-  FileSummary out{summary.layout + ", " + number_of(reader.size(), "frame") + ", " +
-                      number_of(summary.num_detections, "detection"),
+  FileSummary out{summary.layout + ", " + count_text(reader.size(), "frame") + ", " +
+                      count_text(summary.num_detections, "detection"),
                   summary.findings};
   for (const std::string& name : summary.unpaired) {
     out.findings.push_back(
@@ -73,7 +70,7 @@ Result<FileSummary> check_depth(const fs::path& path, ImageSize expected) {
   const auto valid =
       std::count_if(depth.pixels().begin(), depth.pixels().end(), [](float z) { return z > 0.0F; });
   return FileSummary{std::to_string(depth.width_px()) + " x " + std::to_string(depth.height_px()) +
-                         ", " + number_of(static_cast<std::size_t>(valid), "measured pixel"),
+                         ", " + count_text(static_cast<std::size_t>(valid), "measured pixel"),
                      {}};
 }
 
@@ -82,18 +79,18 @@ Result<FileSummary> check_trajectory(const fs::path& path) {
   const std::size_t columns = num_columns(text);
   if (columns == 3) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_log_trajectory(path));
-    return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+    return FileSummary{count_text(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
   }
   if (columns == 4) {
     HYPERMAP_TRY(read_pose_matrix(path));
-    return FileSummary{number_of(1, "pose"), {}};
+    return FileSummary{count_text(1, "pose"), {}};
   }
   if (columns == 12 || columns == 16) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_pose_lines(path));
-    return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+    return FileSummary{count_text(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_tum_trajectory(path));
-  return FileSummary{number_of(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
+  return FileSummary{count_text(loaded.value.poses.size(), "pose"), std::move(loaded.findings)};
 }
 
 Result<FileSummary> check_intrinsics(const fs::path& path, ImageSize expected) {
@@ -112,8 +109,8 @@ Result<FileSummary> check_intrinsics(const fs::path& path, ImageSize expected) {
 
 Result<FileSummary> check_detections(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(path));
-  return FileSummary{number_of(loaded.value.num_detections(), "detection") + " in " +
-                         number_of(loaded.value.frames.size(), "frame"),
+  return FileSummary{count_text(loaded.value.num_detections(), "detection") + " in " +
+                         count_text(loaded.value.frames.size(), "frame"),
                      std::move(loaded.findings)};
 }
 
@@ -134,7 +131,7 @@ Result<FileSummary> check_dataset(const fs::path& path, const FileCheckOptions& 
 Result<FileSummary> check_truth(const fs::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const ListedInstances listed, load_listed_instances(path));
   return FileSummary{
-      number_of(listed.instances.size(), "thing") + " of " + printable(listed.sequence), {}};
+      count_text(listed.instances.size(), "thing") + " of " + printable(listed.sequence), {}};
 }
 
 }  // namespace hypermap

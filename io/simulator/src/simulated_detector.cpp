@@ -196,17 +196,10 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
   return detection;
 }
 
-std::vector<ObjectId> SimulatedDetector::named_rightly(std::span<const VisibleObject> objects,
-                                                       const Image<ObjectId>& instances,
-                                                       std::uint64_t frame) const {
-  std::vector<ObjectId> named;
-  for (const VisibleObject& object : objects) {
-    const auto detection = detect_one(object, instances, frame);
-    if (!detection) continue;
-    const auto best = best_class(detection->class_scores);
-    if (best && best->id == known_[*position_of(object.class_name)].id) named.push_back(object.id);
-  }
-  return named;
+bool SimulatedDetector::names_rightly(const Detection& detection,
+                                      const VisibleObject& object) const {
+  const auto best = best_class(detection.class_scores);
+  return best && best->id == known_[*position_of(object.class_name)].id;
 }
 
 std::size_t SimulatedDetector::wrong_class(std::size_t truth, CounterRng& random) const {
@@ -230,19 +223,22 @@ Detection SimulatedDetector::false_alarm(const Image<ObjectId>& instances,
   return detection;
 }
 
-std::vector<Detection> SimulatedDetector::detect(std::span<const VisibleObject> objects,
-                                                 const Image<ObjectId>& instances,
-                                                 std::uint64_t frame) const {
-  std::vector<Detection> detections;
+SimulatedDetections SimulatedDetector::detect(std::span<const VisibleObject> objects,
+                                              const Image<ObjectId>& instances,
+                                              std::uint64_t frame) const {
+  SimulatedDetections said;
   for (const VisibleObject& object : objects) {
-    if (auto detection = detect_one(object, instances, frame))
-      detections.push_back(*std::move(detection));
+    auto detection = detect_one(object, instances, frame);
+    if (!detection) continue;
+    if (names_rightly(*detection, object)) said.named_rightly.push_back(object.id);
+    said.detections.push_back(*std::move(detection));
   }
-  if (!options_.noisy) return detections;
+  if (!options_.noisy) return said;
   CounterRng random(seed_, kFalseAlarmStream, frame);
   const int num_false_alarms = poisson(options_.false_alarms_per_frame, random);
-  for (int i = 0; i < num_false_alarms; ++i) detections.push_back(false_alarm(instances, random));
-  return detections;
+  for (int i = 0; i < num_false_alarms; ++i)
+    said.detections.push_back(false_alarm(instances, random));
+  return said;
 }
 
 }  // namespace hypermap

@@ -246,9 +246,9 @@ SimulatedFrame Simulator::render(std::size_t index) const {
   frame.depth_m =
       measured_depth(view.depth_m, view.incidence_cos, options.sensor, options.seed, moment.number);
   frame.color = std::move(view.color);
-  frame.detections = impl_->detector.detect(result.visible, view.instances, moment.number);
-  result.named_rightly =
-      impl_->detector.named_rightly(result.visible, view.instances, moment.number);
+  SimulatedDetections said = impl_->detector.detect(result.visible, view.instances, moment.number);
+  frame.detections = std::move(said.detections);
+  result.named_rightly = std::move(said.named_rightly);
   result.depth_pixels =
       count_depth_pixels(frame.depth_m, view.instances, impl_->scene.objects.size());
   result.instances = std::move(view.instances);

@@ -71,6 +71,23 @@ PoseRefiner refiner_of(const test::BoxScene& scene,
   return refiner;
 }
 
+/// The room, a refiner that knows it, and a pose at which it is seen next.
+struct KnownRoom {
+  test::BoxScene scene = room();
+  PoseRefiner refiner;
+  MapFromCamera truth = test::camera_at({0.25, 0.1, 1.4}, 25 * kDegree, -20 * kDegree);
+
+  explicit KnownRoom(const PoseRefinementOptions& options = kOn)
+      : refiner(refiner_of(scene, -20 * kDegree, options)) {}
+};
+
+/// `kOn`, but larger corrections are refused.
+PoseRefinementOptions corrected_by_at_most(double translation_m) {
+  PoseRefinementOptions options = kOn;
+  options.max_translation_m = translation_m;
+  return options;
+}
+
 double distance_m(const MapFromCamera& a, const MapFromCamera& b) {
   return (a.origin().xyz - b.origin().xyz).norm();
 }
@@ -80,11 +97,9 @@ double angle_rad(const MapFromCamera& a, const MapFromCamera& b) {
 }
 
 TEST(PoseRefiner, InARoomASmallErrorIsFoundToAMillimetre) {
-  const test::BoxScene scene = room();
   PoseRefinementOptions options = kOn;
   options.sigma_m = 0.05;  // surfaces 4 m away outweigh such a pose a hundredfold
-  const PoseRefiner refiner = refiner_of(scene, -20 * kDegree, options);
-  const MapFromCamera truth = test::camera_at({0.25, 0.1, 1.4}, 25 * kDegree, -20 * kDegree);
+  const auto [scene, refiner, truth] = KnownRoom(options);
   const RgbdFrame frame = scene.view(truth).frame;
   const MapFromCamera given =
       moved(truth, {0.012, -0.009, 0.008}, Eigen::Vector3d(0.4, -0.5, 0.6) * kDegree);
@@ -98,9 +113,7 @@ TEST(PoseRefiner, InARoomASmallErrorIsFoundToAMillimetre) {
 }
 
 TEST(PoseRefiner, TheSensorsNoiseLeavesMillimetres) {
-  const test::BoxScene scene = room();
-  const PoseRefiner refiner = refiner_of(scene, -20 * kDegree);
-  const MapFromCamera truth = test::camera_at({0.25, 0.1, 1.4}, 25 * kDegree, -20 * kDegree);
+  const auto [scene, refiner, truth] = KnownRoom();
   const RgbdFrame frame = scene.view(truth, 7).frame;
   const RefinedPose refined = refiner.refine(
       given_at(frame, moved(truth, {0.01, 0.01, -0.01}, Eigen::Vector3d(0, 0, 1) * kDegree)), {});
@@ -169,11 +182,7 @@ TEST(PoseRefiner, AFrameWithoutDepthKeepsItsPose) {
 }
 
 TEST(PoseRefiner, ALargeCorrectionIsRefused) {
-  const test::BoxScene scene = room();
-  PoseRefinementOptions options = kOn;
-  options.max_translation_m = 0.01;
-  const PoseRefiner refiner = refiner_of(scene, -20 * kDegree, options);
-  const MapFromCamera truth = test::camera_at({0.25, 0.1, 1.4}, 25 * kDegree, -20 * kDegree);
+  const auto [scene, refiner, truth] = KnownRoom(corrected_by_at_most(0.01));
   const MapFromCamera given = moved(truth, {0.015, -0.01, 0.01}, {0, 0, 0});
   const RefinedPose refined = refiner.refine(given_at(scene.view(truth).frame, given), {});
   EXPECT_EQ(refined.correction.outcome, PoseOutcome::kTooLarge);
@@ -219,11 +228,7 @@ TEST(PoseRefiner, TheFirstFramesErrorDoesNotStay) {
 }
 
 TEST(PoseRefiner, WhenAllFramesDisagreeTheSurfacesAreBegunAnew) {
-  const test::BoxScene scene = room();
-  PoseRefinementOptions options = kOn;
-  options.max_translation_m = 0.02;
-  PoseRefiner refiner = refiner_of(scene, -20 * kDegree, options);
-  const MapFromCamera truth = test::camera_at({0.25, 0.1, 1.4}, 25 * kDegree, -20 * kDegree);
+  auto [scene, refiner, truth] = KnownRoom(corrected_by_at_most(0.02));
   const RgbdFrame jumped = given_at(scene.view(truth).frame, moved(truth, {0.05, 0, 0}, {0, 0, 0}));
   for (int i = 0; i < 10; ++i) {
     const RefinedPose refused = refiner.refine(jumped, {});

@@ -67,6 +67,34 @@ TEST(MapQuery, AnObjectAnswersWithClassPlaceAndSize) {
   EXPECT_EQ(found[1].name, "unknown");
 }
 
+TEST(MapQuery, AnObjectAnswersWithAllThatIsBelievedOfIt) {
+  MapArchive archive = archive_with_sofas();
+  const ClassId bench = archive.classes.add("bench").value();
+  const ClassId sofa = archive.classes.find("couch").value();
+  archive.objects.modify(ObjectId{2}, [&](Object& object) {
+    for (const ClassId id : {bench, sofa, sofa}) {
+      object.observation_log.add({.class_id = id, .score = 0.7F, .distance_m = 2.0F});
+    }
+  });
+  const auto found = query_map(archive, {.layer = "objects"}).value().found;
+  ASSERT_EQ(found.size(), 2U);
+  // One view with three detections: (2 / root 3)^2 to (1 / root 3)^2.
+  ASSERT_TRUE(found[0].beliefs);
+  ASSERT_EQ(found[0].beliefs->classes.size(), 2U);
+  EXPECT_EQ(found[0].beliefs->classes[0].id, sofa);
+  EXPECT_NEAR(found[0].beliefs->classes[0].probability.value(), 0.8, 1e-12);
+  EXPECT_NEAR(found[0].beliefs->classes[1].probability.value(), 0.2, 1e-12);
+  EXPECT_EQ(found[0].confidence, found[0].beliefs->confidence.value());
+  ASSERT_TRUE(found[1].beliefs) << "of no class, but an object";
+  EXPECT_TRUE(found[1].beliefs->classes.empty());
+  EXPECT_FALSE(found[1].beliefs->class_entropy_nats);
+  const auto nearest = query_nearest(archive, {.at = PlanPoint{{2.5, 0.5}}}).value().found;
+  EXPECT_EQ(nearest.at(0).beliefs, found[0].beliefs);
+  for (const MapAnswer& shape : query_map(archive, {.layer = "semantic", .value = 2})->found) {
+    EXPECT_FALSE(shape.beliefs) << "a shape is no object of the 3D map";
+  }
+}
+
 // The layer `semantic` says 0.7 of the couch; of object 3 it says nothing.
 TEST(MapQuery, AnObjectHasTheConfidenceOfTheSemanticLayer) {
   MapArchive archive = archive_with_sofas();

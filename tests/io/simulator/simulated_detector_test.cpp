@@ -29,7 +29,7 @@ struct Rig {
   }
 
   [[nodiscard]] std::vector<Detection> detect(std::uint64_t frame) const {
-    return detector.detect(objects, instances, frame);
+    return detector.detect(objects, instances, frame).detections;
   }
   [[nodiscard]] std::string named(const Detection& detection) const {
     return canonical_class_name(registry.name(best_class(detection.class_scores)->id));
@@ -189,9 +189,9 @@ TEST(SimulatedDetector, FivePercentNameAWrongClassWhichIsASimilarOne) {
   int all = 0;
   int named_rightly = 0;
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
-    const auto named = rig.detector.named_rightly(rig.objects, rig.instances, frame);
-    named_rightly += static_cast<int>(named.size());
-    for (const Detection& detection : rig.detect(frame)) {
+    const auto said = rig.detector.detect(rig.objects, rig.instances, frame);
+    named_rightly += static_cast<int>(said.named_rightly.size());
+    for (const Detection& detection : said.detections) {
       ++all;
       right += rig.named(detection) == "chair" ? 1 : 0;
       sofa += rig.named(detection) == "sofa" ? 1 : 0;

@@ -33,7 +33,7 @@ TEST(WorseDetector, DetectsAsOftenAsItsRatesSay) {
   ASSERT_TRUE(detector);
   int detections = 0;
   for (std::uint64_t frame = 0; frame < kNumFrames; ++frame)
-    detections += static_cast<int>(detector->detect(objects, instances, frame).size());
+    detections += static_cast<int>(detector->detect(objects, instances, frame).detections.size());
   // A binomial and a Poisson count: four standard deviations of their sum.
   EXPECT_NEAR(detections,
               kNumFrames * (1.0 - 0.4475 + 1.3),

@@ -108,12 +108,12 @@ bool shows_another(const AssignmentOptions& options,
   return true;
 }
 
-/// Whether two objects that overlap like one are known to be two: a detector showed them beside
+/// Whether two objects that overlap like one are not to be merged: a detector showed them beside
 /// each other, and they are not one surface. One frame suffices where one of them is new.
-bool were_told_apart(const Object& a,
-                     const Object& b,
-                     const Overlap& c,
-                     const AssignmentOptions& options) {
+bool frames_refute_merge(const Object& a,
+                         const Object& b,
+                         const Overlap& c,
+                         const AssignmentOptions& options) {
   if (std::min(c.share_of_first, c.share_of_second) >= options.one_surface_share) return false;
   const bool is_new = std::min(a.num_observations, b.num_observations) <= options.apart_frames;
   const std::size_t least = is_new ? 1 : options.apart_frames;
@@ -130,7 +130,7 @@ std::optional<ObjectId> duplicate_of(ObjectId id,
     if (other == id) continue;
     const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
     if (is_same_object(c, options, options.merge_factor) &&
-        !were_told_apart(run.objects.at(id), run.objects.at(other), c, options)) {
+        !frames_refute_merge(run.objects.at(id), run.objects.at(other), c, options)) {
       return other;
     }
   }

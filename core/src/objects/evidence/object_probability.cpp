@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an object's evidence says with which probability.
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
+#include "objects/evidence/gone_run.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -66,9 +69,19 @@ bool has_detections(const ObservationLog& log) {
   });
 }
 
-double share_of_best(const Object& object) {
-  const auto best = best_class(object);
-  return best ? best->probability.value() : 0.0;
+/// Order of an object's classes: the less probable is less, of equals the less believed in.
+struct LessLikely {
+  const ClassBelief& belief;
+
+  bool operator()(const ClassEvidence& a, const ClassEvidence& b) const {
+    return std::tuple(a.probability, belief.log_odds(a.id)) <
+           std::tuple(b.probability, belief.log_odds(b.id));
+  }
+};
+
+/// Of what is real with `real` and, if so, most likely of class `best`.
+Probability confidence_of(Probability real, const std::optional<ClassEvidence>& best) {
+  return Probability(best ? real.value() * best->probability.value() : 0.0);
 }
 
 }  // namespace
@@ -90,11 +103,17 @@ std::vector<ClassEvidence> class_distribution(const Object& object) {
 std::optional<ClassEvidence> best_class(const Object& object) {
   const std::vector<ClassEvidence> classes = class_distribution(object);
   if (classes.empty()) return std::nullopt;
-  const auto rank = [&](const ClassEvidence& c) {
-    return std::tuple(c.probability, object.belief.log_odds(c.id));
-  };
-  return *std::ranges::max_element(
-      classes, [&](const ClassEvidence& a, const ClassEvidence& b) { return rank(a) < rank(b); });
+  return *std::ranges::max_element(classes, LessLikely{object.belief});
+}
+
+std::optional<double> entropy_nats(std::span<const ClassEvidence> distribution) {
+  if (distribution.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const ClassEvidence& c : distribution) {
+    const double p = c.probability.value();
+    if (p > 0.0) sum -= p * std::log(p);
+  }
+  return sum;
 }
 
 Probability real_probability(const Object& object) {
@@ -104,16 +123,14 @@ Probability real_probability(const Object& object) {
                     kRealPerDetections * std::log(static_cast<double>(seen.num_detections)) +
                     kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
                     kRealPerMissedVisibility * std::log1p(seen.missed_visibility);
-  if (is_gone(object.observation_log)) {
-    const double looks = absence_run(object.observation_log).looks;
-    log_odds = std::min(log_odds, -looks);
-  }
+  const AbsenceRun run = absence_run(object.observation_log);
+  if (is_gone_by(run, {})) log_odds = std::min(log_odds, -static_cast<double>(run.looks));
   return LogOdds(log_odds).probability();
 }
 
 Probability object_confidence(const Object& object, const ObjectConfidenceOptions& options) {
   if (options.rule == ConfidenceRule::kRealAndClass) {
-    return Probability(real_probability(object).value() * share_of_best(object));
+    return confidence_of(real_probability(object), best_class(object));
   }
   const auto best = object.belief.best();
   const double tp1 = best ? best->log_odds.probability().value() : 0.0;
@@ -122,6 +139,22 @@ Probability object_confidence(const Object& object, const ObjectConfidenceOption
   const double p = options.rule == ConfidenceRule::kWeighted ? (4.0 * tp1 + tp2 + tp3) / 6.0
                                                              : tp3 * (4.0 * tp1 + tp2) / 5.0;
   return Probability(std::clamp(p, 0.0, 1.0));
+}
+
+ObjectBeliefs object_beliefs(const Object& object) {
+  std::vector<ClassEvidence> classes = class_distribution(object);
+  std::erase_if(classes, [](const ClassEvidence& c) { return c.probability.value() <= 0.0; });
+  // Descending, and equals stay in ascending order of ids.
+  std::ranges::stable_sort(classes, [&](const ClassEvidence& a, const ClassEvidence& b) {
+    return LessLikely{object.belief}(b, a);
+  });
+  const Probability real = real_probability(object);
+  const auto best = classes.empty() ? std::nullopt : std::optional(classes.front());
+  const auto entropy = entropy_nats(classes);
+  return {.classes = std::move(classes),
+          .class_entropy_nats = entropy,
+          .real = real,
+          .confidence = confidence_of(real, best)};
 }
 
 }  // namespace hypermap

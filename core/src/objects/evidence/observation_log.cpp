@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/observation_log.hpp"
 
+#include "objects/evidence/gone_run.hpp"
+
 #include <algorithm>
 #include <bitset>
 #include <cmath>
@@ -151,13 +153,16 @@ AbsenceRun absence_run(const ObservationLog& log) {
           .last = newest.back().stamp};
 }
 
-bool is_gone(const ObservationLog& log, const GoneRule& rule) {
-  const AbsenceRun run = absence_run(log);
+bool is_gone_by(const AbsenceRun& run, const GoneRule& rule) {
   if (rule.looks == 0 || run.looks < rule.looks) return false;
   // As doubles: the difference of two stamps from a file may be no int64.
   const double seconds =
       1e-9 * (static_cast<double>(run.last.ns) - static_cast<double>(run.first.ns));
   return run.looks >= ObservationLog::kMaxNewest || seconds >= rule.seconds;
+}
+
+bool is_gone(const ObservationLog& log, const GoneRule& rule) {
+  return is_gone_by(absence_run(log), rule);
 }
 
 std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {

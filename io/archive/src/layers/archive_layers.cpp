@@ -100,11 +100,14 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
     });
   }
   if (found != layers.end()) return std::move(*found);
-  if (name == kObjectsLayer) return objects_layer(archive);
-  if (name == kEvidenceLayer && archive.octree) return evidence_layer(archive);
+  if (is_spelling_of(kObjectsLayer, name)) return objects_layer(archive);
+  if (is_spelling_of(kEvidenceLayer, name) && archive.octree) return evidence_layer(archive);
   std::vector<std::string> names;
-  names.reserve(layers.size());
+  names.reserve(layers.size() + 2);
   for (const Layer& layer : layers) names.push_back(layer.info.name);
+  // Those that answer without standing in the list.
+  if (archive.objects.empty()) names.emplace_back(kObjectsLayer);
+  if (archive.octree) names.emplace_back(kEvidenceLayer);
   return fail(ErrorCode::kNotFound, nothing_named("layer", name, names), "layer");
 }
 

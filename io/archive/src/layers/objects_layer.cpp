@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/objects_layer.hpp"
 
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/core/objects/object_query.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/object_json.hpp"
@@ -9,13 +10,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace hypermap {
 namespace {
 
-std::string name_of(const Object& object, const ClassRegistry& classes) {
-  const auto best = best_class(object);
+std::string name_of(const std::optional<ClassEvidence>& best, const ClassRegistry& classes) {
   return best ? classes.name(best->id) : "unknown";
 }
 
@@ -24,14 +26,16 @@ LayerAnswer answer_of(const Object& object,
                       const std::map<ObjectId, double>& confidence) {
   const Eigen::Vector3d& centre = object.centroid_in_map;
   const auto known = confidence.find(object.id);
-  return {
-      .id = object.id.value,
-      .name = name_of(object, classes),
-      .value = object.id.value,
-      .position = centre.head<2>(),
-      .confidence = known == confidence.end() ? object_confidence(object).value() : known->second,
-      .z_m = centre.z(),
-      .size_m = object.box.extent()};
+  ObjectBeliefs beliefs = object_beliefs(object);
+  const auto best = beliefs.classes.empty() ? std::nullopt : std::optional(beliefs.classes.front());
+  return {.id = object.id.value,
+          .name = name_of(best, classes),
+          .value = object.id.value,
+          .position = centre.head<2>(),
+          .confidence = known == confidence.end() ? beliefs.confidence.value() : known->second,
+          .z_m = centre.z(),
+          .size_m = object.box.extent(),
+          .beliefs = std::move(beliefs)};
 }
 
 /// No object bears a number that is no id.
@@ -73,8 +77,9 @@ std::vector<LayerPrimitive> ObjectsLayer::draw() const {
   std::vector<LayerPrimitive> primitives;
   for (const ObjectId id : shown_) {
     const Object& object = objects_.at(id);
-    primitives.emplace_back(DrawnBox{
-        .box = object.box, .class_name = name_of(object, classes_), .id = object.id.value});
+    primitives.emplace_back(DrawnBox{.box = object.box,
+                                     .class_name = name_of(best_class(object), classes_),
+                                     .id = object.id.value});
   }
   return primitives;
 }

@@ -9,6 +9,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/geometry/plan_point.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 
 #include <Eigen/Core>
 
@@ -44,6 +45,8 @@ struct LayerAnswer {
   std::optional<double> z_m = {};  ///< Height of the position; none in flat layers.
   /// Extent along the axes of the layer's frame; none in flat layers.
   std::optional<Eigen::Vector3d> size_m = {};
+  /// Of an object of the 3D map, with the class ids of that map; others have none.
+  std::optional<ObjectBeliefs> beliefs = {};
 };
 
 /// Whether string and integer representation are those that `query` asks for.

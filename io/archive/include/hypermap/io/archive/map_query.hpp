@@ -7,6 +7,7 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/core/objects/object_query.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -40,8 +41,11 @@ struct MapAnswer {
   std::string name;  ///< Of an object: its best class, `unknown` when none was named.
   std::int64_t value = 0;
   PlanPoint position;  ///< With a height when the layer is not flat.
+  /// Of an object: what the semantic layer says, else that of its beliefs.
   std::optional<double> confidence = std::nullopt;
   std::optional<Eigen::Vector3d> size_m = std::nullopt;  ///< Of an object's box, of a voxel.
+  /// Of an object in the layer of objects alone; ids are those of `MapArchive::classes`.
+  std::optional<ObjectBeliefs> beliefs = std::nullopt;
 };
 
 /// What was found, in ascending order of ids, and the frame of the positions.

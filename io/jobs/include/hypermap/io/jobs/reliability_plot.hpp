@@ -11,7 +11,7 @@ namespace hypermap {
 /// Two panels side by side, P(best class) left in blue, P(real) right in orange: probability from
 /// left to right, share that was true from bottom to top, both 0 .. 1 with a line at each tenth;
 /// a square for each bin, joined in their order, an upright line from it to the diagonal on which
-/// all would lie. It bears no text.
+/// all would lie. At the axes stand their names and 0, 0.5 and 1.
 [[nodiscard]] ColorImage draw_reliability(const CalibrationReport& best_class,
                                           const CalibrationReport& real);
 

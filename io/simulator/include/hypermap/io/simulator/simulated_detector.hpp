@@ -62,6 +62,14 @@ struct VisibleObject {
 [[nodiscard]] std::vector<VisibleObject> visible_objects(
     const Image<ObjectId>& instances, std::span<const std::string_view> class_names);
 
+/// What a detector says of one frame.
+struct SimulatedDetections {
+  /// Those of the objects that are visible and can be named, in id order, then false alarms.
+  std::vector<Detection> detections;
+  /// Objects that the detections name by their own class, in id order.
+  std::vector<ObjectId> named_rightly;
+};
+
 /// Names objects in images. A value: same seed, same frame, same objects give the same detections.
 ///
 /// Class vectors of the noisy detector: the score is the weight of the named class; of it a fifth
@@ -82,16 +90,10 @@ class SimulatedDetector {
   /// True when an object of this size and openness counts as visible.
   [[nodiscard]] bool is_visible(const VisibleObject& object) const;
 
-  /// Detections of one frame: those of `objects` (given in id order) that are visible and can be
-  /// named, then false alarms.
-  [[nodiscard]] std::vector<Detection> detect(std::span<const VisibleObject> objects,
-                                              const Image<ObjectId>& instances,
-                                              std::uint64_t frame) const;
-
-  /// Those of `objects` that `detect` names in this frame by their own class, in id order.
-  [[nodiscard]] std::vector<ObjectId> named_rightly(std::span<const VisibleObject> objects,
-                                                    const Image<ObjectId>& instances,
-                                                    std::uint64_t frame) const;
+  /// Requires: `objects` are given in id order.
+  [[nodiscard]] SimulatedDetections detect(std::span<const VisibleObject> objects,
+                                           const Image<ObjectId>& instances,
+                                           std::uint64_t frame) const;
 
  private:
   struct Known {
@@ -105,6 +107,8 @@ class SimulatedDetector {
   [[nodiscard]] std::vector<ClassEvidence> class_vector(std::size_t named, double weight) const;
   /// A similar class when there is one, else any other.
   [[nodiscard]] std::size_t wrong_class(std::size_t truth, CounterRng& random) const;
+  /// Whether a detection of `object` names it by its own class. Requires: a class that is known.
+  [[nodiscard]] bool names_rightly(const Detection& detection, const VisibleObject& object) const;
   [[nodiscard]] std::optional<Detection> detect_one(const VisibleObject& object,
                                                     const Image<ObjectId>& instances,
                                                     std::uint64_t frame) const;
