@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "completeness.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +35,7 @@ struct QueryArguments {
   std::optional<std::string> nearest;
   std::string frame;
   bool json = false;
+  bool complete = false;
   LoadArguments load;
 };
 
@@ -88,7 +91,15 @@ std::vector<double> numbers_of(const Eigen::Vector3d& size) {
   return {size.x(), size.y(), size.z()};
 }
 
-void print_json(const MapAnswers& answers) {
+/// Nothing of answers that are no objects.
+void add_completeness(Json& entry, std::uint64_t id, const CompletenessById& seen, bool complete) {
+  const auto object = seen.find(id);
+  if (object == seen.end()) return;
+  entry["seen_share"] = object->second.seen_share;
+  if (complete) entry["completed_box"] = guess_json(object->second);
+}
+
+void print_json(const MapAnswers& answers, const CompletenessById& seen, bool complete) {
   Json json{{"frame", answers.frame_id}, {"results", Json::array()}};
   for (const MapAnswer& one : answers.found) {
     Json entry{{"id", one.id},
@@ -97,6 +108,7 @@ void print_json(const MapAnswers& answers) {
                {"position", numbers_of(one.position)},
                {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
     if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
+    add_completeness(entry, one.id, seen, complete);
     json["results"].push_back(std::move(entry));
   }
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
@@ -108,20 +120,43 @@ std::string joined(const std::vector<double>& numbers) {
   return text;
 }
 
-void print_table(const MapAnswers& answers) {
-  Table table({"name",
-               "id",
-               "value",
-               "position (" + printable(answers.frame_id) + ")",
-               "confidence",
-               "size m"});
+/// Columns of answers that are objects: what was seen, and sizes that are guesses.
+std::vector<std::string> completeness_head(const CompletenessById& seen, bool complete) {
+  if (seen.empty()) return {};
+  if (!complete) return {"seen"};
+  return {"seen", "completed size m (guess)"};
+}
+
+std::vector<std::string> completeness_row(std::uint64_t id,
+                                          const CompletenessById& seen,
+                                          bool complete) {
+  const auto found = seen.find(id);
+  if (found == seen.end()) return {};
+  const Completeness& object = found->second;
+  std::vector<std::string> row{fixed(object.seen_share, 2)};
+  if (!complete) return row;
+  row.push_back(object.completed ? joined(numbers_of(object.completed->extent())) : "-");
+  return row;
+}
+
+void print_table(const MapAnswers& answers, const CompletenessById& seen, bool complete) {
+  std::vector<std::string> head{"name",
+                                "id",
+                                "value",
+                                "position (" + printable(answers.frame_id) + ")",
+                                "confidence",
+                                "size m"};
+  std::ranges::copy(completeness_head(seen, complete), std::back_inserter(head));
+  Table table(std::move(head));
   for (const MapAnswer& one : answers.found) {
-    table.add({printable(one.name),
-               std::to_string(one.id),
-               std::to_string(one.value),
-               joined(numbers_of(one.position)),
-               fixed(one.confidence, 2),
-               one.size_m ? joined(numbers_of(*one.size_m)) : "-"});
+    std::vector<std::string> row{printable(one.name),
+                                 std::to_string(one.id),
+                                 std::to_string(one.value),
+                                 joined(numbers_of(one.position)),
+                                 fixed(one.confidence, 2),
+                                 one.size_m ? joined(numbers_of(*one.size_m)) : "-"};
+    std::ranges::copy(completeness_row(one.id, seen, complete), std::back_inserter(row));
+    table.add(std::move(row));
   }
   std::printf("%s%zu found\n", table.text().c_str(), answers.found.size());
 }
@@ -137,6 +172,9 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
     return std::nullopt;
   }
   if (!arguments.layer) return "one of --layer and --nearest is needed";
+  if (arguments.complete && *arguments.layer != kObjectsLayer) {
+    return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
+  }
   return std::nullopt;
 }
 
@@ -170,10 +208,13 @@ ExitCode run(const QueryRequest& request) {
   if (!loaded) return report(loaded.error());
   auto answers = run_query(loaded->value, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
+  const bool complete = request.arguments.complete;
+  const auto seen = completeness_of(loaded->value, request.query, *answers, complete);
+  if (!seen) return report_refusal(seen.error(), request.arguments);
   if (request.arguments.json) {
-    print_json(*answers);
+    print_json(*answers, *seen, complete);
   } else {
-    print_table(*answers);
+    print_table(*answers, *seen, complete);
   }
   if (answers->found.empty() && request.query.text) print_hint(loaded->value, request.query);
   return ExitCode::kDone;
@@ -194,6 +235,10 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
+  command.add_flag("--complete",
+                   arguments->complete,
+                   "objects: also a guess of the box of those that were seen from few sides, by "
+                   "what is usual in this map for the class");
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
   show_examples(command,
