@@ -15,6 +15,10 @@ namespace {
 
 /// Boxes of objects that were seen whole differ from the truth by as much.
 constexpr double kLeastGrowthM = 0.05;
+/// Share of a usual side that must be lacking at least: sides within a class differ by less than
+/// that, and what lacks less may be small of its class. Not asked of heights: free space above and
+/// the lowest bottom below bound them.
+constexpr double kLeastLackingSide = 1.0 / 3.0;
 /// Most of the added part that may be known to be free: between its legs and before its back about
 /// half of a chair's own box is.
 constexpr double kMostKnownFree = 0.6;
@@ -143,11 +147,12 @@ std::optional<Box> completed_box(const Object& object,
   const auto size = best ? usual.of_class.find(best->id) : usual.of_class.end();
   if (size == usual.of_class.end()) return std::nullopt;
   const GrowthChoice choice(object, usual, is_free);
-  const Eigen::Vector3d missing =
-      usual_extent(choice.seen(), size->second) - choice.seen().extent();
+  const Eigen::Vector3d usual_m = usual_extent(choice.seen(), size->second);
+  const Eigen::Vector3d missing = usual_m - choice.seen().extent();
   TurnedBox completed = choice.seen();
   bool has_grown = false;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (axis < 2 && missing[axis] < kLeastLackingSide * usual_m[axis]) continue;
     const auto growth = choice.along(axis, missing[axis]);
     if (!growth) continue;
     has_grown = true;

@@ -201,8 +201,11 @@ TEST(CompletedBox, IsOfKnownClassesNotSeenWholeAndSmallerThanUsual) {
   const Object large = seen_from({kFromWest}, {{0, 0, 0}, {2.0, 1.0, 1.0}});
   EXPECT_LT(seen_share(large), kWholeSeenShare);
   EXPECT_FALSE(completed_box(large, kUsual, nothing_known).has_value());
-  const Object nearly = seen_from({kFromWest}, {{0, 0, 0}, {0.41, 0.5, 0.86}});
-  EXPECT_FALSE(completed_box(nearly, kUsual, nothing_known).has_value());  // 4 cm is no growth
+  const Object small = seen_from({kFromWest}, {{0, 0, 0}, {0.31, 0.5, 0.86}});  // of 0.45, 0.9
+  EXPECT_FALSE(completed_box(small, kUsual, nothing_known).has_value());
+  const UsualSizes of_cups{.of_class = {{kChair, {0.09, 0.09, 0.1, 2}}}, .lowest_m = 0.0};
+  const Object thin = seen_from({kFromWest}, {{0, 0, 0}, {0.05, 0.09, 0.1}});  // 4 cm is nothing
+  EXPECT_FALSE(completed_box(thin, of_cups, nothing_known).has_value());
 }
 
 TEST(CompletedBox, WhatHangsInTheAirReachesDownToTheLowestBottomAlone) {

@@ -66,12 +66,12 @@ using KnownFree = std::function<bool(const PointInMap&)>;
 ///
 /// None when the object was seen whole, when its class has no usual size, and when nothing grows.
 /// Along each side of its rectangle, and upwards, it lacks what the usual size has more, if that is
-/// 5 cm or more; of a longer seen side the usual one is that which is nearer to it. What it lacks
-/// is added at one of the two ends and the other one stays: not where more than 0.6 of the added
-/// part is known to be free, there the object would have been seen; else where clearly less (by
-/// 0.1) is; else at the end that no detection faced, the bottom rather than the top. Where that
-/// leaves both ends, that side is not guessed. Nothing is ever taken away, and nothing added below
-/// `usual.lowest_m`.
+/// 5 cm or more, and of a side a third of it; of a longer seen side the usual one is that which is
+/// nearer to it. What it lacks is added at one of the two ends and the other one stays: not where
+/// more than 0.6 of the added part is known to be free, there the object would have been seen; else
+/// where clearly less (by 0.1) is; else at the end that no detection faced, the bottom rather than
+/// the top. Where that leaves both ends, that side is not guessed. Nothing is ever taken away, and
+/// nothing added below `usual.lowest_m`.
 ///
 /// Boundary: without knowledge of free space (`is_free` always false) faces that nobody faced move
 /// away from the viewers. Cost: at most 48,000 calls of `is_free`, and a footprint.
