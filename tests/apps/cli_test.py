@@ -128,6 +128,31 @@ class Pipeline(unittest.TestCase):
         nearest = run("query", self.archive, "--nearest", "chair", "--at", f"{x},{y}", "--json")
         self.assertEqual(json.loads(nearest.stdout)["results"][0]["name"], "chair")
 
+    def test_objects_say_how_much_of_them_was_seen_and_guesses_that_they_are_some(self):
+        objects = ["query", self.archive, "--layer", "objects"]
+        plain = json.loads(run(*objects, "--json").stdout)["results"]
+        self.assertGreater(len({one["seen_share"] for one in plain}), 1)
+        for one in plain:
+            self.assertTrue(0 < one["seen_share"] <= 1, one)
+            self.assertNotIn("completed_box", one)
+        completed = json.loads(run(*objects, "--complete", "--json").stdout)["results"]
+        for one, guessed in zip(plain, completed, strict=True):
+            guess = guessed.pop("completed_box")
+            self.assertEqual(guessed, one)
+            if guess is not None:
+                self.assertIs(guess["guess"], True)
+                self.assertEqual(len(guess["bbox"]), 6)
+        self.assertIn("completed size m (guess)", run(*objects, "--complete").stdout)
+        self.assertNotIn("guess", run(*objects).stdout)
+        nearest = json.loads(run("query", self.archive, "--nearest", "chair", "--at", "0,0", "--json").stdout)["results"]
+        self.assertEqual(nearest, [one for one in plain if one["id"] == nearest[0]["id"]])
+        shapes = run("query", self.archive, "--layer", "semantic", "--string", "chair", "--complete")
+        self.assertEqual(shapes.returncode, 4)
+        self.assertIn("--complete", shapes.stderr)
+        refused = run("export", self.archive, "--format", "ply", "--complete", "--output", self.folder / "c.ply")
+        self.assertIn("--complete", refused.stderr)
+        self.assertNotEqual(refused.returncode, 0)
+
     def test_every_layer_that_info_lists_can_be_asked(self):
         layers = json.loads(run("info", self.archive, "--json").stdout)["layers"]
         self.assertLessEqual({"octree", "objects", "occupancy", "semantic", "chair"}, {one["name"] for one in layers})

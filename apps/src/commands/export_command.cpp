@@ -60,6 +60,9 @@ void add_export_command(CLI::App& program, Action& action) {
       ->delimiter(',');
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
+  command.add_flag("--complete",
+                   arguments->request.complete,
+                   "geojson: also a guess of the box of objects that were seen from few sides");
   arguments->load.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   show_examples(command,

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "completeness.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
-#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
-#include "tables.hpp"
+#include "query_text.hpp"
 
 #include <CLI/Validators.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,11 +20,6 @@
 
 namespace hypermap::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Less probable classes are not in the text: two digits would say 0.00.
-constexpr double kLeastInText = 0.005;
 
 struct QueryArguments {
   std::string file;
@@ -38,6 +31,7 @@ struct QueryArguments {
   std::optional<std::string> nearest;
   std::string frame;
   bool json = false;
+  bool complete = false;
   LoadArguments load;
 };
 
@@ -83,102 +77,6 @@ Result<MapAnswers> run_query(const MapArchive& archive, const QueryRequest& requ
   return answers;
 }
 
-std::vector<double> numbers_of(const PlanPoint& point) {
-  std::vector<double> numbers{point.xy.x(), point.xy.y()};
-  if (point.z) numbers.push_back(*point.z);
-  return numbers;
-}
-
-std::vector<double> numbers_of(const Eigen::Vector3d& size) {
-  return {size.x(), size.y(), size.z()};
-}
-
-/// A class as the program tells it.
-Json json_of(const ClassEvidence& c, const ClassRegistry& classes) {
-  return {{"name", classes.name(c.id)}, {"probability", c.probability.value()}};
-}
-
-/// Adds what is believed of an object to its entry.
-void add_beliefs(Json& entry, const ObjectBeliefs& beliefs, const ClassRegistry& classes) {
-  const auto& all = beliefs.classes;
-  entry["real_probability"] = beliefs.real.value();
-  entry["class_entropy_nats"] =
-      beliefs.class_entropy_nats ? Json(*beliefs.class_entropy_nats) : Json(nullptr);
-  entry["runner_up"] = all.size() > 1 ? json_of(all[1], classes) : Json(nullptr);
-  entry["classes"] = Json::array();
-  for (const ClassEvidence& c : all) entry["classes"].push_back(json_of(c, classes));
-}
-
-void print_json(const MapAnswers& answers, const ClassRegistry& classes) {
-  Json json{{"frame", answers.frame_id}, {"results", Json::array()}};
-  for (const MapAnswer& one : answers.found) {
-    Json entry{{"id", one.id},
-               {"name", one.name},
-               {"value", one.value},
-               {"position", numbers_of(one.position)},
-               {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
-    if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
-    if (one.beliefs) add_beliefs(entry, *one.beliefs, classes);
-    json["results"].push_back(std::move(entry));
-  }
-  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
-
-std::string joined(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : " ") + fixed(number, 3);
-  return text;
-}
-
-std::string text_of(const ClassEvidence& c, const ClassRegistry& classes) {
-  return printable(classes.name(c.id)) + " " + fixed(c.probability.value(), 2);
-}
-
-/// The classes that two digits do not round to 0; "-" when there are none.
-std::string text_of(const std::vector<ClassEvidence>& all, const ClassRegistry& classes) {
-  std::string text;
-  for (const ClassEvidence& c : all) {
-    if (c.probability.value() < kLeastInText) break;  // the most probable come first
-    text += (text.empty() ? "" : ", ") + text_of(c, classes);
-  }
-  return text.empty() ? "-" : text;
-}
-
-/// The cells that objects have beside those of every answer.
-std::vector<std::string> cells_of(const ObjectBeliefs& beliefs, const ClassRegistry& classes) {
-  const auto& all = beliefs.classes;
-  return {fixed(beliefs.real.value(), 2),
-          fixed(beliefs.class_entropy_nats, 2),
-          all.size() > 1 ? text_of(all[1], classes) : "-",
-          text_of(all, classes)};
-}
-
-/// An empty table. `of_objects`: with the columns of `cells_of`.
-Table table_of(const std::string& frame_id, bool of_objects) {
-  std::vector<std::string> heading{
-      "name", "id", "value", "position (" + printable(frame_id) + ")", "confidence", "size m"};
-  if (!of_objects) return Table(std::move(heading));
-  heading.insert(heading.end(), {"P(real)", "entropy nats", "runner-up", "classes"});
-  return Table(std::move(heading), LastColumn::kText);
-}
-
-void print_table(const MapAnswers& answers, const ClassRegistry& classes) {
-  // One layer answers: its answers all have beliefs, or none has.
-  const bool of_objects = !answers.found.empty() && answers.found.front().beliefs;
-  Table table = table_of(answers.frame_id, of_objects);
-  for (const MapAnswer& one : answers.found) {
-    std::vector<std::string> row{printable(one.name),
-                                 std::to_string(one.id),
-                                 std::to_string(one.value),
-                                 joined(numbers_of(one.position)),
-                                 fixed(one.confidence, 2),
-                                 one.size_m ? joined(numbers_of(*one.size_m)) : "-"};
-    if (one.beliefs) std::ranges::move(cells_of(*one.beliefs, classes), std::back_inserter(row));
-    table.add(std::move(row));
-  }
-  std::printf("%s%zu found\n", table.text().c_str(), answers.found.size());
-}
-
 /// What must be given together; the texts are for people.
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
@@ -190,6 +88,9 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
     return std::nullopt;
   }
   if (!arguments.layer) return "one of --layer and --nearest is needed";
+  if (arguments.complete && *arguments.layer != kObjectsLayer) {
+    return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
+  }
   return std::nullopt;
 }
 
@@ -223,11 +124,11 @@ ExitCode run(const QueryRequest& request) {
   if (!loaded) return report(loaded.error());
   auto answers = run_query(loaded->value, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
-  if (request.arguments.json) {
-    print_json(*answers, loaded->value.classes);
-  } else {
-    print_table(*answers, loaded->value.classes);
-  }
+  const bool complete = request.arguments.complete;
+  const auto seen = completeness_of(loaded->value, request.query, *answers, complete);
+  if (!seen) return report_refusal(seen.error(), request.arguments);
+  const ShownAnswers shown{*answers, *seen, loaded->value.classes, complete};
+  request.arguments.json ? print_json(shown) : print_table(shown);
   if (answers->found.empty() && request.query.text) print_hint(loaded->value, request.query);
   return ExitCode::kDone;
 }
@@ -247,6 +148,10 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
+  command.add_flag("--complete",
+                   arguments->complete,
+                   "objects: also a guess of the box of those that were seen from few sides, by "
+                   "what is usual in this map for the class");
   command.add_flag(
       "--json", arguments->json, "one JSON document; objects with all classes that they may be");
   arguments->load.add_to(command);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/completion/completion.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/object_completion.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,8 +46,16 @@ Json numbers_json(const Eigen::Vector3d& point) {
   return {point.x(), point.y(), point.z()};
 }
 
+Json box_json(const Box& box) {
+  const Eigen::Vector3d& low = box.min_in_map;
+  const Eigen::Vector3d& high = box.max_in_map;
+  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+}
+
+using Guesses = std::map<ObjectId, Box>;
+
 /// `object3d` is what the shape stands for; null when the map does not know.
-Json feature_json(const SemanticObject& object, const Object* object3d) {
+Json feature_json(const SemanticObject& object, const Object* object3d, const Guesses& guesses) {
   Json properties{{"name", object.name}};
   if (const auto confidence = confidence_of(object)) properties["confidence"] = *confidence;
   if (!object.tags.empty()) properties["tags"] = object.tags;
@@ -53,9 +64,11 @@ Json feature_json(const SemanticObject& object, const Object* object3d) {
     const Box& box = object3d->box;
     properties["size_m"] = numbers_json(box.extent());
     properties["height_m"] = box.extent().z();
-    const Eigen::Vector3d& low = box.min_in_map;
-    const Eigen::Vector3d& high = box.max_in_map;
-    feature["bbox"] = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+    properties["seen_share"] = seen_share(*object3d);
+    if (const auto guess = guesses.find(object3d->id); guess != guesses.end()) {
+      properties["completed_box"] = {{"bbox", box_json(guess->second)}, {"guess", true}};
+    }
+    feature["bbox"] = box_json(box);
   }
   feature["properties"] = std::move(properties);
   feature["geometry"] = geometry_json(object.parts);
@@ -106,10 +119,11 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
   HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
+  const Guesses guesses = request.complete ? completed_boxes(archive) : Guesses();
   Json features = Json::array();
   for (const SemanticObject& object : semantic.objects()) {
     if (!is_wanted(object, request.classes)) continue;
-    features.push_back(feature_json(object, object_of(object, *layer, archive)));
+    features.push_back(feature_json(object, object_of(object, *layer, archive), guesses));
   }
   if (features.empty()) return WrittenFiles{};
   const Json document{{"type", "FeatureCollection"},

@@ -23,6 +23,9 @@ Result<void> check_request(const ExportRequest& request) {
   if (request.layer && !is_flat) {
     return fail(ErrorCode::kInvalidArgument, "goes with ros-map and geojson", "--layer");
   }
+  if (request.complete && request.format != ExportFormat::kGeojson) {
+    return fail(ErrorCode::kInvalidArgument, "goes with geojson", "--complete");
+  }
   if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
     return fail(ErrorCode::kInvalidArgument,
                 "goes without ros-map, whose cells have no class; class-grids has a grid for each",

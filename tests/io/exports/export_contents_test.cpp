@@ -157,7 +157,46 @@ TEST(ExportGeojson, AShapeHasTheSizeOfItsObject) {
   EXPECT_EQ(features.at(0).at("properties").at("size_m"), nlohmann::json({0.1, 0.2, 0.3}));
   EXPECT_EQ(features.at(0).at("properties").at("height_m"), 0.3);
   EXPECT_EQ(features.at(0).at("bbox"), nlohmann::json({0.0, 0.0, 0.0, 0.1, 0.2, 0.3}));
+  EXPECT_EQ(features.at(0).at("properties").at("seen_share"), 0.0);  // it has no detection
   EXPECT_FALSE(features.at(1).contains("bbox"));
+}
+
+// The backs of chairs are 0.1 m thick, whole chairs 0.4 m; of object 3 the back was seen.
+TEST(ExportGeojson, AGuessIsThereOnRequestAndSaysSo) {
+  MapArchive archive;
+  ASSERT_TRUE(archive.classes.add("chair"));
+  for (const double depth_m : {0.4, 0.4, 0.1}) {
+    Object object;
+    object.box = {{0.0, 0.0, 0.0}, {depth_m, 0.5, 0.8}};
+    for (const float bearing_rad : {3.0F, 1.6F, 4.7F, 0.0F}) {
+      object.observation_log.add({.bearing_rad = bearing_rad});
+      if (depth_m < 0.2) break;  // from the west alone
+    }
+    archive.objects.add(object);
+  }
+  ASSERT_TRUE(archive.hypermap.add_layer(
+      {.info = {.name = "semantic", .file = "semantic"},
+       .content = SemanticLayer::create({test::sample_shape(1, "chair", 0.0),
+                                         test::sample_shape(2, "chair", 1.0),
+                                         test::sample_shape(3, "chair", 2.0)})
+                      .value()}));
+  const test::TempDir dir;
+  const auto properties = [&](bool complete) {
+    const auto path = dir / "a.local.geojson";
+    ExportRequest request{
+        .format = ExportFormat::kGeojson, .output = path, .layer = {}, .classes = {}};
+    request.complete = complete;
+    EXPECT_TRUE(export_map(archive, request));
+    return nlohmann::json::parse(read_file(path, 1U << 20U).value())
+        .at("features")
+        .at(2)
+        .at("properties");
+  };
+  EXPECT_NEAR(properties(false).at("seen_share").get<double>(), 0.5 / 1.2, 1e-12);
+  EXPECT_FALSE(properties(false).contains("completed_box"));
+  const auto guess = properties(true).at("completed_box");
+  EXPECT_EQ(guess.at("guess"), true);
+  EXPECT_EQ(guess.at("bbox"), nlohmann::json({0.0, 0.0, 0.0, 0.4, 0.5, 0.8}));
 }
 
 TEST(ExportGeojson, ANameIsOneText) {

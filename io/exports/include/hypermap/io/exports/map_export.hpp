@@ -23,7 +23,7 @@ enum class ExportFormat {
   kColorOctomap,  ///< `.ot` of a ColorOcTree coloured by class.
   kPly,           ///< Occupied voxels as points with scalar_label, _instance, _confidence.
   kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`, with the
-                  ///< height and box of the objects that they stand for.
+                  ///< height, box and seen share of the objects that they stand for.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson".
@@ -44,6 +44,7 @@ struct ExportRequest {
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;
+  bool complete = false;      ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
   ClassPalette palette = {};  ///< Of formats in colour.
 };
 

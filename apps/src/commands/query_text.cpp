@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "query_text.hpp"
+
+#include "hypermap/core/objects/object_beliefs.hpp"
+#include "tables.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hypermap::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Less probable classes are not in the text: two digits would say 0.00.
+constexpr double kLeastInText = 0.005;
+
+std::vector<double> numbers_of(const PlanPoint& point) {
+  std::vector<double> numbers{point.xy.x(), point.xy.y()};
+  if (point.z) numbers.push_back(*point.z);
+  return numbers;
+}
+
+std::vector<double> numbers_of(const Eigen::Vector3d& size) {
+  return {size.x(), size.y(), size.z()};
+}
+
+/// A class as the program tells it.
+Json json_of(const ClassEvidence& c, const ClassRegistry& classes) {
+  return {{"name", classes.name(c.id)}, {"probability", c.probability.value()}};
+}
+
+/// Adds what is believed of an object to its entry.
+void add_beliefs(Json& entry, const ObjectBeliefs& beliefs, const ClassRegistry& classes) {
+  const auto& all = beliefs.classes;
+  entry["real_probability"] = beliefs.real.value();
+  entry["class_entropy_nats"] =
+      beliefs.class_entropy_nats ? Json(*beliefs.class_entropy_nats) : Json(nullptr);
+  entry["runner_up"] = all.size() > 1 ? json_of(all[1], classes) : Json(nullptr);
+  entry["classes"] = Json::array();
+  for (const ClassEvidence& c : all) entry["classes"].push_back(json_of(c, classes));
+}
+
+/// Adds what was seen of an object; nothing to answers that are no objects.
+void add_completeness(Json& entry, const MapAnswer& one, const ShownAnswers& shown) {
+  const auto object = shown.seen.find(one.id);
+  if (object == shown.seen.end()) return;
+  entry["seen_share"] = object->second.seen_share;
+  if (shown.complete) entry["completed_box"] = guess_json(object->second);
+}
+
+std::string joined(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : " ") + fixed(number, 3);
+  return text;
+}
+
+std::string text_of(const ClassEvidence& c, const ClassRegistry& classes) {
+  return printable(classes.name(c.id)) + " " + fixed(c.probability.value(), 2);
+}
+
+/// The classes that two digits do not round to 0; "-" when there are none.
+std::string text_of(const std::vector<ClassEvidence>& all, const ClassRegistry& classes) {
+  std::string text;
+  for (const ClassEvidence& c : all) {
+    if (c.probability.value() < kLeastInText) break;  // the most probable come first
+    text += (text.empty() ? "" : ", ") + text_of(c, classes);
+  }
+  return text.empty() ? "-" : text;
+}
+
+/// A table of answers: of objects, what was seen and believed of them follows what all have.
+class AnswerTable {
+ public:
+  // One layer answers: its answers all have beliefs, or none has; likewise shares.
+  explicit AnswerTable(const ShownAnswers& shown)
+      : shown_(shown),
+        has_beliefs_(!shown.answers.found.empty() && shown.answers.found.front().beliefs),
+        table_(heading(), has_beliefs_ ? LastColumn::kText : LastColumn::kNumber) {}
+
+  void add(const MapAnswer& one) {
+    std::vector<std::string> row{printable(one.name),
+                                 std::to_string(one.id),
+                                 std::to_string(one.value),
+                                 joined(numbers_of(one.position)),
+                                 fixed(one.confidence, 2),
+                                 one.size_m ? joined(numbers_of(*one.size_m)) : "-"};
+    add_completeness(row, one.id);
+    if (has_beliefs_) add_beliefs(row, one);
+    table_.add(std::move(row));
+  }
+
+  [[nodiscard]] std::string text() const { return table_.text(); }
+
+ private:
+  [[nodiscard]] std::vector<std::string> heading() const {
+    std::vector<std::string> out{"name",
+                                 "id",
+                                 "value",
+                                 "position (" + printable(shown_.answers.frame_id) + ")",
+                                 "confidence",
+                                 "size m"};
+    if (!shown_.seen.empty()) out.emplace_back("seen");
+    if (!shown_.seen.empty() && shown_.complete) out.emplace_back("completed size m (guess)");
+    if (has_beliefs_) out.insert(out.end(), {"P(real)", "entropy nats", "runner-up", "classes"});
+    return out;
+  }
+
+  void add_completeness(std::vector<std::string>& row, std::uint64_t id) const {
+    if (shown_.seen.empty()) return;
+    const auto found = shown_.seen.find(id);
+    const Completeness* object = found == shown_.seen.end() ? nullptr : &found->second;
+    row.push_back(object != nullptr ? fixed(object->seen_share, 2) : "-");
+    if (!shown_.complete) return;
+    const bool is_guessed = object != nullptr && object->completed;
+    row.push_back(is_guessed ? joined(numbers_of(object->completed->extent())) : "-");
+  }
+
+  void add_beliefs(std::vector<std::string>& row, const MapAnswer& one) const {
+    const auto& all = one.beliefs->classes;
+    row.push_back(fixed(one.beliefs->real.value(), 2));
+    row.push_back(fixed(one.beliefs->class_entropy_nats, 2));
+    row.push_back(all.size() > 1 ? text_of(all[1], shown_.classes) : "-");
+    row.push_back(text_of(all, shown_.classes));
+  }
+
+  const ShownAnswers& shown_;
+  bool has_beliefs_;
+  Table table_;
+};
+
+}  // namespace
+
+void print_json(const ShownAnswers& shown) {
+  Json json{{"frame", shown.answers.frame_id}, {"results", Json::array()}};
+  for (const MapAnswer& one : shown.answers.found) {
+    Json entry{{"id", one.id},
+               {"name", one.name},
+               {"value", one.value},
+               {"position", numbers_of(one.position)},
+               {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
+    if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
+    if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.classes);
+    add_completeness(entry, one, shown);
+    json["results"].push_back(std::move(entry));
+  }
+  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+void print_table(const ShownAnswers& shown) {
+  AnswerTable table(shown);
+  for (const MapAnswer& one : shown.answers.found) table.add(one);
+  std::printf("%s%zu found\n", table.text().c_str(), shown.answers.found.size());
+}
+
+}  // namespace hypermap::app

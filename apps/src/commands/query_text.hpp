@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What `query` says of what it found.
+#pragma once
+
+#include "completeness.hpp"
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/io/archive/map_query.hpp"
+
+namespace hypermap::app {
+
+/// Answers with what belongs to them. Refers to all of it.
+struct ShownAnswers {
+  const MapAnswers& answers;
+  const CompletenessById& seen;  ///< Of answers that are objects.
+  const ClassRegistry& classes;
+  bool complete = false;  ///< Guesses of boxes are shown.
+};
+
+/// To standard output, one JSON document.
+void print_json(const ShownAnswers& shown);
+
+/// To standard output, for people: a table and how many it has.
+void print_table(const ShownAnswers& shown);
+
+}  // namespace hypermap::app
