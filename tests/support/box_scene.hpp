@@ -32,6 +32,16 @@ inline PinholeCamera kinect_camera() {
           .cy_px = 239.5};
 }
 
+/// The same field of view in a quarter of the pixels, for tests of many frames.
+inline PinholeCamera half_kinect_camera() {
+  return {.width_px = 320,
+          .height_px = 240,
+          .fx_px = 262.5,
+          .fy_px = 262.5,
+          .cx_px = 159.5,
+          .cy_px = 119.5};
+}
+
 /// What a camera sees, and which solid each pixel shows (0: none).
 struct SceneView {
   RgbdFrame frame;
@@ -41,6 +51,8 @@ struct SceneView {
 /// Solids with labels from 1; several boxes may share a label.
 class BoxScene {
  public:
+  explicit BoxScene(const PinholeCamera& camera = kinect_camera()) : camera_(camera) {}
+
   BoxScene& add(int label, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
     solids_.push_back({label, {low, high}});
     return *this;
@@ -51,7 +63,7 @@ class BoxScene {
                                std::optional<unsigned> noise_seed = {}) const {
     SceneView view;
     RgbdFrame& frame = view.frame;
-    frame.camera = kinect_camera();
+    frame.camera = camera_;
     frame.map_from_camera = map_from_camera;
     frame.depth_m = DepthImage(frame.camera.width_px, frame.camera.height_px);
     view.truth = LabelImage(frame.camera.width_px, frame.camera.height_px, 0);
@@ -109,6 +121,7 @@ class BoxScene {
     return hit;
   }
 
+  PinholeCamera camera_;
   std::vector<Solid> solids_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -35,8 +36,8 @@ Object seen_from(const std::vector<int>& bins, const Box& box, ClassId named = k
 }
 
 std::vector<int> all_around() {
-  std::vector<int> bins;
-  for (int bin = 0; bin < ObservationLog::kNumBearingBins; ++bin) bins.push_back(bin);
+  std::vector<int> bins(ObservationLog::kNumBearingBins);
+  std::iota(bins.begin(), bins.end(), 0);
   return bins;
 }
 
@@ -97,6 +98,7 @@ TEST(SeenShare, NeverFallsWithFurtherDetections) {
 UsualSizes sizes_of(const std::vector<Object>& objects) {
   ObjectMap map;
   std::vector<ObjectId> ids;
+  ids.reserve(objects.size());
   for (const Object& object : objects) ids.push_back(map.add(object));
   return usual_sizes(map, ids);
 }

@@ -18,7 +18,7 @@ constexpr PoseRefinementOptions kOn{.rule = PoseRefinementRule::kPointToPlane};
 
 /// Floor at z = 0 and walls at x = 4 and y = 3, with a shelf in the corner.
 test::BoxScene room() {
-  test::BoxScene scene;
+  test::BoxScene scene(test::half_kinect_camera());
   scene.add(1, {-2, -3, -0.1}, {4, 3, 0}).add(2, {4, -3, 0}, {4.1, 3, 2.5});
   scene.add(3, {-2, 3, 0}, {4, 3.1, 2.5}).add(4, {3.4, 1.5, 0}, {4, 3, 1.2});
   return scene;
@@ -26,12 +26,12 @@ test::BoxScene room() {
 
 /// A floor alone.
 test::BoxScene floor_alone() {
-  return test::BoxScene().add(1, {-20, -20, -0.1}, {20, 20, 0});
+  return test::BoxScene(test::half_kinect_camera()).add(1, {-20, -20, -0.1}, {20, 20, 0});
 }
 
 /// Floor and two walls that go on along x.
 test::BoxScene corridor() {
-  test::BoxScene scene;
+  test::BoxScene scene(test::half_kinect_camera());
   scene.add(1, {-50, -1, -0.1}, {50, 1, 0});
   scene.add(2, {-50, 1, 0}, {50, 1.1, 3}).add(3, {-50, -1.1, 0}, {50, -1, 3});
   return scene;

@@ -42,7 +42,7 @@ std::vector<RgbdFrame> noisy_frames() {
 
 /// A walk through a small room with a table and a shelf, with the noise of the sensor.
 std::vector<RgbdFrame> small_room_frames() {
-  test::BoxScene scene;
+  test::BoxScene scene(test::half_kinect_camera());
   scene.add(1, {-2, -2, -0.1}, {2, 2, 0}).add(2, {2, -2, 0}, {2.1, 2, 2.5});
   scene.add(3, {-2, 2, 0}, {2, 2.1, 2.5}).add(4, {1.5, 0.8, 0}, {2, 2, 1.2});
   scene.add(5, {0.6, -1.2, 0.7}, {1.6, -0.2, 0.75}).add(6, {-0.6, 1.2, 0}, {0.2, 1.7, 0.8});
