@@ -21,6 +21,9 @@ constexpr float kMaxRise = 0.12F;
 constexpr int kReach = 4;
 /// Of the tolerance, how far neighbours may be apart across the plane.
 constexpr float kStepScale = 0.4F;
+/// So many neighbours join at the edge of a patch for each one that does not; where depth is noisy,
+/// most of the edge of a floor does not either.
+constexpr double kMinJoins = 0.3;
 /// An object rises from a plane when this share of it is farther away than `kClearScale` times the
 /// tolerance.
 constexpr double kMinRisenShare = 0.3;
@@ -66,21 +69,11 @@ class PlaneGrowth {
 
   /// Gives the cells of no plane that this one, `number`, goes on through that number.
   void grow(std::vector<std::uint8_t>& plane_of_cell, std::uint8_t number) const {
-    std::vector<Cell> reached = cells_with(window_, plane_of_cell, number);
-    while (!reached.empty()) {
-      const auto [x, y] = reached.back();
-      reached.pop_back();
-      for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-        const int to_x = x + dx;
-        const int to_y = y + dy;
-        if (!contains(to_x, to_y)) continue;
-        const std::size_t to = window_.cell(to_x, to_y);
-        if (plane_of_cell[to] != 0 || window_.depth_m[to] == 0.0F) continue;
-        if (tolerances_off(to_x, to_y) > kLooseScale) continue;
-        if (!joins(x, y, to_x, to_y) || !runs_along(to_x, to_y)) continue;
-        plane_of_cell[to] = number;
-        reached.emplace_back(to_x, to_y);
-      }
+    std::vector<std::uint8_t> is_known = plane_of_cell;
+    for (const Cell& start : cells_with(window_, plane_of_cell, number)) {
+      const std::vector<Cell> patch = patch_beside(start, is_known);
+      if (!joins_along_its_edge(patch, plane_of_cell, is_known, number)) continue;
+      for (const auto& [x, y] : patch) plane_of_cell[window_.cell(x, y)] = number;
     }
   }
 
@@ -103,10 +96,61 @@ class PlaneGrowth {
     const Offset here = offset(x, y);
     return std::abs(here.distance_m) / here.tolerance_m;
   }
+  /// The cells that the plane goes on through from that one, the nearest first. They are known
+  /// then.
+  std::vector<Cell> patch_beside(const Cell& start, std::vector<std::uint8_t>& is_known) const {
+    std::vector<Cell> patch;
+    const auto reach = [&](const Cell& from, const Cell& to) {
+      std::uint8_t& known = is_known[window_.cell(to.first, to.second)];
+      if (known != 0 || !is_near(to) || !joins(from, to) || !runs_along(to.first, to.second))
+        return;
+      known = 1;
+      patch.push_back(to);
+    };
+    for_each_neighbour(start, reach);
+    for (std::size_t i = 0; i < patch.size(); ++i) for_each_neighbour(Cell(patch[i]), reach);
+    return patch;
+  }
+
+  /// Whether the patch runs into the plane along much of its edge towards it: the foot of a screen
+  /// that the growth reached at one place rises from its table all around.
+  [[nodiscard]] bool joins_along_its_edge(const std::vector<Cell>& patch,
+                                          const std::vector<std::uint8_t>& plane_of_cell,
+                                          const std::vector<std::uint8_t>& is_known,
+                                          std::uint8_t number) const {
+    std::size_t num_joins = 0;
+    std::size_t num_steps = 0;
+    const auto look = [&](const Cell& from, const Cell& to) {
+      const std::size_t cell = window_.cell(to.first, to.second);
+      if (plane_of_cell[cell] == number) {
+        ++(joins(from, to) ? num_joins : num_steps);
+      } else if (is_known[cell] == 0 && is_near(to)) {
+        ++num_steps;
+      }
+    };
+    for (const Cell& cell : patch) for_each_neighbour(cell, look);
+    return static_cast<double>(num_joins) >= kMinJoins * static_cast<double>(num_steps);
+  }
+
+  template <class Visit>
+  void for_each_neighbour(const Cell& from, Visit visit) const {
+    for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      const Cell to{from.first + dx, from.second + dy};
+      if (contains(to.first, to.second)) visit(from, to);
+    }
+  }
+
+  /// Measured, and within the loose tolerance.
+  [[nodiscard]] bool is_near(const Cell& cell) const {
+    return window_.depth_m[window_.cell(cell.first, cell.second)] != 0.0F &&
+           tolerances_off(cell.first, cell.second) <= kLooseScale;
+  }
+
   /// No step between two neighbours.
-  [[nodiscard]] bool joins(int x, int y, int to_x, int to_y) const {
-    const Offset to = offset(to_x, to_y);
-    return std::abs(to.distance_m - offset(x, y).distance_m) <= kStepScale * to.tolerance_m;
+  [[nodiscard]] bool joins(const Cell& from, const Cell& to) const {
+    const Offset there = offset(to.first, to.second);
+    return std::abs(there.distance_m - offset(from.first, from.second).distance_m) <=
+           kStepScale * there.tolerance_m;
   }
 
   /// The least rise towards the two sides: at the end of a surface one side is another surface's.

@@ -3,6 +3,7 @@
 
 #include "support/box_scene.hpp"
 #include "support/camera_pose.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,12 +55,15 @@ RgbdFrame given_at(RgbdFrame frame, const MapFromCamera& pose) {
   return frame;
 }
 
-/// A refiner that knows what `scene` looks like from six places, at their true poses.
+/// Frames that make a scene known.
+constexpr int kNumKnownFrames = test::kSanitized ? 3 : 6;
+
+/// A refiner that knows what `scene` looks like from several places, at their true poses.
 PoseRefiner refiner_of(const test::BoxScene& scene,
                        double pitch_rad,
                        PoseRefinementOptions options = kOn) {
   PoseRefiner refiner(options);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < kNumKnownFrames; ++i) {
     const RgbdFrame frame =
         scene.view(test::camera_at({0.1 * i, 0.05 * i, 1.4}, (10.0 + 5.0 * i) * kDegree, pitch_rad))
             .frame;
@@ -215,7 +219,8 @@ TEST(PoseRefiner, TheFirstFramesErrorDoesNotStay) {
   PoseRefiner refiner(kOn);
   MapFromCamera last;
   double error_m = 1.0;
-  for (int i = 0; i < 30; ++i) {
+  constexpr int kNumFrames = test::kSanitized ? 12 : 30;
+  for (int i = 0; i < kNumFrames; ++i) {
     const MapFromCamera truth =
         test::camera_at({0.02 * i, 0.01 * i, 1.4}, (15.0 + 0.5 * i) * kDegree, -20 * kDegree);
     const RgbdFrame frame =
