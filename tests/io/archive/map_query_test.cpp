@@ -90,7 +90,8 @@ TEST(MapQuery, AnObjectAnswersWithAllThatIsBelievedOfIt) {
   EXPECT_FALSE(found[1].beliefs->class_entropy_nats);
   const auto nearest = query_nearest(archive, {.at = PlanPoint{{2.5, 0.5}}}).value().found;
   EXPECT_EQ(nearest.at(0).beliefs, found[0].beliefs);
-  for (const MapAnswer& shape : query_map(archive, {.layer = "semantic", .value = 2})->found) {
+  const MapAnswers shapes = query_map(archive, {.layer = "semantic", .value = 2}).value();
+  for (const MapAnswer& shape : shapes.found) {
     EXPECT_FALSE(shape.beliefs) << "a shape is no object of the 3D map";
   }
 }
