@@ -110,6 +110,15 @@ Result<std::vector<Polygon>> unite(std::span<const Polygon> polygons) {
   return pieces;
 }
 
+Polygon simplified(const Polygon& polygon, double tolerance_m) {
+  const Eigen::Vector2d origin = polygon.outer.front();
+  FlatPolygon simple;
+  bg::simplify(to_boost(polygon, origin), simple, tolerance_m);
+  Polygon out = translated(from_boost(simple), origin);
+  auto valid = make_polygon(std::move(out.outer), std::move(out.holes));
+  return valid ? *std::move(valid) : polygon;
+}
+
 double covered_share(const Polygon& a, const Polygon& b) {
   if (b.outer.empty() || !rectangles_intersect(bounds(a), bounds(b))) return 0.0;
   return intersection_area_m2(a, b) / area_m2(a);

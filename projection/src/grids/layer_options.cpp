@@ -19,6 +19,10 @@ constexpr OptionRow kLayerRows[] = {
         "min_free_share",
         option::above(0, 1),
         {.effect = "A cell is free when so much of its height was seen free."}),
+    option::flag<&LayerOptions::carve_footprints>(
+        "carve_footprints",
+        {.effect = "Footprints by policy voxels lack what was looked through and where other "
+                   "objects stand; else they are convex."}),
 };
 
 Result<void> check_band(const LayerOptions& options) {

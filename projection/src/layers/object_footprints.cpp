@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/object_footprints.hpp"
 
+#include "footprints/carved_footprint.hpp"
+#include "footprints/column_evidence.hpp"
+
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -13,10 +17,27 @@ Result<Polygon> box_footprint(const Box& box) {
   return make_polygon({min, {max.x(), min.y()}, max, {min.x(), max.y()}});
 }
 
-/// The shape by policy, else the box; `second` says whether the box stands in.
-std::optional<std::pair<Polygon, bool>> shape_of(const Object& object, ShapePolicy policy) {
-  if (auto shape = footprint(object, policy)) return {{*std::move(shape), false}};
-  if (auto shape = box_footprint(object.box)) return {{*std::move(shape), true}};
+/// A shape, and whether the box stands in for it.
+struct Shape {
+  Polygon outline;
+  bool is_box = false;
+};
+
+/// The columns that carve the shape of each object; none when shapes are not carved.
+std::vector<ObjectColumns> carving_columns(std::span<const Object* const> objects,
+                                           const FootprintOptions& options) {
+  if (options.policy != ShapePolicy::kVoxels || !options.carving_leaves) return {};
+  return columns_of(objects, options.carving_leaves);
+}
+
+/// `columns` may be null: the shape is not carved.
+std::optional<Shape> shape_of(const Object& object,
+                              ShapePolicy policy,
+                              const ObjectColumns* columns) {
+  auto shape =
+      columns == nullptr ? footprint(object, policy) : carved_footprint(object.points, *columns);
+  if (shape) return Shape{*std::move(shape), false};
+  if (auto box = box_footprint(object.box)) return Shape{*std::move(box), true};
   return std::nullopt;
 }
 
@@ -26,10 +47,13 @@ Result<FootprintLayer> project_footprints(std::span<const Object* const> objects
                                           const ClassRegistry& classes,
                                           const FootprintOptions& options) {
   FootprintLayer out;
+  const std::vector<ObjectColumns> columns = carving_columns(objects, options);
   std::vector<SemanticObject> entries;
-  for (const Object* object : objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object* object = objects[i];
     const auto named = best_class(*object);
-    auto shape = named ? shape_of(*object, options.policy) : std::nullopt;
+    auto shape = named ? shape_of(*object, options.policy, columns.empty() ? nullptr : &columns[i])
+                       : std::nullopt;
     if (!shape) {
       out.left_out.push_back(object->id);
       continue;
@@ -39,11 +63,11 @@ Result<FootprintLayer> project_footprints(std::span<const Object* const> objects
                   "class " + std::to_string(named->id.value) + " is not in the registry",
                   "class");
     }
-    if (shape->second) out.from_box.push_back(object->id);
+    if (shape->is_box) out.from_box.push_back(object->id);
     const std::string& name = classes.name(named->id);
     entries.push_back({.id = object->id.value,
                        .name = name,
-                       .parts = {std::move(shape->first)},
+                       .parts = {std::move(shape->outline)},
                        .tags = {name},
                        .confidence = {object_confidence(*object, options.confidence).value()}});
   }

@@ -279,5 +279,15 @@ TEST(ConvexHull, InnerAndCollinearPointsAreLeftOut) {
   EXPECT_FALSE(convex_hull({}).has_value());
 }
 
+TEST(Polygon, SimplifyingLeavesCornersOutThatAreNearTheNewOutline) {
+  const Polygon steps =
+      *make_polygon({{0, 0}, {2, 0}, {4, 0.01}, {4, 4}, {2, 4.01}, {0, 4}, {0.3, 2}});
+  const Polygon simple = simplified(steps, 0.05);
+  EXPECT_EQ(simple.outer.size(), 5U) << "the corner at 0.3 is too far off to go";
+  EXPECT_NEAR(area_m2(simple), area_m2(steps), 0.05);
+  EXPECT_EQ(simplified(steps, 0.0).outer.size(), steps.outer.size());
+  EXPECT_EQ(simplified(steps, 100.0), steps) << "nothing would be left";
+}
+
 }  // namespace
 }  // namespace hypermap

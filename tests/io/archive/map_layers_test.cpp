@@ -172,6 +172,42 @@ TEST(DerivedLayers, OfAnEmptyMapAreEmpty) {
   EXPECT_TRUE(derived->outlying.empty() && derived->left_out.empty());
 }
 
+TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {
+  MapArchive archive;
+  (void)archive.classes.add("chair").value();
+  archive.octree = SemanticOctree::create({}).value();
+  std::vector<Eigen::Vector3f> corner;  // Of a square of 1 m, two sides.
+  for (int i = 0; i < 100; ++i) {
+    const float along = 0.01F * static_cast<float>(i) + 0.005F;
+    corner.emplace_back(along, 0.005F, 0.5F);
+    corner.emplace_back(0.005F, along, 0.5F);
+  }
+  Object chair = chair_at(0.0);
+  chair.points.observe(corner);
+  chair.box = *chair.points.agreed_box();
+  chair.existence = LogOdds(10.0);
+  const ObjectId id = archive.objects.add(chair);
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) {
+      const auto key =
+          archive.octree->grid().key(PointInMap{{0.05 * (i + 0.5), 0.05 * (j + 0.5), 0.5}});
+      ASSERT_TRUE(archive.octree->set_leaf({.key = key.value(), .log_odds = -1000, .label = {}}));
+    }
+  }
+  ObjectPipelineOptions all;
+  all.confirmation.min_observations = 0;
+  all.confirmation.min_real_probability = std::nullopt;
+  const auto area = [&](const LayerOptions& options) {
+    EXPECT_TRUE(derive_layers(archive, all, options));
+    const auto* layer = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
+    const SemanticObject* shape = layer == nullptr ? nullptr : layer->find(id.value);
+    EXPECT_NE(shape, nullptr);
+    return shape == nullptr ? 0.0 : area_m2(shape->parts.front());
+  };
+  EXPECT_LT(area({}), 0.1);
+  EXPECT_NEAR(area({.carve_footprints = false}), 0.5, 0.02);
+}
+
 TEST(LayerOptions, RefuseABandThatIsNone) {
   EXPECT_TRUE(validate(LayerOptions{}));
   EXPECT_FALSE(validate(LayerOptions{.min_height_m = 1.0, .max_height_m = 1.0}));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -54,6 +55,41 @@ TEST(ObjectFootprints, EachPolicyShowsItsShape) {
   EXPECT_NEAR(area(ShapePolicy::kBest), 1.0, 1e-9);
   EXPECT_NEAR(area(ShapePolicy::kHull), 9.0, 1e-9);
   EXPECT_NEAR(area(ShapePolicy::kVoxels), 1.0, 0.15);
+}
+
+/// Free voxels of 5 cm over the square from 0 to 1 m.
+void visit_free_square(const LeafVisitor& visit) {
+  LeafSample leaf;
+  leaf.edge_m = 0.05;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) {
+      for (int k = 0; k < 20; ++k) {
+        leaf.centre_in_map = 0.05 * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
+        visit(leaf);
+      }
+    }
+  }
+}
+
+TEST(ObjectFootprints, AreCarvedByTheMapWhenTheyAreOfVoxels) {
+  Object object = chair(5);
+  object.shapes.add(square(0, 1));
+  std::vector<Eigen::Vector3f> points;  // Two sides of the square.
+  for (int i = 0; i < 100; ++i) {
+    const float along = 0.01F * static_cast<float>(i) + 0.005F;
+    points.emplace_back(along, 0.005F, 0.5F);
+    points.emplace_back(0.005F, along, 0.5F);
+  }
+  object.points.observe(points);
+  const std::vector<const Object*> objects = {&object};
+  const auto area = [&](ShapePolicy policy, LeafSource leaves) {
+    const auto out = project_footprints(
+        objects, registry(), {.policy = policy, .carving_leaves = std::move(leaves)});
+    return area_m2(out->layer.objects().front().parts.front());
+  };
+  EXPECT_NEAR(area(ShapePolicy::kVoxels, {}), 0.5, 0.02);
+  EXPECT_LT(area(ShapePolicy::kVoxels, visit_free_square), 0.1);
+  EXPECT_NEAR(area(ShapePolicy::kHull, visit_free_square), 1.0, 1e-9) << "[hypermap]'s shapes stay";
 }
 
 TEST(ObjectFootprints, AnObjectWithoutShapesShowsItsBoxAndThatIsSaid) {

@@ -58,12 +58,16 @@ Result<void> put_occupancy(MapArchive& archive,
 /// As put_occupancy.
 Result<void> put_footprints(MapArchive& archive,
                             std::span<const ObjectId> confirmed,
-                            const ObjectPipelineOptions& options) {
+                            const LeafSource& leaves,
+                            const ObjectPipelineOptions& options,
+                            const LayerOptions& layers) {
   auto footprints = guarded_layer([&] {
     return project_footprints(
         objects_of(archive.objects, confirmed),
         archive.classes,
-        {.policy = options.footprint, .confidence = options.confirmation.confidence});
+        {.policy = options.footprint,
+         .confidence = options.confirmation.confidence,
+         .carving_leaves = layers.carve_footprints ? leaves : LeafSource()});
   });
   if (footprints) return put_layer(archive.hypermap, kSemanticLayer, std::move(footprints->layer));
   archive.hypermap.remove_layer(kSemanticLayer);
@@ -146,7 +150,7 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
     if (!put) derived.left_out.push_back(left_out(put.error(), layer));
   };
   note(put_occupancy(archive, leaves, options), kOccupancyName);
-  note(put_footprints(archive, confirmed, objects), kSemanticLayer);
+  note(put_footprints(archive, confirmed, leaves, objects, options), kSemanticLayer);
   note(put_class_grids(archive, leaves, options), "class grids");
   return derived;
 }

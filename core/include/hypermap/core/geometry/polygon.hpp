@@ -96,6 +96,10 @@ struct WindingFill {
 /// Boundary: no polygons, no pieces. Cost: O(k n log n) for k polygons, n points in all.
 [[nodiscard]] Result<std::vector<Polygon>> unite(std::span<const Polygon> polygons);
 [[nodiscard]] Polygon translated(const Polygon& polygon, const Eigen::Vector2d& offset);
+/// With fewer corners: those left out lie within `tolerance_m` of the new outline (Douglas and
+/// Peucker, 1973). Requires: a valid polygon; tolerance_m >= 0.
+/// Boundary: the polygon itself where the new one would cross itself or have no area.
+[[nodiscard]] Polygon simplified(const Polygon& polygon, double tolerance_m);
 /// Convex hull. Errors: kInvalidArgument when fewer than three points span an area.
 [[nodiscard]] Result<Polygon> convex_hull(std::span<const Eigen::Vector2d> points);
 

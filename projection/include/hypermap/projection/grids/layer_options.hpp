@@ -15,6 +15,8 @@ struct LayerOptions {
   double max_height_m = 1.8;  ///< Above min_height_m.
   /// Least share of the band's height that must have been seen free for a free cell.
   double min_free_share = 0.5;
+  /// Footprints by policy `voxels` lack what was looked through and where other objects stand.
+  bool carve_footprints = true;
   friend bool operator==(const LayerOptions&, const LayerOptions&) = default;
 };
 

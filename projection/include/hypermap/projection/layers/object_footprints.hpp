@@ -2,11 +2,12 @@
 /// @file
 /// The objects of the map, seen from above, as a semantic layer.
 ///
-/// Source: [hypermap] 3.4.5 (shape `best`, shape `hull`); `voxels` is ours.
+/// Source: [hypermap] 3.4.5 (shape `best`, shape `hull`); `voxels` is ours, and so is carving.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
@@ -18,6 +19,10 @@ namespace hypermap {
 struct FootprintOptions {
   ShapePolicy policy = ShapePolicy::kVoxels;
   ObjectConfidenceOptions confidence = {};
+  /// The map that the objects stand in, each leaf with its owner. With it, shapes by policy
+  /// `voxels` lack what sensors looked through and where other objects stand; without, they are
+  /// convex. Edges of leaves: the smallest one doubled some times, on its lattice.
+  LeafSource carving_leaves = {};
 };
 
 struct FootprintLayer {

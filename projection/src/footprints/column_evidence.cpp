@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column_evidence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+namespace hypermap {
+namespace {
+
+/// A column that was known to less than this share of its height can hide something.
+constexpr double kMinHiddenShare = 0.2;
+/// Edges are that far, in columns, on the other side of a column's edge by rounding at most.
+constexpr double kSlackColumns = 1e-6;
+/// Leaves are on an octree's lattice: one that is no larger than a tile lies in one tile.
+constexpr double kTileColumns = 64.0;
+
+double smallest_edge_m(const LeafSource& leaves) {
+  double edge_m = std::numeric_limits<double>::infinity();
+  leaves([&](const LeafSample& leaf) { edge_m = std::min(edge_m, leaf.edge_m); });
+  return edge_m;
+}
+
+double height_within(const LeafSample& leaf, const Box& box) {
+  const double low = std::max(leaf.centre_in_map.z() - leaf.edge_m / 2, box.min_in_map.z());
+  const double high = std::min(leaf.centre_in_map.z() + leaf.edge_m / 2, box.max_in_map.z());
+  return std::max(high - low, 0.0);
+}
+
+/// Which objects' boxes reach into each tile of the plan.
+class ObjectTiles {
+ public:
+  ObjectTiles(std::span<const Object* const> objects,
+              std::span<const ObjectColumns> columns,
+              double tile_m)
+      : tile_m_(tile_m) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (columns[i].empty()) continue;
+      all_.push_back(i);
+      const Tile low = tile_at(objects[i]->box.min_in_map);
+      const Tile high = tile_at(objects[i]->box.max_in_map);
+      for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+        for (std::int64_t y = low[1]; y <= high[1]; ++y) tiles_[{x, y}].push_back(i);
+      }
+    }
+  }
+
+  /// Positions of all objects whose boxes reach to the leaf, and of others.
+  [[nodiscard]] std::span<const std::size_t> near(const LeafSample& leaf) const {
+    if (leaf.edge_m > tile_m_) return all_;
+    const auto found = tiles_.find(tile_at(leaf.centre_in_map));
+    return found == tiles_.end() ? std::span<const std::size_t>() : found->second;
+  }
+
+ private:
+  using Tile = std::array<std::int64_t, 2>;
+  [[nodiscard]] Tile tile_at(const Eigen::Vector3d& point) const {
+    return {static_cast<std::int64_t>(std::floor(point.x() / tile_m_)),
+            static_cast<std::int64_t>(std::floor(point.y() / tile_m_))};
+  }
+
+  double tile_m_;
+  std::vector<std::size_t> all_;
+  std::map<Tile, std::vector<std::size_t>> tiles_;
+};
+
+}  // namespace
+
+ObjectColumns::ObjectColumns(const Object& object, double edge_m)
+    : id_(object.id), box_(object.box), edge_m_(edge_m) {
+  const Eigen::Vector2d first = (box_.min_in_map.head<2>() / edge_m).array().floor();
+  const Eigen::Vector2d end = (box_.max_in_map.head<2>() / edge_m).array().ceil();
+  const Eigen::Vector2d size = (end - first).cwiseMax(1.0);
+  if (!(size.prod() <= static_cast<double>(kMaxColumns))) return;
+  first_ = first;
+  cols_ = static_cast<int>(size.x());
+  rows_ = static_cast<int>(size.y());
+  columns_.resize(static_cast<std::size_t>(cols_) * static_cast<std::size_t>(rows_));
+  for (const Eigen::Vector3d& point : object.points.supported_points()) {
+    if (const auto column = index_at(point.head<2>())) columns_[*column].has_points = true;
+  }
+}
+
+std::optional<std::size_t> ObjectColumns::index_at(const Eigen::Vector2d& point_in_map) const {
+  const Eigen::Vector2d place = (point_in_map / edge_m_).array().floor().matrix() - first_;
+  const bool is_inside =
+      place.x() >= 0.0 && place.y() >= 0.0 && place.x() < cols_ && place.y() < rows_;
+  if (!is_inside) return std::nullopt;
+  return static_cast<std::size_t>(place.y()) * static_cast<std::size_t>(cols_) +
+         static_cast<std::size_t>(place.x());
+}
+
+bool ObjectColumns::may_be_of_object(const LeafSample& leaf, const Column& column) const {
+  const double z = leaf.centre_in_map.z();
+  if (!leaf.occupied || z <= box_.min_in_map.z() + edge_m_ || z >= box_.max_in_map.z())
+    return false;
+  return leaf.object == kNoObject || (leaf.object == id_ && !column.has_points);
+}
+
+ObjectColumns::Span ObjectColumns::covered(const LeafSample& leaf, int axis) const {
+  const double size = axis == 0 ? cols_ : rows_;
+  const double low = (leaf.centre_in_map[axis] - leaf.edge_m / 2) / edge_m_ - first_[axis];
+  const double high = low + leaf.edge_m / edge_m_;
+  if (!(high > 0.0 && low < size)) return {};
+  return {static_cast<int>(std::floor(std::max(low + kSlackColumns, 0.0))),
+          static_cast<int>(std::ceil(std::min(high - kSlackColumns, size))) - 1};
+}
+
+void ObjectColumns::add(const LeafSample& leaf) {
+  const double height_m = height_within(leaf, box_);
+  if (columns_.empty() || height_m <= 0.0) return;
+  const Span cols = covered(leaf, 0);
+  const Span rows = covered(leaf, 1);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    for (int col = cols.first; col <= cols.last; ++col) {
+      Column& column = columns_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) +
+                                static_cast<std::size_t>(col)];
+      column.known_m += height_m;
+      column.is_blocked = column.is_blocked || may_be_of_object(leaf, column);
+    }
+  }
+}
+
+bool ObjectColumns::can_hold_more(const Eigen::Vector2d& point_in_map) const {
+  const auto at = index_at(point_in_map);
+  if (!at) return true;
+  const Column& column = columns_[*at];
+  const double height_m = box_.extent().z();
+  return column.is_blocked || height_m - column.known_m >= kMinHiddenShare * height_m;
+}
+
+std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,
+                                      const LeafSource& leaves) {
+  const double edge_m = smallest_edge_m(leaves);
+  std::vector<ObjectColumns> columns;
+  columns.reserve(objects.size());
+  for (const Object* object : objects) columns.emplace_back(*object, edge_m);
+  const ObjectTiles tiles(objects, columns, kTileColumns * edge_m);
+  leaves([&](const LeafSample& leaf) {
+    for (const std::size_t i : tiles.near(leaf)) columns[i].add(leaf);
+  });
+  return columns;
+}
+
+}  // namespace hypermap

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What the 3D map says of the columns around each object: can more of it stand there?
+#pragma once
+
+#include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/objects/object.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hypermap {
+
+/// Columns, as wide as the map's smallest leaf, over the heights that an object's box spans.
+///
+/// More of the object can stand in a column that was not looked through, or where something was
+/// measured that no other object owns. It cannot where sensors looked through, nor where another
+/// object stands. Where the object has points, those show it finer than its leaves.
+class ObjectColumns {
+ public:
+  static constexpr std::size_t kMaxColumns = 1'000'000;
+
+  /// Nothing is known of any column. Requires: edge_m > 0.
+  /// Boundary: no columns where the box is not finite or has more than kMaxColumns.
+  ObjectColumns(const Object& object, double edge_m);
+
+  [[nodiscard]] bool empty() const noexcept { return columns_.empty(); }
+  /// Requires: the leaf's edge is that of the columns doubled some times, on their lattice.
+  void add(const LeafSample& leaf);
+  /// Boundary: true where there is no column.
+  [[nodiscard]] bool can_hold_more(const Eigen::Vector2d& point_in_map) const;
+
+ private:
+  struct Column {
+    double known_m = 0.0;     ///< Height that was looked through or measured.
+    bool has_points = false;  ///< Supported ones of the object.
+    bool is_blocked = false;  ///< Something was measured above its foot that may be the object.
+  };
+  struct Span {
+    int first = 0;
+    int last = -1;
+  };
+  [[nodiscard]] Span covered(const LeafSample& leaf, int axis) const;
+  [[nodiscard]] std::optional<std::size_t> index_at(const Eigen::Vector2d& point_in_map) const;
+  [[nodiscard]] bool may_be_of_object(const LeafSample& leaf, const Column& column) const;
+
+  ObjectId id_;
+  Box box_;
+  double edge_m_;
+  Eigen::Vector2d first_ = Eigen::Vector2d::Zero();  ///< Number of column (0, 0) from the origin.
+  int cols_ = 0;
+  int rows_ = 0;
+  std::vector<Column> columns_;
+};
+
+/// The columns of each object, in its order, filled from the leaves. Frame: Map.
+/// Requires: leaves are cubes; edges are that of the smallest one doubled some times, on its
+/// lattice. Boundary: without leaves nothing is known.
+/// Cost: two passes over the leaves, each leaf against the objects of its tile; memory a column
+/// each.
+[[nodiscard]] std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,
+                                                    const LeafSource& leaves);
+
+}  // namespace hypermap

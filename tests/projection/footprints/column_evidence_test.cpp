@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "footprints/column_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr double kEdgeM = 0.5;
+constexpr ObjectId kOwn{7};
+constexpr ObjectId kOther{8};
+
+/// Its box spans columns of 0.5 m at x 0 to 2, y 0 to 0.5, five leaves high.
+Object object_with_box() {
+  Object object;
+  object.id = kOwn;
+  object.box = {{0.1, 0.1, 0.0}, {1.9, 0.4, 2.5}};
+  return object;
+}
+
+LeafSample leaf(int col, int level, bool occupied, ObjectId owner = kNoObject) {
+  LeafSample sample;
+  sample.centre_in_map = kEdgeM * Eigen::Vector3d(col + 0.5, 0.5, level + 0.5);
+  sample.edge_m = kEdgeM;
+  sample.occupied = occupied;
+  sample.object = owner;
+  return sample;
+}
+
+std::vector<LeafSample> column(int col, const std::vector<LeafSample>& others) {
+  std::vector<LeafSample> leaves = others;
+  for (int level = 0; level < 5; ++level) {
+    bool is_there = false;
+    for (const LeafSample& other : others)
+      is_there = is_there || other.centre_in_map.z() == kEdgeM * (level + 0.5);
+    if (!is_there) leaves.push_back(leaf(col, level, false));
+  }
+  return leaves;
+}
+
+LeafSource source(std::vector<LeafSample> leaves) {
+  return [leaves = std::move(leaves)](const LeafVisitor& visit) {
+    for (const LeafSample& sample : leaves) visit(sample);
+  };
+}
+
+bool can_hold_more(const Object& object, const std::vector<LeafSample>& leaves, double x) {
+  const std::vector<const Object*> objects{&object};
+  return columns_of(objects, source(leaves)).front().can_hold_more({x, 0.25});
+}
+
+TEST(ColumnEvidence, WhatWasLookedThroughHoldsNoMore) {
+  const Object object = object_with_box();
+  const auto leaves = column(1, {});
+  EXPECT_FALSE(can_hold_more(object, leaves, 0.75));
+  EXPECT_TRUE(can_hold_more(object, leaves, 0.25)) << "nobody looked there";
+  EXPECT_TRUE(can_hold_more(object, leaves, 5.0)) << "no column";
+}
+
+TEST(ColumnEvidence, AFifthOfItsHeightUnseenCanHideSomething) {
+  const Object object = object_with_box();
+  auto leaves = column(1, {});
+  leaves.erase(leaves.begin() + 2);  // One of five.
+  EXPECT_TRUE(can_hold_more(object, leaves, 0.75));
+}
+
+TEST(ColumnEvidence, WhatNobodyOwnsMayBeOfTheObjectButNotAtItsFoot) {
+  const Object object = object_with_box();
+  EXPECT_TRUE(can_hold_more(object, column(1, {leaf(1, 2, true)}), 0.75));
+  EXPECT_FALSE(can_hold_more(object, column(1, {leaf(1, 0, true)}), 0.75)) << "the support";
+  EXPECT_FALSE(can_hold_more(object, column(1, {leaf(1, 2, true, kOther)}), 0.75));
+}
+
+TEST(ColumnEvidence, OwnLeavesCountWhereTheObjectHasNoPoints) {
+  Object object = object_with_box();
+  const auto leaves = column(1, {leaf(1, 2, true, kOwn)});
+  EXPECT_TRUE(can_hold_more(object, leaves, 0.75));
+  object.points.observe(std::vector<Eigen::Vector3f>{{0.6F, 0.25F, 1.2F}});
+  EXPECT_FALSE(can_hold_more(object, leaves, 0.75));
+}
+
+TEST(ColumnEvidence, LargeLeavesCoverAllTheirColumns) {
+  const Object object = object_with_box();
+  LeafSample large;
+  large.edge_m = 128 * kEdgeM;
+  large.centre_in_map = Eigen::Vector3d::Constant(large.edge_m / 2);
+  const auto leaves = std::vector<LeafSample>{large, leaf(9, 9, false)};
+  for (const double x : {0.25, 0.75, 1.25, 1.75}) EXPECT_FALSE(can_hold_more(object, leaves, x));
+}
+
+TEST(ColumnEvidence, BoxesThatAreNoneHaveNoColumns) {
+  Object object = object_with_box();
+  object.box.max_in_map.x() = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(can_hold_more(object, column(1, {}), 0.75));
+  object.box.max_in_map.x() = 1e9;
+  EXPECT_TRUE(can_hold_more(object, column(1, {}), 0.75));
+  EXPECT_TRUE(can_hold_more(object_with_box(), {}, 0.75)) << "no leaves";
+}
+
+}  // namespace
+}  // namespace hypermap
