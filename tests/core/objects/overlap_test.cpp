@@ -56,5 +56,25 @@ TEST(PointSet, OfAnObjectWithoutPointsIsEmpty) {
   EXPECT_FALSE(set.grid.is_near({0, 0, 0}));
 }
 
+TEST(Overlap, SaysHowMuchMoreOftenThePartWasSeen) {
+  Object keyboard;
+  keyboard.box = box_at({-0.2, -0.1, 0.0}, {0.2, 0.1, 0.05});
+  keyboard.points.observe(surface_of(keyboard.box));
+  keyboard.num_observations = 8;
+  Object around = keyboard;  // All of it lies in a larger one, seen twice.
+  around.box = box_at({-0.3, -0.2, 0.0}, {0.3, 0.2, 0.05});
+  around.points = {};
+  around.points.observe(surface_of(around.box));
+  around.points.observe(surface_of(keyboard.box));
+  around.num_observations = 2;
+  const auto ratio = [](const Object& a, const Object& b) {
+    return measure_overlap(point_set_of(a, kNearM), point_set_of(b, kNearM), kNearM).maturity_ratio;
+  };
+  EXPECT_DOUBLE_EQ(ratio(keyboard, around), 4.0);
+  EXPECT_DOUBLE_EQ(ratio(around, keyboard), 4.0);
+  keyboard.num_observations = 1;
+  EXPECT_DOUBLE_EQ(ratio(keyboard, around), 0.5);
+}
+
 }  // namespace
 }  // namespace hypermap

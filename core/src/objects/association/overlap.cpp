@@ -100,8 +100,10 @@ PointSet point_set_of(const Observation& observation, double near_m) {
 }
 
 PointSet point_set_of(const Object& object, double near_m) {
-  return make_point_set(
-      object.box, agreed_cells(object.points, near_m), object.belief.distribution());
+  PointSet set =
+      make_point_set(object.box, agreed_cells(object.points, near_m), object.belief.distribution());
+  set.num_observations = std::max(object.num_observations, 1U);
+  return set;
 }
 
 Overlap measure_overlap(const PointSet& first, const PointSet& second, double near_m) {
