@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 
+#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object.hpp"
 #include "octree/point_mask.hpp"
 
@@ -20,6 +21,7 @@ struct Owner {
   OwnerLabel label;
   Box bounds;  ///< Of the object, grown by the noise.
   PointMask points;
+  Polygon hull;  ///< Of the object's points from above; empty when it has none.
 };
 
 Box cube_at(const Eigen::Vector3d& centre, double edge_m) {
@@ -29,6 +31,14 @@ Box cube_at(const Eigen::Vector3d& centre, double edge_m) {
 bool reaches(const Owner& owner, const Box& cube) {
   if (!owner.bounds.intersects(cube)) return false;
   return owner.points.empty() || owner.points.count(grown(cube, kSurfaceNoiseM)) > 0;
+}
+
+/// Among points of the owner, and not of what it stands on, though none lies in the cube.
+bool encloses(const Owner& owner, const Box& cube) {
+  const Eigen::Vector3d middle = cube.centre();
+  const double foot_m = owner.bounds.min_in_map.z() + kSurfaceNoiseM;
+  return middle.z() > foot_m + cube.extent().z() && !owner.hull.outer.empty() &&
+         contains(owner.hull, middle.head<2>()) && reaches(owner, cube);
 }
 
 }  // namespace
@@ -43,7 +53,7 @@ struct VoxelOwners::Index {
     return found != owners.end() && reaches(found->second, cube) ? &found->second : nullptr;
   }
 
-  /// The owner with most points in the cube or next to it.
+  /// The owner with most points in the cube or next to it, else the one that encloses it.
   [[nodiscard]] std::optional<Owned> covering(const Box& cube) const {
     std::optional<Owned> best;
     std::size_t most = 0;
@@ -55,7 +65,20 @@ struct VoxelOwners::Index {
       most = count;
       best = Owned{id, found->second.label};
     }
-    return best;
+    return best ? best : enclosing(cube);
+  }
+
+  /// The only owner that reaches the cube and encloses its middle, above its foot.
+  [[nodiscard]] std::optional<Owned> enclosing(const Box& cube) const {
+    const Eigen::Vector3d middle = cube.centre();
+    std::optional<Owned> only;
+    for (const ObjectId id : objects.query(Box{middle, middle})) {
+      const auto found = owners.find(id);
+      if (found == owners.end() || !encloses(found->second, cube)) continue;
+      if (only) return std::nullopt;
+      only = Owned{id, found->second.label};
+    }
+    return only;
   }
 };
 
@@ -69,7 +92,8 @@ VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> con
     index->owners.emplace(id,
                           Owner{{best->id, LogOdds::of(object_confidence(*object))},
                                 grown(object->box, kSurfaceNoiseM),
-                                PointMask(object->points.supported_points(), kMaskEdgeM)});
+                                PointMask(object->points.supported_points(), kMaskEdgeM),
+                                footprint(*object).value_or(Polygon{})});
   }
   index_ = std::move(index);
 }

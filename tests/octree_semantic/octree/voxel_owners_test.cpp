@@ -92,7 +92,9 @@ TEST(VoxelOwners, WhatIsLabelledFarFromTheObjectsPointsIsNotItsOwn) {
 
 TEST(VoxelOwners, WhatNoSegmentNamedIsOwnedWhereThePointsLie) {
   ObjectMap objects;
-  const ObjectId table = objects.add(plate_at(0.0, kChair));
+  Object plate = plate_at(0.0, kChair);
+  plate.box = *plate.points.agreed_box();
+  const ObjectId table = objects.add(plate);
   const ObjectId tentative = objects.add(object_at(0.0, kCup));
   const VoxelOwners owners(objects, std::array{table});
   for (const ObjectId label : {kNoObject, tentative, ObjectId{77}}) {
@@ -103,6 +105,29 @@ TEST(VoxelOwners, WhatNoSegmentNamedIsOwnedWhereThePointsLie) {
     // The plate is 3 cm beyond the cube's upper face: near enough for its own label alone.
     EXPECT_FALSE(owners.find(label, {0.225, 0.225, 0.145}, 0.05));
   }
+}
+
+TEST(VoxelOwners, WhatLiesAmongItsPointsIsOwnedWhenNobodyElseIsThere) {
+  // The plate lies at 0.2 m in a box from 0 to 0.4 m; a cube at 0.145 m ends 3 cm below it.
+  const auto owner_at = [](const Object& plate, const Eigen::Vector3d& middle) {
+    ObjectMap objects;
+    const std::array ids{objects.add(plate)};
+    return VoxelOwners(objects, ids).find(kNoObject, middle, 0.05);
+  };
+  Object plate = plate_at(0.0, kChair);
+  EXPECT_TRUE(owner_at(plate, {0.225, 0.225, 0.145}));
+  EXPECT_FALSE(owner_at(plate, {0.42, 0.225, 0.145})) << "outside the hull";
+  EXPECT_FALSE(owner_at(plate, {0.225, 0.225, 0.11})) << "over 5 cm from a point";
+  plate.box.min_in_map.z() = 0.1;
+  EXPECT_FALSE(owner_at(plate, {0.225, 0.225, 0.145})) << "not a voxel above the lowest face";
+  plate.box.min_in_map.z() = 0.09;
+  EXPECT_TRUE(owner_at(plate, {0.225, 0.225, 0.145}));
+}
+
+TEST(VoxelOwners, WhatLiesAmongThePointsOfTwoIsNobodys) {
+  ObjectMap objects;
+  const std::array both{objects.add(plate_at(0.0, kChair)), objects.add(plate_at(0.01, kCup))};
+  EXPECT_FALSE(VoxelOwners(objects, both).find(kNoObject, {0.225, 0.225, 0.145}, 0.05));
 }
 
 TEST(VoxelOwners, OfTwoTheOneWithMorePointsOwnsTheVoxel) {

@@ -31,8 +31,10 @@ struct OwnerLabel {
 /// supported points (OccupancyVotes) within 5 cm of the cube, which a surface may be measured off:
 /// a single segment that took the floor in labels voxels too. Any other voxel belongs to the
 /// confirmed object that has most supported points within 1 cm of the cube, the lowest id of
-/// equals: no segment names all voxels of a surface. An object without points stands for its box
-/// grown by 5 cm, and only owns what is labelled with it.
+/// equals: no segment names all voxels of a surface. Where none has, it belongs to the only one
+/// that has supported points within 5 cm and encloses its middle: the convex hull of its agreed
+/// points does from above, its box in height, a voxel above its lowest face. An object without
+/// points stands for its box grown by 5 cm, and only owns what is labelled with it.
 /// Cost: a table look-up a voxel and bits of its owner's points, else a query of the objects there;
 /// memory a bit for each cell of 1 cm of an object's box, at most 128 KB an object.
 class VoxelOwners {
