@@ -100,6 +100,16 @@ bool ObjectColumns::may_be_of_object(const LeafSample& leaf, const Column& colum
   return leaf.object == kNoObject || (leaf.object == id_ && !column.has_points);
 }
 
+// A leaf within one edge of the lowest face that is occupied, or free below that face.
+bool ObjectColumns::shows_foot(const LeafSample& leaf) const {
+  const double foot_m = box_.min_in_map.z();
+  const double half_m = leaf.edge_m / 2;
+  const double low_m = leaf.centre_in_map.z() - half_m;
+  const double high_m = leaf.centre_in_map.z() + half_m;
+  if (high_m <= foot_m - edge_m_ || low_m >= foot_m + edge_m_) return false;
+  return leaf.occupied || leaf.centre_in_map.z() < foot_m;
+}
+
 ObjectColumns::Span ObjectColumns::covered(const LeafSample& leaf, int axis) const {
   const double size = axis == 0 ? cols_ : rows_;
   const double low = (leaf.centre_in_map[axis] - leaf.edge_m / 2) / edge_m_ - first_[axis];
@@ -111,7 +121,8 @@ ObjectColumns::Span ObjectColumns::covered(const LeafSample& leaf, int axis) con
 
 void ObjectColumns::add(const LeafSample& leaf) {
   const double height_m = height_within(leaf, box_);
-  if (columns_.empty() || height_m <= 0.0) return;
+  const bool is_foot = shows_foot(leaf);
+  if (columns_.empty() || !(height_m > 0.0 || is_foot)) return;
   const Span cols = covered(leaf, 0);
   const Span rows = covered(leaf, 1);
   for (int row = rows.first; row <= rows.last; ++row) {
@@ -120,6 +131,7 @@ void ObjectColumns::add(const LeafSample& leaf) {
                                 static_cast<std::size_t>(col)];
       column.known_m += height_m;
       column.is_blocked = column.is_blocked || may_be_of_object(leaf, column);
+      column.is_foot_seen = column.is_foot_seen || is_foot;
     }
   }
 }
@@ -129,7 +141,8 @@ bool ObjectColumns::can_hold_more(const Eigen::Vector2d& point_in_map) const {
   if (!at) return true;
   const Column& column = columns_[*at];
   const double height_m = box_.extent().z();
-  return column.is_blocked || height_m - column.known_m >= kMinHiddenShare * height_m;
+  return !column.is_foot_seen || column.is_blocked ||
+         height_m - column.known_m >= kMinHiddenShare * height_m;
 }
 
 std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,

@@ -18,9 +18,11 @@ namespace hypermap {
 
 /// Columns, as wide as the map's smallest leaf, over the heights that an object's box spans.
 ///
-/// More of the object can stand in a column that was not looked through, or where something was
-/// measured that no other object owns. It cannot where sensors looked through, nor where another
-/// object stands. Where the object has points, those show it finer than its leaves.
+/// More of the object can stand in a column that was not looked through down to its foot, or where
+/// something was measured that no other object owns. It cannot where sensors looked through and saw
+/// what is under it, nor where another object stands. What is under it must have been seen, since
+/// rays along a flat top clear the leaves of that top, but show nothing below it. Where the object
+/// has points, those show it finer than its leaves.
 class ObjectColumns {
  public:
   static constexpr std::size_t kMaxColumns = 1'000'000;
@@ -37,9 +39,10 @@ class ObjectColumns {
 
  private:
   struct Column {
-    double known_m = 0.0;     ///< Height that was looked through or measured.
-    bool has_points = false;  ///< Supported ones of the object.
-    bool is_blocked = false;  ///< Something was measured above its foot that may be the object.
+    double known_m = 0.0;       ///< Height that was looked through or measured.
+    bool is_foot_seen = false;  ///< What is beside or below the lowest leaf was measured.
+    bool has_points = false;    ///< Supported ones of the object.
+    bool is_blocked = false;    ///< Something was measured above its foot that may be the object.
   };
   struct Span {
     int first = 0;
@@ -48,6 +51,7 @@ class ObjectColumns {
   [[nodiscard]] Span covered(const LeafSample& leaf, int axis) const;
   [[nodiscard]] std::optional<std::size_t> index_at(const Eigen::Vector2d& point_in_map) const;
   [[nodiscard]] bool may_be_of_object(const LeafSample& leaf, const Column& column) const;
+  [[nodiscard]] bool shows_foot(const LeafSample& leaf) const;
 
   ObjectId id_;
   Box box_;

@@ -15,16 +15,24 @@ struct Pixel {
   int row = 0;
 };
 
-/// Calls `visit(col, row, distance)` along each column with the distance to the nearest set pixel
-/// of the rows before, `far` at most.
-template <class Visit>
-void sweep_column(const PlanMask& mask, int col, int far, bool upward, const Visit& visit) {
-  int distance = far;
-  for (int i = 0; i < mask.rows(); ++i) {
-    const int row = upward ? i : mask.rows() - 1 - i;
-    distance = mask.at(col, row) ? 0 : std::min(distance + 1, far);
-    visit(row, distance);
+/// Of each pixel the distance to the nearest set one in its column, `far` at most.
+std::vector<int> column_distances(const PlanMask& mask, int far) {
+  const auto cols = static_cast<std::size_t>(mask.cols());
+  std::vector<int> distances(cols * static_cast<std::size_t>(mask.rows()), far);
+  const auto pass = [&](int row, int before) {
+    int* here = distances.data() + static_cast<std::size_t>(row) * cols;
+    const int* there = distances.data() + static_cast<std::size_t>(before) * cols;
+    for (std::size_t col = 0; col < cols; ++col) here[col] = std::min(here[col], there[col] + 1);
+  };
+  for (int row = 0; row < mask.rows(); ++row) {
+    for (int col = 0; col < mask.cols(); ++col) {
+      if (mask.at(col, row))
+        distances[static_cast<std::size_t>(row) * cols + static_cast<std::size_t>(col)] = 0;
+    }
+    if (row > 0) pass(row, row - 1);
   }
+  for (int row = mask.rows() - 2; row >= 0; --row) pass(row, row + 1);
+  return distances;
 }
 
 /// Half of a chord of a disc, by the distance of the chord from its centre.
@@ -43,14 +51,6 @@ void add_interval(std::vector<int>& changes, int first, int last) {
   const int end = static_cast<int>(changes.size()) - 1;
   ++changes[static_cast<std::size_t>(std::max(first, 0))];
   --changes[static_cast<std::size_t>(std::min(last + 1, end))];
-}
-
-PlanMask complement(const PlanMask& mask) {
-  PlanMask out(mask.cols(), mask.rows());
-  for (int row = 0; row < mask.rows(); ++row) {
-    for (int col = 0; col < mask.cols(); ++col) out.set(col, row, !mask.at(col, row));
-  }
-  return out;
 }
 
 /// Sets in `reached` what is connected over edges with `from` through pixels where `passes`, and
@@ -92,6 +92,12 @@ std::size_t PlanMask::count() const noexcept {
   return static_cast<std::size_t>(std::count(set_.begin(), set_.end(), std::uint8_t{1}));
 }
 
+PlanMask PlanMask::complement() const {
+  PlanMask out = *this;
+  for (std::uint8_t& pixel : out.set_) pixel ^= 1U;
+  return out;
+}
+
 PlanMask& PlanMask::operator|=(const PlanMask& other) noexcept {
   assert(cols_ == other.cols_ && rows_ == other.rows_);
   std::transform(set_.begin(), set_.end(), other.set_.begin(), set_.begin(), std::bit_or<>());
@@ -107,25 +113,16 @@ PlanMask& PlanMask::operator&=(const PlanMask& other) noexcept {
 // A set pixel at the distance y in its column reaches a chord of the disc in this row. Farther ones
 // of the same column reach less, so the nearest of each column decides.
 PlanMask dilated(const PlanMask& mask, int radius) {
-  const int far = radius + 1;
-  std::vector<int> distance(static_cast<std::size_t>(mask.cols()) *
-                            static_cast<std::size_t>(mask.rows()));
-  const auto at = [&](int col, int row) -> int& {
-    return distance[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.cols()) +
-                    static_cast<std::size_t>(col)];
-  };
-  for (int col = 0; col < mask.cols(); ++col) {
-    sweep_column(mask, col, far, true, [&](int row, int d) { at(col, row) = d; });
-    sweep_column(
-        mask, col, far, false, [&](int row, int d) { at(col, row) = std::min(at(col, row), d); });
-  }
+  const std::vector<int> distances = column_distances(mask, radius + 1);
   const std::vector<int> half = half_chords(radius);
   PlanMask out(mask.cols(), mask.rows());
   std::vector<int> changes;
   for (int row = 0; row < mask.rows(); ++row) {
     changes.assign(static_cast<std::size_t>(mask.cols()) + 1, 0);
     for (int col = 0; col < mask.cols(); ++col) {
-      const int d = at(col, row);
+      const int d =
+          distances[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.cols()) +
+                    static_cast<std::size_t>(col)];
       if (d > radius) continue;
       const int reach = half[static_cast<std::size_t>(d)];
       add_interval(changes, col - reach, col + reach);
@@ -140,7 +137,7 @@ PlanMask dilated(const PlanMask& mask, int radius) {
 }
 
 PlanMask eroded(const PlanMask& mask, int radius) {
-  return complement(dilated(complement(mask), radius));
+  return dilated(mask.complement(), radius).complement();
 }
 
 PlanMask closed(const PlanMask& mask, int radius) {
@@ -165,7 +162,7 @@ PlanMask with_holes_filled(const PlanMask& mask) {
     enter(0, row);
     enter(mask.cols() - 1, row);
   }
-  return complement(outside);
+  return outside.complement();
 }
 
 PlanMask without_corner_contacts(PlanMask mask) {

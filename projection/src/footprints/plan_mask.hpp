@@ -15,7 +15,7 @@ namespace hypermap {
 /// Pixels of a rectangle that are set; those outside are not. Row 0 has the least y.
 class PlanMask {
  public:
-  /// Nothing is set. Requires: both are 0 or more.
+  /// Nothing is set. Requires: both are 1 or more, or both 0.
   PlanMask(int cols, int rows);
 
   [[nodiscard]] int cols() const noexcept { return cols_; }
@@ -28,6 +28,8 @@ class PlanMask {
   void set(int col, int row, bool value = true) noexcept { set_[index(col, row)] = value ? 1 : 0; }
   [[nodiscard]] std::size_t count() const noexcept;
 
+  /// What is not set, inside.
+  [[nodiscard]] PlanMask complement() const;
   /// What is set here or there. Requires: one size, as for the next one.
   PlanMask& operator|=(const PlanMask& other) noexcept;
   /// What is set here and there.

@@ -189,9 +189,11 @@ TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {
   const ObjectId id = archive.objects.add(chair);
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 20; ++j) {
-      const auto key =
-          archive.octree->grid().key(PointInMap{{0.05 * (i + 0.5), 0.05 * (j + 0.5), 0.5}});
-      ASSERT_TRUE(archive.octree->set_leaf({.key = key.value(), .log_odds = -1000, .label = {}}));
+      for (const double z : {0.475, 0.525}) {  // What is below was seen, too.
+        const PointInMap middle{{0.05 * (i + 0.5), 0.05 * (j + 0.5), z}};
+        const auto key = archive.octree->grid().key(middle).value();
+        ASSERT_TRUE(archive.octree->set_leaf({.key = key, .log_odds = -1000, .label = {}}));
+      }
     }
   }
   ObjectPipelineOptions all;

@@ -13,7 +13,7 @@ constexpr double kEdgeM = 0.5;
 constexpr ObjectId kOwn{7};
 constexpr ObjectId kOther{8};
 
-/// Its box spans columns of 0.5 m at x 0 to 2, y 0 to 0.5, five leaves high.
+/// Its box spans columns of 0.5 m at x 0 to 2, y 0 to 0.5, five leaves high, above a floor.
 Object object_with_box() {
   Object object;
   object.id = kOwn;
@@ -30,8 +30,10 @@ LeafSample leaf(int col, int level, bool occupied, ObjectId owner = kNoObject) {
   return sample;
 }
 
+/// The others, free leaves between, and the floor below.
 std::vector<LeafSample> column(int col, const std::vector<LeafSample>& others) {
   std::vector<LeafSample> leaves = others;
+  leaves.push_back(leaf(col, -1, true));
   for (int level = 0; level < 5; ++level) {
     bool is_there = false;
     for (const LeafSample& other : others)
@@ -63,8 +65,22 @@ TEST(ColumnEvidence, WhatWasLookedThroughHoldsNoMore) {
 TEST(ColumnEvidence, AFifthOfItsHeightUnseenCanHideSomething) {
   const Object object = object_with_box();
   auto leaves = column(1, {});
-  leaves.erase(leaves.begin() + 2);  // One of five.
+  leaves.erase(leaves.begin() + 2);  // One of five, after the floor.
   EXPECT_TRUE(can_hold_more(object, leaves, 0.75));
+}
+
+TEST(ColumnEvidence, WhereNothingWasSeenUnderItTheObjectMayBe) {
+  const Object object = object_with_box();
+  auto leaves = column(1, {});
+  const auto floor = leaves.begin();
+  leaves.erase(floor);
+  EXPECT_TRUE(can_hold_more(object, leaves, 0.75));
+  leaves.push_back(leaf(1, -1, false));
+  EXPECT_FALSE(can_hold_more(object, leaves, 0.75)) << "seen free below it";
+  leaves.back() = leaf(1, -2, true);
+  EXPECT_TRUE(can_hold_more(object, leaves, 0.75)) << "too far below";
+  leaves.push_back(leaf(1, 0, true, kOwn));
+  EXPECT_FALSE(can_hold_more(object, leaves, 0.75)) << "something is at its foot";
 }
 
 TEST(ColumnEvidence, WhatNobodyOwnsMayBeOfTheObjectButNotAtItsFoot) {
@@ -87,7 +103,9 @@ TEST(ColumnEvidence, LargeLeavesCoverAllTheirColumns) {
   LeafSample large;
   large.edge_m = 128 * kEdgeM;
   large.centre_in_map = Eigen::Vector3d::Constant(large.edge_m / 2);
-  const auto leaves = std::vector<LeafSample>{large, leaf(9, 9, false)};
+  LeafSample below = large;
+  below.centre_in_map.z() = -large.edge_m / 2;
+  const auto leaves = std::vector<LeafSample>{large, below, leaf(9, 9, false)};
   for (const double x : {0.25, 0.75, 1.25, 1.75}) EXPECT_FALSE(can_hold_more(object, leaves, x));
 }
 

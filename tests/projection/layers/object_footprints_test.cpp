@@ -57,13 +57,13 @@ TEST(ObjectFootprints, EachPolicyShowsItsShape) {
   EXPECT_NEAR(area(ShapePolicy::kVoxels), 1.0, 0.15);
 }
 
-/// Free voxels of 5 cm over the square from 0 to 1 m.
+/// Free voxels of 5 cm over the square from 0 to 1 m, and a layer below.
 void visit_free_square(const LeafVisitor& visit) {
   LeafSample leaf;
   leaf.edge_m = 0.05;
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 20; ++j) {
-      for (int k = 0; k < 20; ++k) {
+      for (int k = -1; k < 20; ++k) {
         leaf.centre_in_map = 0.05 * Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5);
         visit(leaf);
       }
