@@ -26,7 +26,10 @@ Lattice turned_left(const Lattice& direction) {
 
 /// The pixel beside the edge that starts at `corner` towards `direction`: on its left, or on its
 /// right.
-bool is_set_beside(const PlanMask& mask, Lattice corner, Lattice direction, bool left) {
+bool is_set_beside(const PlanMask& mask,
+                   const Lattice& corner,
+                   const Lattice& direction,
+                   bool left) {
   const Lattice side = left ? turned_left(direction) : Lattice(-turned_left(direction));
   // Twice the pixel's centre: from the corner half an edge on and half an edge to the side.
   const Lattice twice = 2 * corner + direction + side;
