@@ -69,12 +69,12 @@ class ObjectTiles {
 
 }  // namespace
 
-ObjectColumns::ObjectColumns(const Object& object, double edge_m)
+ObjectColumns::ObjectColumns(const Object& object, double edge_m, std::size_t max_columns)
     : id_(object.id), box_(object.box), edge_m_(edge_m) {
   const Eigen::Vector2d first = (box_.min_in_map.head<2>() / edge_m).array().floor();
   const Eigen::Vector2d end = (box_.max_in_map.head<2>() / edge_m).array().ceil();
   const Eigen::Vector2d size = (end - first).cwiseMax(1.0);
-  if (!(size.prod() <= static_cast<double>(kMaxColumns))) return;
+  if (!(size.prod() <= static_cast<double>(max_columns))) return;
   first_ = first;
   cols_ = static_cast<int>(size.x());
   rows_ = static_cast<int>(size.y());
@@ -150,7 +150,11 @@ std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,
   const double edge_m = smallest_edge_m(leaves);
   std::vector<ObjectColumns> columns;
   columns.reserve(objects.size());
-  for (const Object* object : objects) columns.emplace_back(*object, edge_m);
+  std::size_t num_left = kMaxColumns;
+  for (const Object* object : objects) {
+    columns.emplace_back(*object, edge_m, num_left);
+    num_left -= columns.back().size();
+  }
   const ObjectTiles tiles(objects, columns, kTileColumns * edge_m);
   leaves([&](const LeafSample& leaf) {
     for (const std::size_t i : tiles.near(leaf)) columns[i].add(leaf);

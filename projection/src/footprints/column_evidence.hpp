@@ -25,12 +25,11 @@ namespace hypermap {
 /// has points, those show it finer than its leaves.
 class ObjectColumns {
  public:
-  static constexpr std::size_t kMaxColumns = 1'000'000;
-
   /// Nothing is known of any column. Requires: edge_m > 0.
-  /// Boundary: no columns where the box is not finite or has more than kMaxColumns.
-  ObjectColumns(const Object& object, double edge_m);
+  /// Boundary: no columns where the box is not finite or has more than `max_columns`.
+  ObjectColumns(const Object& object, double edge_m, std::size_t max_columns);
 
+  [[nodiscard]] std::size_t size() const noexcept { return columns_.size(); }
   [[nodiscard]] bool empty() const noexcept { return columns_.empty(); }
   /// Requires: the leaf's edge is that of the columns doubled some times, on their lattice.
   void add(const LeafSample& leaf);
@@ -62,9 +61,14 @@ class ObjectColumns {
   std::vector<Column> columns_;
 };
 
+/// Of all objects of a map, 16 bytes each.
+inline constexpr std::size_t kMaxColumns = 20'000'000;
+
 /// The columns of each object, in its order, filled from the leaves. Frame: Map.
 /// Requires: leaves are cubes; edges are that of the smallest one doubled some times, on its
-/// lattice. Boundary: without leaves nothing is known.
+/// lattice.
+/// Boundary: without leaves nothing is known. Objects whose columns would make more than
+/// kMaxColumns with those before have none: boxes may come from files of strangers.
 /// Cost: two passes over the leaves, each leaf against the objects of its tile; memory a column
 /// each.
 [[nodiscard]] std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,

@@ -135,7 +135,7 @@ TEST(CarvedFootprint, LiesWithinTheHull) {
 
 TEST(CarvedFootprint, OfNoPointsIsNotFound) {
   const Object object;
-  EXPECT_EQ(carved_footprint(object.points, ObjectColumns(object, kVoxelM)).error().code,
+  EXPECT_EQ(carved_footprint(object.points, ObjectColumns(object, kVoxelM, 1)).error().code,
             ErrorCode::kNotFound);
 }
 

@@ -118,5 +118,18 @@ TEST(ColumnEvidence, BoxesThatAreNoneHaveNoColumns) {
   EXPECT_TRUE(can_hold_more(object_with_box(), {}, 0.75)) << "no leaves";
 }
 
+TEST(ColumnEvidence, AllObjectsTogetherHaveABoundedNumberOfColumns) {
+  Object wide = object_with_box();  // 4,000 x 4,000 columns: 16 of the 20 million.
+  wide.box.max_in_map.head<2>() = Eigen::Vector2d(2000.0, 2000.0);
+  const Object small = object_with_box();
+  const std::vector<const Object*> objects{&wide, &wide, &small};
+  const auto columns = columns_of(objects, source(column(1, {})));
+  EXPECT_EQ(columns[0].size(), 16'000'000U);
+  EXPECT_TRUE(columns[1].empty());
+  EXPECT_EQ(columns[2].size(), 4U);
+  EXPECT_TRUE(columns[1].can_hold_more({0.75, 0.25}));
+  EXPECT_FALSE(columns[2].can_hold_more({0.75, 0.25}));
+}
+
 }  // namespace
 }  // namespace hypermap
