@@ -62,12 +62,11 @@ Result<void> put_footprints(MapArchive& archive,
                             const ObjectPipelineOptions& options,
                             const LayerOptions& layers) {
   auto footprints = guarded_layer([&] {
-    return project_footprints(
-        objects_of(archive.objects, confirmed),
-        archive.classes,
-        {.policy = options.footprint,
-         .confidence = options.confirmation.confidence,
-         .carving_leaves = layers.carve_footprints ? leaves : LeafSource()});
+    return project_footprints(objects_of(archive.objects, confirmed),
+                              archive.classes,
+                              {.policy = options.footprint,
+                               .confidence = options.confirmation.confidence,
+                               .carving_leaves = layers.carve_footprints ? leaves : LeafSource()});
   });
   if (footprints) return put_layer(archive.hypermap, kSemanticLayer, std::move(footprints->layer));
   archive.hypermap.remove_layer(kSemanticLayer);
