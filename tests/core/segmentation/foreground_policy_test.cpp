@@ -20,6 +20,7 @@ using test::kKeyboard;
 using test::kMouse;
 using test::kScreen;
 using test::kTable;
+using test::kWall;
 using test::office;
 using test::office_view;
 using test::OfficeObject;
@@ -66,6 +67,44 @@ TEST(ForegroundTable, IsTheTableWhenTheTableIsAskedFor) {
   const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2, 0, 0.7}), 1);
   const auto found = segment(view.frame, detection_of(view, kTable), {});
   EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kTable), 0.9);
+}
+
+/// A table seen from the height of its top: of that the near edge alone is measured.
+BoxScene flat_table(double far_legs_x) {
+  BoxScene scene;
+  scene.add(kFloor, {-4, -4, -0.1}, {8, 4, 0}).add(kWall, {4.6, -4, 0}, {4.7, 4, 3});
+  scene.add(kTable, {2.0, -0.7, 0.72}, {2.05, 0.7, 0.76});
+  for (const double x : {2.0, far_legs_x}) {
+    scene.add(kTable, {x, -0.7, 0}, {x + 0.06, -0.64, 0.72});
+    scene.add(kTable, {x, 0.64, 0}, {x + 0.06, 0.7, 0.72});
+  }
+  return scene;
+}
+
+double found_depth_m(const BoxScene& scene) {
+  const SceneView view = scene.view(test::look_at({0, 0, 0.74}, {2, 0, 0.5}), 1);
+  const auto found = segment(view.frame, detection_of(view, kTable), {});
+  return found ? found->box.extent().x() : 0.0;
+}
+
+TEST(ForegroundTable, HasItsFarLegsThoughItsTopIsNotMeasured) {
+  EXPECT_NEAR(found_depth_m(flat_table(2.8)), 0.86, 0.02);
+}
+
+TEST(ForegroundTable, EndsWhereSomethingStandsFartherBehindThanTheBoxIsWide) {
+  EXPECT_LT(found_depth_m(flat_table(4.2)), 0.1);
+}
+
+TEST(ForegroundTable, LacksWhatStandsBehindItThoughItIsInTheBox) {
+  BoxScene scene = flat_table(2.74);
+  scene.add(kTable, {2.0, -0.7, 0.72}, {2.8, 0.7, 0.76});
+  scene.add(kChair, {3.1, -0.1, 0.4}, {3.2, 0.1, 1.0});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.4}, {2.4, 0, 0.7}), 1);
+  Detection table = detection_of(view, kTable);
+  table.box_px.v_min_px = test::tight_box(view.truth, kChair)->v_min_px;
+  const auto found = segment(view.frame, table, {});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->box.max_in_map.x(), 2.8, 0.05);
 }
 
 TEST(ForegroundFlatThing, IsThePatchOfItsSupportInsideTheBox) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_choice.hpp"
 
+#include "part_behind.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -157,7 +159,7 @@ ComponentIds part_candidates(const DepthWindow& window,
 }
 
 /// Adds surfaces near the best one that widen what is covered of the box, until none does: the seat
-/// to the back of a chair, not the cup in front of a screen.
+/// to the back of a chair, not the cup in front of a screen. And those that stand free behind it.
 ComponentIds with_parts(const DepthWindow& window,
                         const DepthComponents& labelled,
                         std::uint32_t best,
@@ -183,7 +185,9 @@ ComponentIds with_parts(const DepthWindow& window,
     const double height_gap_m =
         gain < kPartMinGain ? options.part_gap_m : options.part_height_gap_m;
     const Columns part = columns(id);
-    if (!are_near(part, reached, static_cast<float>(height_gap_m))) return false;
+    if (!are_near(part, reached, static_cast<float>(height_gap_m)) &&
+        !is_part_behind(window, labelled, best, id))
+      return false;
     reached.insert(reached.end(), part.begin(), part.end());
     reached = united(std::move(reached));
     covered = wider;

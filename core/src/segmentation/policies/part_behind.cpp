@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "part_behind.hpp"
+
+#include "surface_choice.hpp"
+
+#include <algorithm>
+
+namespace hypermap {
+namespace {
+
+/// A part behind the others, across what was not measured, is a whole thing in the box that hardly
+/// anything hides: it has at least so many cells, no more than this share of them outside the box,
+/// and this share of its edge is its own outline.
+constexpr std::uint32_t kBehindMinCells = 24;
+constexpr double kBehindMaxOutside = 0.02;
+constexpr double kBehindMinOutline = 0.65;
+/// Something nearer hides the foot of what stands behind an object, not that of its parts.
+constexpr double kBehindMaxHiddenFoot = 0.25;
+/// What hides a foot is measured within so many cells of it.
+constexpr int kFootReachCells = 3;
+
+float mean_depth_m(const DepthWindow& window, const DepthComponents& labelled, std::uint32_t id) {
+  float sum_m = 0.0F;
+  for_each_cell_of(
+      window, labelled, id, [&](int x, int y) { sum_m += window.depth_m[window.cell(x, y)]; });
+  return sum_m / static_cast<float>(labelled.components[id].num_in_box);
+}
+
+/// Of the columns of a surface in the box, the share below whose last cell something nearer was
+/// measured.
+double hidden_foot_share(const DepthWindow& window,
+                         const DepthComponents& labelled,
+                         std::uint32_t id) {
+  const PixelRect& bounds = labelled.components[id].bounds_in_box;
+  int num_columns = 0;
+  int num_hidden = 0;
+  for (int x = bounds.u_begin; x < bounds.u_end; ++x) {
+    int y = bounds.v_end - 1;
+    while (y >= bounds.v_begin && labelled.of_cell[window.cell(x, y)] != id) --y;
+    if (y < bounds.v_begin) continue;
+    ++num_columns;
+    const std::size_t foot = window.cell(x, y);
+    const int end = std::min(y + 1 + kFootReachCells, window.height());
+    for (++y; y < end; ++y) {
+      const float depth_m = window.depth_m[window.cell(x, y)];
+      if (depth_m == 0.0F) continue;
+      if (depth_m < window.depth_m[foot] - window.step_m[foot]) ++num_hidden;
+      break;
+    }
+  }
+  return num_hidden / std::max(1.0, static_cast<double>(num_columns));
+}
+
+}  // namespace
+
+bool is_part_behind(const DepthWindow& window,
+                    const DepthComponents& labelled,
+                    std::uint32_t best,
+                    std::uint32_t id) {
+  const DepthComponent& component = labelled.components[id];
+  if (component.num_in_box < kBehindMinCells || component.outside_share() > kBehindMaxOutside ||
+      component.outline_share() < kBehindMinOutline ||
+      hidden_foot_share(window, labelled, id) > kBehindMaxHiddenFoot)
+    return false;
+  const float depth_m = mean_depth_m(window, labelled, best);
+  const float behind_m = mean_depth_m(window, labelled, id) - depth_m;
+  const auto end = static_cast<std::size_t>(window.box.u_end - 1);
+  const auto begin = static_cast<std::size_t>(window.box.u_begin);
+  const float width_m = (window.slope_x[end] - window.slope_x[begin]) * depth_m;
+  return behind_m >= 0.0F && behind_m <= width_m;
+}
+
+}  // namespace hypermap

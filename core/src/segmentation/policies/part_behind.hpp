@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Parts of an object that stand apart from the rest of it in depth.
+#pragma once
+
+#include "segmentation/depth_components.hpp"
+
+#include <cstdint>
+
+namespace hypermap {
+
+/// Whether surface `id` is a part of the object whose best surface is `best` though it stands apart
+/// behind it: the far legs of a table, the head of a bed, where the top between them is too flat to
+/// be measured.
+///
+/// It is whole in the box, its edge is mostly its own outline, nothing hides its foot, and it is no
+/// farther behind than the box is wide there. What merely stands behind an object and looks over it
+/// has its foot hidden.
+/// Requires: both have cells in the box. Cost: O(cells of the bounds of both).
+[[nodiscard]] bool is_part_behind(const DepthWindow& window,
+                                  const DepthComponents& labelled,
+                                  std::uint32_t best,
+                                  std::uint32_t id);
+
+}  // namespace hypermap
