@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/projection/stack/grid_stack.hpp"
+
+#include "hypermap/core/base/caught.hpp"
+#include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/option_rows.hpp"
+#include "resampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr std::size_t kMaxCellsOfLayers = std::size_t{1} << 30U;
+constexpr std::size_t kMaxLayerNameBytes = 256;
+constexpr double kMaxWeight = 1000.0;
+
+constexpr OptionRow kStackRows[] = {
+    option::number<&GridStackOptions::max_log_odds>(
+        "max_log_odds",
+        option::above(0, 13.815),
+        {.unit = "log-odds", .effect = "Evidence saturates here; smaller is overturned sooner."}),
+    option::number<&GridStackOptions::keep_share>(
+        "keep_share",
+        {},
+        {.effect = "Share of old evidence that stays when new one comes; 1 forgets nothing."}),
+};
+
+Result<void> check_names(const GridStackOptions& options) {
+  if (!options.parent.starts_with('/') || options.parent.ends_with('/')) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must begin with / and not end with it, is '" + printable(options.parent) + "'",
+                "parent");
+  }
+  if (!options.frame_id.empty()) return {};
+  return fail(ErrorCode::kInvalidArgument, "a frame must have a name", "frame_id");
+}
+
+Result<void> check_layer_name(const std::string& name, const std::string& parent) {
+  const bool is_below = name != parent && is_at_or_below(name, parent);
+  const bool has_empty_part = name.ends_with('/') || name.find("//") != std::string::npos;
+  if (is_below && !has_empty_part && name.size() <= kMaxLayerNameBytes) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be a name below " + printable(parent) +
+                  "/, without empty parts and of at most " + std::to_string(kMaxLayerNameBytes) +
+                  " bytes, is '" + printable(name) + "'",
+              "layer");
+}
+
+/// Evidence that reaches a cell.
+struct CellEvidence {
+  Cell cell;
+  int steps = 0;
+};
+
+std::vector<CellEvidence> evidence_of(const Resampler& resampler, double weight) {
+  std::vector<CellEvidence> evidence;
+  const CellWindow& window = resampler.window();
+  for (int row = window.first.row; row < window.end.row; ++row) {
+    for (int col = window.first.col; col < window.end.col; ++col) {
+      const LogOddsSteps steps = resampler.at({col, row});
+      const int weighted = static_cast<int>(std::lround(weight * steps));
+      if (weighted != 0) evidence.push_back({{col, row}, weighted});
+    }
+  }
+  return evidence;
+}
+
+}  // namespace
+
+const OptionTable& option_table(const GridStackOptions&) {
+  static constexpr OptionTable kTable{kStackRows, kRule<check_names>};
+  return kTable;
+}
+
+Result<void> validate(const GridStackOptions& options) {
+  return check_options(options);
+}
+
+bool is_at_or_below(std::string_view layer, std::string_view name) {
+  return layer.starts_with(name) && (layer.size() == name.size() || layer[name.size()] == '/');
+}
+
+Result<GridStack> GridStack::create(const GridGeometry& geometry, GridStackOptions options) {
+  HYPERMAP_TRY(validate(options));
+  HYPERMAP_TRY(validate(geometry));
+  if (geometry.num_cells() == 0) {
+    return fail(ErrorCode::kInvalidArgument, "has no cells", "geometry");
+  }
+  return GridStack(geometry, std::move(options));
+}
+
+Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
+                                    const Eigen::Matrix3d& stack_from_sensor,
+                                    const ResamplingOptions& resampling) {
+  HYPERMAP_TRY(check_layer_name(sensor.layer, options_.parent));
+  if (!(sensor.weight > 0.0 && sensor.weight <= kMaxWeight)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be above 0 and at most 1000, is " + number_text(sensor.weight),
+                "weight");
+  }
+  const bool is_new = !layers_.contains(sensor.layer);
+  if (is_new && (layers_.size() + 1) * geometry_.num_cells() > kMaxCellsOfLayers) {
+    return fail(ErrorCode::kLimit,
+                std::to_string(layers_.size() + 1) + " layers together have more than 2^30 cells",
+                "layer");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const Resampler resampler,
+      Resampler::create(sensor.grid, geometry_, stack_from_sensor, resampling));
+  return guarded(ErrorCode::kInvalidArgument, "the layer", [&]() -> Result<std::size_t> {
+    const std::vector<CellEvidence> evidence = evidence_of(resampler, sensor.weight);
+    if (is_new) {
+      HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid unknown, LogOddsGrid::create(geometry_));
+      layers_.emplace(sensor.layer, std::move(unknown));
+    }
+    LogOddsGrid& layer = layers_.find(sensor.layer)->second;
+    const int max_steps = to_steps(options_.max_log_odds);
+    for (const CellEvidence& reached : evidence) {
+      const int kept = static_cast<int>(options_.keep_share * layer.at(reached.cell));
+      const int sum = std::clamp(kept + reached.steps, -max_steps, max_steps);
+      layer.set(reached.cell, static_cast<LogOddsSteps>(sum));
+    }
+    return evidence.size();
+  });
+}
+
+Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
+                                    const FrameTree& frames,
+                                    const ResamplingOptions& resampling) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Isometry2d stack_from_sensor,
+                            frames.to_from(options_.frame_id, sensor.frame_id));
+  return fuse(sensor, Eigen::Matrix3d(stack_from_sensor.matrix()), resampling);
+}
+
+}  // namespace hypermap
