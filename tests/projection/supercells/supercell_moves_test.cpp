@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supercells/supercell_moves.hpp"
+
+#include "stack_builders.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using test::cells_of;
+using test::num_parts;
+using test::random_stack;
+using test::stack_from;
+
+using Labels = std::vector<std::int32_t>;
+
+/// D' of each supercell anew: in two passes over its cells.
+std::map<int, double> variances(const BinnedCells& cells, const Labels& labels) {
+  std::map<int, std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < labels.size(); ++i) members[labels[i]].push_back(i);
+  std::map<int, double> sums;
+  for (const auto& [label, of_label] : members) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(cells.num_layers); ++n) {
+      const auto centre = [&](std::size_t i) {
+        return cells.of_cell(i)[n] / (2.0 * cells.num_bins);
+      };
+      double mean = 0.0;
+      for (const std::size_t i : of_label) mean += centre(i);
+      mean /= static_cast<double>(of_label.size());
+      double square = 0.0;
+      for (const std::size_t i : of_label) square += (centre(i) - mean) * (centre(i) - mean);
+      sums[label] += square / static_cast<double>(of_label.size());
+    }
+  }
+  return sums;
+}
+
+/// G anew: over all cells, the sum over labels of the squared share of a label in the 3 x 3 patch.
+double contour(const BinnedCells& cells, const Labels& labels) {
+  double sum = 0.0;
+  for (int row = 0; row < cells.rows; ++row) {
+    for (int col = 0; col < cells.cols; ++col) {
+      std::map<int, double> counts;
+      double total = 0.0;
+      for (int y = row - 1; y <= row + 1; ++y) {
+        for (int x = col - 1; x <= col + 1; ++x) {
+          if (x < 0 || y < 0 || x >= cells.cols || y >= cells.rows) continue;
+          ++counts[labels[static_cast<std::size_t>(y * cells.cols + x)]];
+          ++total;
+        }
+      }
+      for (const auto& [label, count] : counts) sum += count * count / (total * total);
+    }
+  }
+  return sum;
+}
+
+double energy_anew(const BinnedCells& cells, const Labels& labels, double gamma) {
+  double sum = 0.0;
+  for (const auto& [label, variance] : variances(cells, labels)) sum += variance;
+  return sum - gamma * contour(cells, labels);
+}
+
+/// Neighbours that may get the block.
+std::vector<int> takers(const SupercellMoves& moves, Block block) {
+  std::vector<int> found;
+  for (const int label : moves.labels_beside(block)) {
+    if (label >= 0 && label != moves.label(block)) found.push_back(label);
+  }
+  return found;
+}
+
+struct RandomWorld {
+  int cols;
+  int rows;
+  int num_layers;
+  int num_levels;
+  double gamma;
+  bool total;
+};
+
+class SupercellMovesOn : public testing::TestWithParam<RandomWorld> {};
+
+TEST_P(SupercellMovesOn, EachMoveKeepsTheEnergyAndTheConnectednessThatWouldBeFoundAnew) {
+  // [sogm] Eq. (7), Eq. (10): H by increments against H anew after every one of many random
+  // moves, and what a move was said to bring against the difference that it made.
+  const RandomWorld& world = GetParam();
+  const GridGeometry geometry = cells_of(world.cols, world.rows);
+  const BinnedCells cells = binned(random_stack(geometry, world.num_layers, 3), 16);
+  SupercellMoves moves(
+      cells, {.num_levels = world.num_levels, .contour_weight = world.gamma, .total = world.total});
+  EXPECT_NEAR(moves.energy(), energy_anew(cells, moves.labels(), world.gamma), 1e-9);
+  CounterRng random(17, 5);
+  int num_moves = 0;
+  for (int level = world.num_levels - 1; level >= 0; --level) {
+    moves.set_level(level);
+    for (int i = 0; i < 150; ++i) {
+      const Block block{
+          static_cast<int>(random.below(static_cast<std::uint32_t>(moves.block_cols()))),
+          static_cast<int>(random.below(static_cast<std::uint32_t>(moves.block_rows())))};
+      const std::vector<int> to_choose = takers(moves, block);
+      if (to_choose.empty() || !moves.may_leave(block)) continue;
+      const int from = moves.label(block);
+      const int to = to_choose[random.below(static_cast<std::uint32_t>(to_choose.size()))];
+      auto before = variances(cells, moves.labels());
+      const double contour_before = contour(cells, moves.labels());
+      const double promised = moves.gain_by(block, to);
+      moves.move(block, to);
+      ++num_moves;
+      auto after = variances(cells, moves.labels());
+      const double made = after[to] - before[to] +
+                          (world.total ? after[from] - before[from] : 0.0) -
+                          world.gamma * (contour(cells, moves.labels()) - contour_before);
+      ASSERT_NEAR(promised, made, 1e-9);
+      ASSERT_NEAR(moves.energy(), energy_anew(cells, moves.labels(), world.gamma), 1e-9);
+      ASSERT_EQ(moves.label(block), to);
+      for (const int label : {from, to}) {
+        ASSERT_EQ(num_parts(geometry, moves.labels(), label), 1) << label;
+      }
+    }
+  }
+  EXPECT_GT(num_moves, 50);
+  for (int label = 0; label < moves.count(); ++label) {
+    EXPECT_EQ(num_parts(geometry, moves.labels(), label), 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomWorlds,
+                         SupercellMovesOn,
+                         testing::Values(RandomWorld{24, 16, 2, 2, 0.0, false},
+                                         RandomWorld{24, 16, 2, 2, 0.01, true},
+                                         RandomWorld{37, 9, 1, 2, 0.003, false},
+                                         RandomWorld{11, 30, 5, 3, 0.5, true},
+                                         RandomWorld{19, 19, 3, 1, 0.02, false}));
+
+TEST(SupercellMoves, SquaresAtTheEndTakeWhatIsLeftOver) {
+  // 11 x 6 cells, squares of 4: two side by side, one high; the last ones are 7 wide and 6 high.
+  const BinnedCells cells = binned(random_stack(cells_of(11, 6), 1, 2), 16);
+  const SupercellMoves moves(cells, {.num_levels = 2});
+  EXPECT_EQ(moves.count(), 2);
+  EXPECT_EQ(std::ranges::count(moves.labels(), 0), 24);
+  EXPECT_EQ(moves.block_cols(), 6);  // of 2 cells, the last one of 1
+  EXPECT_EQ(moves.block_rows(), 3);
+  EXPECT_EQ(moves.label({1, 2}), 0);
+  EXPECT_EQ(moves.label({2, 0}), 1);
+}
+
+TEST(SupercellMoves, ABridgeMayNotLeave) {
+  // Squares of 2 x 2 cells: 0 | 1. Cells of 0 go until it is bent around a corner:
+  //   row 1:  0 1        row 1:  0 1
+  //   row 0:  0 0        then (0, 0) is the bridge between (0, 1) and (1, 0).
+  const GridStack stack = stack_from(cells_of(4, 2), 1, [](int /*layer*/, Cell cell) {
+    return 0.1 + 0.2 * ((cell.col + cell.row) % 3);
+  });
+  const BinnedCells cells = binned(stack, 16);
+  SupercellMoves moves(cells, {.num_levels = 1});
+  ASSERT_EQ(moves.count(), 2);
+  ASSERT_TRUE(moves.may_leave({1, 1}));
+  moves.move({1, 1}, 1);
+  EXPECT_FALSE(moves.may_leave({0, 0}));
+  ASSERT_TRUE(moves.may_leave({1, 0}));
+  EXPECT_TRUE(moves.may_leave({0, 1}));
+  moves.move({1, 0}, 1);
+  EXPECT_TRUE(moves.may_leave({0, 0}));
+}
+
+TEST(SupercellMoves, WhatHasNoVarianceDoesNotShrink) {
+  // [sogm] III-D.2: the left square is of one value, the right one of two.
+  const GridStack stack = stack_from(
+      cells_of(4, 2), 1, [](int /*layer*/, Cell cell) { return cell.col < 3 ? 0.9 : 0.1; });
+  const BinnedCells cells = binned(stack, 16);
+  SupercellMoves moves(cells, {.num_levels = 1});
+  ASSERT_EQ(moves.count(), 2);
+  for (const int row : {0, 1}) {
+    EXPECT_FALSE(moves.may_leave({1, row}));
+    EXPECT_TRUE(moves.may_leave({2, row}));
+  }
+}
+
+TEST(SupercellMoves, TheLastCellStays) {
+  const GridStack stack = stack_from(cells_of(4, 2), 1, [](int /*layer*/, Cell cell) {
+    return 0.1 + 0.1 * (cell.col + 4 * cell.row);
+  });
+  const BinnedCells cells = binned(stack, 16);
+  SupercellMoves moves(cells, {.num_levels = 1});
+  moves.move({1, 1}, 1);
+  moves.move({1, 0}, 1);
+  moves.move({0, 0}, 1);
+  EXPECT_EQ(std::ranges::count(moves.labels(), 0), 1);
+  EXPECT_FALSE(moves.may_leave({0, 1}));
+}
+
+}  // namespace
+}  // namespace hypermap
