@@ -65,6 +65,8 @@ void add_info_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_query_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
+void add_stack_command(CLI::App& program, Action& action);
+void add_cells_command(CLI::App& program, Action& action);
 void add_snapshot_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);

@@ -192,6 +192,22 @@ class Pairs(FaultCase):
         self.check("class-grids", self.out, 2 * SAMPLE)
 
 
+    def test_a_stack(self):
+        stack = ["stack", "--output", self.out]
+        self.check_faults(lambda: Inputs.succeed("stack", Inputs.objects(0.1), "--output", self.out),
+                          [*stack, Inputs.objects(0.05)], 2 * SAMPLE)
+
+
+class Regions(FaultCase):
+    """An image and two texts of one map, each a piece of its own."""
+
+    REPLACES_ONE = False
+
+    def test_supercells(self):
+        self.check_faults(lambda: Inputs.succeed("cells", Inputs.objects(0.1), "--output", self.out),
+                          ["cells", Inputs.objects(0.05), "--output", self.out], 2 * SAMPLE)
+
+
 class Folders(FaultCase):
     KEEPS_OLD = True
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kMaxCellsOfLayers = std::size_t{1} << 30U;
-constexpr std::size_t kMaxLayerNameBytes = 256;
+constexpr std::size_t kMaxLayerNameBytes = 512;
 constexpr double kMaxWeight = 1000.0;
 
 constexpr OptionRow kStackRows[] = {
@@ -50,6 +51,14 @@ Result<void> check_layer_name(const std::string& name, const std::string& parent
               "layer");
 }
 
+Result<void> check_sensor(const SensorGrid& sensor, const GridStackOptions& options) {
+  HYPERMAP_TRY(check_layer_name(sensor.layer, options.parent));
+  if (sensor.weight > 0.0 && sensor.weight <= kMaxWeight) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "must be above 0 and at most 1000, is " + number_text(sensor.weight),
+              "weight");
+}
+
 /// Evidence that reaches a cell.
 struct CellEvidence {
   Cell cell;
@@ -67,6 +76,18 @@ std::vector<CellEvidence> evidence_of(const Resampler& resampler, double weight)
     }
   }
   return evidence;
+}
+
+/// Does not throw.
+void add_evidence(LogOddsGrid& layer,
+                  std::span<const CellEvidence> evidence,
+                  const GridStackOptions& options) {
+  const int max_steps = to_steps(options.max_log_odds);
+  for (const CellEvidence& reached : evidence) {
+    const int kept = static_cast<int>(options.keep_share * layer.at(reached.cell));
+    const int sum = std::clamp(kept + reached.steps, -max_steps, max_steps);
+    layer.set(reached.cell, static_cast<LogOddsSteps>(sum));
+  }
 }
 
 }  // namespace
@@ -96,12 +117,7 @@ Result<GridStack> GridStack::create(const GridGeometry& geometry, GridStackOptio
 Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
                                     const Eigen::Matrix3d& stack_from_sensor,
                                     const ResamplingOptions& resampling) {
-  HYPERMAP_TRY(check_layer_name(sensor.layer, options_.parent));
-  if (!(sensor.weight > 0.0 && sensor.weight <= kMaxWeight)) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be above 0 and at most 1000, is " + number_text(sensor.weight),
-                "weight");
-  }
+  HYPERMAP_TRY(check_sensor(sensor, options_));
   const bool is_new = !layers_.contains(sensor.layer);
   if (is_new && (layers_.size() + 1) * geometry_.num_cells() > kMaxCellsOfLayers) {
     return fail(ErrorCode::kLimit,
@@ -117,13 +133,7 @@ Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
       HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid unknown, LogOddsGrid::create(geometry_));
       layers_.emplace(sensor.layer, std::move(unknown));
     }
-    LogOddsGrid& layer = layers_.find(sensor.layer)->second;
-    const int max_steps = to_steps(options_.max_log_odds);
-    for (const CellEvidence& reached : evidence) {
-      const int kept = static_cast<int>(options_.keep_share * layer.at(reached.cell));
-      const int sum = std::clamp(kept + reached.steps, -max_steps, max_steps);
-      layer.set(reached.cell, static_cast<LogOddsSteps>(sum));
-    }
+    add_evidence(layers_.find(sensor.layer)->second, evidence, options_);
     return evidence.size();
   });
 }

@@ -8,10 +8,11 @@
 namespace hypermap {
 namespace {
 
-/// 2 k + 1 of the bin of a probability.
+/// 2 k + 1 of the bin of a probability, which is below 1 (kMaxLogOddsSteps): the last bin is
+/// closed.
 std::uint16_t bin_value(LogOddsSteps steps, int num_bins) {
   const double p = from_steps(steps).probability().value();
-  const int bin = std::min(static_cast<int>(p * num_bins), num_bins - 1);
+  const int bin = static_cast<int>(p * num_bins);
   return static_cast<std::uint16_t>(2 * bin + 1);
 }
 

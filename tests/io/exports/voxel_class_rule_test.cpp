@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/exports/map_export.hpp"
+#include "hypermap/io/exports/map_stack.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
@@ -170,6 +171,17 @@ TEST(VoxelClass, ClassGridsAndTheSemanticLayer) {
   ASSERT_NE(semantic, nullptr);
   ASSERT_EQ(semantic->objects().size(), 1U);
   EXPECT_EQ(semantic->objects().front().name, "chair");
+}
+
+TEST(VoxelClass, Stacks) {
+  const GridStack stack = stack_of_map(room(), {}).value();
+  ASSERT_EQ(stack.layers().size(), 1U);
+  const LogOddsGrid& chair = stack.layers().at("/ism/chair");
+  for (std::size_t i = 0; i < kXs.size(); ++i) {
+    const auto cell = cell_at(stack.geometry(), {kXs[i], 0.225});
+    EXPECT_EQ(chair.at(cell.value()) > 0, kShown[i] == "chair") << kXs[i];
+    EXPECT_NE(chair.at(cell.value()), 0);
+  }
 }
 
 }  // namespace

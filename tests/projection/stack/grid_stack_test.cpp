@@ -146,7 +146,7 @@ TEST(GridStack, LayersAreMadeOnDemandBelowTheParent) {
                                   std::string("/ismael"),
                                   std::string("/ism//a"),
                                   std::string(),
-                                  "/ism/" + std::string(252, 'x')}) {
+                                  "/ism/" + std::string(508, 'x')}) {
     const auto failed = stack.fuse(reading(name, grid_of(sized(1, 1), {1})), pose(0, 0));
     ASSERT_FALSE(failed) << name;
     EXPECT_EQ(failed.error().field, "layer");

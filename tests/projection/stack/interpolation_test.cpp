@@ -154,6 +154,15 @@ TEST(Interpolation, IsMonotoneAndWithinItsCellsByEveryRule) {
   }
 }
 
+TEST(Interpolation, HalfWayTheUpperCellIsTheNearest) {
+  const ResamplingOptions options{ResamplingRule::kNearest, Probability(1e-6)};
+  const CellSquare square{LogOdds(1.0), LogOdds(2.0), LogOdds(3.0), LogOdds(4.0)};
+  EXPECT_EQ(interpolated(square, 0.5, 0.5, options), LogOdds(4.0));
+  EXPECT_EQ(interpolated(square, 0.49, 0.5, options), LogOdds(3.0));
+  EXPECT_EQ(interpolated(square, 0.5, 0.49, options), LogOdds(2.0));
+  EXPECT_EQ(interpolated(square, 0.49, 0.49, options), LogOdds(1.0));
+}
+
 TEST(Interpolation, BilinearIsOfProbabilities) {
   // 0.25 * 0.9 + 0.75 * 0.1 = 0.3.
   const ResamplingOptions options{ResamplingRule::kBilinear, Probability(1e-6)};

@@ -84,6 +84,17 @@ TEST(Resampling, AMoreDetailedGridIsMadeByTheRule) {
   EXPECT_THAT(fine(ResamplingRule::kBiodds).cells(), ElementsAre(3000, 2000, -2000, -3000));
 }
 
+TEST(Resampling, EvidenceReachesHalfACellBeyondTheEdge) {
+  // One cell of 0.4 m, centre 0.2, on cells of 0.1 m: those from 0.0 to 0.4 lie within it, centres
+  // 0.05 and 0.15 to either side of the middle; the ones beyond, at 0.25 and 0.35, have 1 - 0.35 /
+  // 0.4 and 1 - 0.25 / 0.4 of it.
+  const LogOddsGrid one = grid_of(sized(1, 1, 0.4), {8000});
+  GridGeometry row = sized(10, 1, 0.1);
+  row.origin = {-0.3, 0.15};
+  EXPECT_THAT(resampled(one, row, pose(0, 0)).value().cells(),
+              ElementsAre(0, 1000, 3000, 5000, 7000, 7000, 5000, 3000, 1000, 0));
+}
+
 TEST(Resampling, ShrinkingMakesAndLosesNoEvidence) {
   // Each coarse cell is 2 x 2 fine ones: the sum of log-odds times area stays. Multiples of 4 steps
   // divide without a rest.
@@ -144,13 +155,15 @@ TEST(Resampling, AHomographyIsFollowedToItsHorizon) {
   const auto seen = resampled(grid, sized(20, 10), perspective, nearest).value();
   EXPECT_EQ(seen.at({3, 0}), 700);
   EXPECT_EQ(seen.num_known(), 1U);
-  // Nothing is seen at x' >= 1, which is where the horizon and what lies behind it would be.
-  const LogOddsGrid full =
-      grid_of(sized(60, 10), std::vector<LogOddsSteps>(600, LogOddsSteps{300}));
+  // A source from x = -2 to x = 6 reaches over its horizon at x = -1. Nothing is seen at x' >= 1:
+  // what would be there lies behind.
+  GridGeometry across = sized(80, 10);
+  across.origin = {-2.0, 0.0};
+  const LogOddsGrid full = grid_of(across, std::vector<LogOddsSteps>(800, LogOddsSteps{300}));
   for (const ResamplingRule rule : kAllRules) {
-    const auto all = resampled(full, sized(20, 10), perspective, {.rule = rule}).value();
-    for (int row = 0; row < 10; ++row) {
-      for (int col = 10; col < 20; ++col) EXPECT_EQ(all.at({col, row}), 0);
+    const auto all = resampled(full, sized(40, 3), perspective, {.rule = rule}).value();
+    for (int row = 0; row < 3; ++row) {
+      for (int col = 10; col < 40; ++col) EXPECT_EQ(all.at({col, row}), 0);
     }
     EXPECT_EQ(all.at({4, 1}), 300);
   }
@@ -165,7 +178,8 @@ TEST(Resampling, AMirrorIsAHomographyToo) {
   const LogOddsGrid grid = grid_of(sized(4, 1), {1000, 2000, 3000, 4000});
   EXPECT_THAT(resampled(grid, sized(4, 1), mirror).value().cells(),
               ElementsAre(4000, 3000, 2000, 1000));
-  EXPECT_THAT(resampled(grid, sized(2, 1, 0.2), mirror).value().cells(), ElementsAre(1750, 750));
+  // One cell of 0.4 m: a quarter of it is covered, by all four.
+  EXPECT_THAT(resampled(grid, sized(1, 1, 0.4), mirror).value().cells(), ElementsAre(625));
 }
 
 TEST(Resampling, OneCellIsAGridToo) {

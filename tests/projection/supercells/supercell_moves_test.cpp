@@ -183,16 +183,18 @@ TEST(SupercellMoves, WhatHasNoVarianceDoesNotShrink) {
   }
 }
 
-TEST(SupercellMoves, TheLastCellStays) {
-  const GridStack stack = stack_from(cells_of(4, 2), 1, [](int /*layer*/, Cell cell) {
-    return 0.1 + 0.1 * (cell.col + 4 * cell.row);
+TEST(SupercellMoves, TheLastBlockStays) {
+  // Two squares of 4 x 4 cells; blocks of 2 x 2, each with a variance of its own.
+  const GridStack stack = stack_from(cells_of(8, 4), 1, [](int /*layer*/, Cell cell) {
+    return 0.1 + 0.1 * (cell.col % 3 + cell.row);
   });
   const BinnedCells cells = binned(stack, 16);
-  SupercellMoves moves(cells, {.num_levels = 1});
-  moves.move({1, 1}, 1);
-  moves.move({1, 0}, 1);
-  moves.move({0, 0}, 1);
-  EXPECT_EQ(std::ranges::count(moves.labels(), 0), 1);
+  SupercellMoves moves(cells, {.num_levels = 2});
+  for (const Block block : {Block{1, 1}, Block{1, 0}, Block{0, 0}}) {
+    ASSERT_TRUE(moves.may_leave(block));
+    moves.move(block, 1);
+  }
+  EXPECT_EQ(std::ranges::count(moves.labels(), 0), 4);
   EXPECT_FALSE(moves.may_leave({0, 1}));
 }
 

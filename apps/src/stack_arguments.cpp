@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stack_arguments.hpp"
+
+#include "choices.hpp"
+#include "hypermap/core/base/option_table.hpp"
+#include "hypermap/projection/grids/layer_options.hpp"
+#include "hypermap/projection/stack/stack_services.hpp"
+#include "number_lists.hpp"
+#include "option_flags.hpp"
+
+#include <CLI/Validators.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace hypermap::app {
+namespace {
+
+/// In the order of the enumerators.
+std::vector<std::string> rule_names() {
+  const auto& rows = option_table(ResamplingOptions{}).rows;
+  const auto row = std::ranges::find(rows, "rule", &OptionRow::name);
+  return {row->choices.begin(), row->choices.end()};
+}
+
+/// Cells of a side; what is less than a millionth of a cell is rounding.
+int cells_along(double length_m, double resolution_m) {
+  constexpr double kSlack = 1e-6;
+  return static_cast<int>(std::clamp(std::ceil(length_m / resolution_m - kSlack), 0.0, 1e9));
+}
+
+FusedLayer parse_fused(const std::string& text) {
+  const std::size_t mark = text.rfind('=');
+  if (mark == std::string::npos) return {.name = text};
+  const auto weight = finite_number(text.substr(mark + 1));
+  if (mark > 0 && weight) return {.name = text.substr(0, mark), .weight = *weight};
+  throw CLI::ValidationError("--fuse", "must be NAME or NAME=WEIGHT, is '" + printable(text) + "'");
+}
+
+Result<std::optional<std::vector<double>>> parse_area(const std::optional<std::string>& text) {
+  if (!text) return std::optional<std::vector<double>>();
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<double> corners, parse_numbers(*text, 4, 4, "--area"));
+  if (corners[0] < corners[2] && corners[1] < corners[3]) return std::optional(std::move(corners));
+  return fail(
+      ErrorCode::kInvalidArgument, "must be X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1", "--area");
+}
+
+/// Where the stack is to be had: all of it, or the area, at the resolution asked for.
+Result<GridGeometry> geometry_asked_for(const StackArguments& arguments,
+                                        const GridGeometry& whole) {
+  GridGeometry geometry = whole;
+  geometry.resolution_m = arguments.resolution_m.value_or(whole.resolution_m);
+  double width_m = whole.cols * whole.resolution_m;
+  double height_m = whole.rows * whole.resolution_m;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto corners, parse_area(arguments.area));
+  if (corners) {
+    geometry.origin = Eigen::Vector2d((*corners)[0], (*corners)[1]);
+    geometry.yaw_rad = arguments.yaw_deg * std::numbers::pi / 180.0;
+    width_m = (*corners)[2] - (*corners)[0];
+    height_m = (*corners)[3] - (*corners)[1];
+  }
+  geometry.cols = cells_along(width_m, geometry.resolution_m);
+  geometry.rows = cells_along(height_m, geometry.resolution_m);
+  return geometry;
+}
+
+}  // namespace
+
+std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
+  return name.starts_with('/') ? name : stack_layer_name(options.parent, name);
+}
+
+void StackArguments::add_to(CLI::App& command) {
+  const OptionTable& heights = option_table(LayerOptions{});
+  const OptionTable& resampling = option_table(ResamplingOptions{});
+  command.add_option("file", file, "archive or configuration")->required();
+  command.add_option("--min-height", request.band.min_m, "of voxels that count")
+      ->check(value_of_field(heights, "min_height_m"))
+      ->capture_default_str();
+  command.add_option("--max-height", request.band.max_m, "of voxels that count")
+      ->check(value_of_field(heights, "max_height_m"))
+      ->capture_default_str();
+  command
+      .add_option("--class", request.classes, "only these, separated by commas; may be repeated")
+      ->delimiter(',');
+  command
+      .add_option(
+          "--fuse",
+          fused,
+          "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; may be repeated")
+      ->delimiter(',');
+  command.add_option("--keep-share", request.options.keep_share, "of evidence when new comes")
+      ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
+      ->capture_default_str();
+  command
+      .add_option("--layer",
+                  layers,
+                  "only these layers and those below them, separated by commas; may be repeated")
+      ->delimiter(',');
+  CLI::Option* area_option =
+      command.add_option("--area", area, "X0,Y0,X1,Y1 in the map's frame (default: all)");
+  command.add_option("--yaw", yaw_deg, "degrees by which the area is turned about X0,Y0")
+      ->check(number_in(-360.0, 360.0))
+      ->needs(area_option);
+  command.add_option("--resolution", resolution_m, "edge of a cell (default: that of the voxels)")
+      ->check(number_in(0.001, 10.0));
+  command.add_option("--rule", rule, "how values between cells are had")
+      ->transform(one_of(rule_names()))
+      ->capture_default_str();
+  command
+      .add_option_function<double>(
+          "--epsilon",
+          [this](double p) { request.resampling.epsilon = Probability(p); },
+          "no cell counts as surer than this (default: 1e-06)")
+      ->check(value_of_field(resampling, "epsilon"));
+  load.add_to(command);
+}
+
+void StackArguments::finish() {
+  const auto names = rule_names();
+  request.resampling.rule =
+      static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
+  request.fused.clear();
+  for (const std::string& text : fused) request.fused.push_back(parse_fused(text));
+  if (const auto parsed = parse_area(area); !parsed) {
+    throw CLI::ValidationError("--area", parsed.error().what);
+  }
+}
+
+Result<GridStack> StackArguments::make() const {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded,
+                            load_archive(file, load.limits, {}, stop_when_interrupted()));
+  const auto cut = [&]() -> Result<GridStack> {
+    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, stack_of_map(loaded.value, request));
+    StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
+    HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
+    for (const std::string& name : layers) {
+      asked.layers.push_back(full_layer_name(stack.options(), name));
+    }
+    return cut_out(stack, asked);
+  }();
+  if (!cut) return Unexpected(with_source(cut.error(), {file}));
+  return cut;
+}
+
+}  // namespace hypermap::app

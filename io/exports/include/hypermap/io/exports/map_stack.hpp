@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A map as a semantic occupancy grid: a layer of a stack for each class, from its voxels.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/projection/grids/occupancy_projection.hpp"
+#include "hypermap/projection/stack/grid_stack.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hypermap {
+
+/// An occupancy layer of the map that is fused as a sensor's grid.
+struct FusedLayer {
+  std::string name;
+  double weight = 1.0;  ///< As SensorGrid::weight.
+};
+
+struct MapStackRequest {
+  HeightBand band = {};                   ///< Voxels that count.
+  std::vector<std::string> classes = {};  ///< Only these; all when empty.
+  std::vector<FusedLayer> fused = {};     ///< In this order, after the classes.
+  GridStackOptions options = {};  ///< Its frame is that of the map's voxels, whatever stands there.
+  ResamplingOptions resampling = {};  ///< Of fused layers.
+};
+
+/// The name of a class's or layer's layer in a stack: below the parent, slashes replaced.
+[[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
+
+/// A stack on the cells of the map's class grids: project_class_evidence of its shown voxels
+/// (`shown_leaves`) in the largest region of the map, and the layers asked for, by their frames.
+///
+/// Errors: kNotFound when no voxel, or none of the classes asked for, lies in the band and no layer
+/// is fused, a class is not known or a layer not there;
+/// kUnsupported for a layer that is no occupancy grid; those of GridStack::fuse.
+[[nodiscard]] Result<GridStack> stack_of_map(const MapArchive& archive,
+                                             const MapStackRequest& request);
+
+/// The layers and their combined map as map_server maps in a folder: `<layer>.yaml`,
+/// `combined.yaml` and the images that they name, trinary by map_server's usual thresholds 0.65 and
+/// 0.196. Returns the files that were written; each pair is replaced as export_map does it.
+///
+/// Errors: kIo; kLimit for a turned geometry that is too large without its turn.
+[[nodiscard]] Result<std::vector<std::filesystem::path>> write_stack_maps(
+    const GridStack& stack, const LogOddsGrid& combined, const std::filesystem::path& folder);
+
+}  // namespace hypermap

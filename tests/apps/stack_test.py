@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Maps as semantic occupancy grids, their supercells and the graph of them. Usage: stack_test.py PROGRAM [unittest args]"""
+
+import json
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+
+from program import run, tree_digest
+
+NUM_FRAMES = 12
+
+
+class Stacks(unittest.TestCase):
+    """One small simulation, mapped once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-stack-"))
+        cls.archive = cls.shared / "lab.hmap"
+        dataset = cls.shared / "lab"
+        cls.made = [run("simulate", "--output", dataset, "--frames", NUM_FRAMES, "--seed", 1, "--size", "320x240",
+                     "--detector", "perfect"),
+                    run("map", "--input", dataset, "--resolution", 0.1, "--output", cls.archive)]
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.shared)
+
+    def setUp(self):
+        for result in self.made:
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-stack-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def answer(self, command, *arguments, status=0):
+        result = run(command, self.archive, "--output", self.folder / command, "--json", *arguments)
+        self.assertEqual(result.returncode, status, result.stderr)
+        return json.loads(result.stdout)
+
+    def classes_with_a_grid(self):
+        info = json.loads(run("info", self.archive, "--json").stdout)
+        names = {entry["name"] for entry in info["classes"]}
+        return sorted(entry["name"] for entry in info["layers"] if entry["name"] in names)
+
+    def test_a_stack_has_a_layer_for_each_class_grid(self):
+        stack = self.answer("stack")
+        self.assertEqual([layer["name"] for layer in stack["layers"]],
+                         [f"/ism/{name}" for name in self.classes_with_a_grid()])
+        self.assertGreater(len(stack["layers"]), 1)
+        for layer in [*stack["layers"], stack["combined"]]:
+            self.assertEqual(layer["occupied"] + layer["free"] + layer["unknown"], stack["cols"] * stack["rows"])
+            self.assertGreater(layer["occupied"], 0)
+        self.assertGreaterEqual(stack["combined"]["occupied"], max(layer["occupied"] for layer in stack["layers"]))
+        yamls = [path for path in stack["files"] if path.endswith(".yaml")]
+        self.assertEqual(len(yamls), len(stack["layers"]) + 1)
+        for path in yamls:
+            self.assertEqual(run("check", path).returncode, 0, path)
+
+    def test_pose_size_resolution_and_layers_are_those_asked_for(self):
+        name = self.classes_with_a_grid()[0]
+        stack = self.answer("stack", "--area=-1,-1,1,0.5", "--yaw", 90, "--resolution", 0.25, "--layer", name,
+                            "--rule", "bilinear", "--epsilon", 0.05, "--pool", "bayesian")
+        self.assertEqual((stack["cols"], stack["rows"], stack["resolution_m"]), (8, 6, 0.25))
+        self.assertEqual(stack["origin"][:2], [-1, -1])
+        self.assertAlmostEqual(stack["origin"][2], 1.5707963, 6)
+        self.assertEqual([layer["name"] for layer in stack["layers"]], [f"/ism/{name}"])
+        self.assertEqual(stack["combined"] | {"name": ""}, stack["layers"][0] | {"name": ""})
+
+    def test_an_occupancy_layer_is_fused_by_its_weight(self):
+        stack = self.answer("stack", "--fuse", "occupancy=0.5", "--keep-share", 0.9)
+        self.assertIn("/ism/occupancy", [layer["name"] for layer in stack["layers"]])
+
+    def test_cells_are_shown_listed_and_connected(self):
+        cells = self.answer("cells", "--total", "--levels", 2, "--of", self.classes_with_a_grid()[0])
+        self.assertLess(cells["energy"], cells["first_energy"])
+        self.assertGreater(cells["moves"], 0)
+        image, dot, geojson = map(pathlib.Path, cells["files"])
+        self.assertEqual(image.read_bytes()[:4], b"\x89PNG")
+        nodes = re.findall(r"^  (\d+) \[", dot.read_text(), re.MULTILINE)
+        self.assertEqual(nodes, [str(i) for i in range(cells["supercells"])])
+        features = json.loads(geojson.read_text())["features"]
+        points = [feature for feature in features if feature["geometry"]["type"] == "Point"]
+        self.assertEqual(len(points), cells["supercells"])
+        self.assertGreater(len(cells["of"]), 0)
+        for number in cells["of"]:
+            layer = points[number]["properties"]["layers"][f"/ism/{self.classes_with_a_grid()[0]}"]
+            self.assertGreaterEqual(layer["probability"], 0.5)
+        # The neighbours of each node are those of the lines.
+        lines = {(f["properties"]["from"], f["properties"]["to"]) for f in features[len(points):]}
+        listed = {(i, k) for i, point in enumerate(points) for k in point["properties"]["neighbours"] if i < k}
+        self.assertEqual(lines, listed)
+
+    def test_a_way_leads_from_neighbour_to_neighbour(self):
+        points = []
+        cells = self.answer("cells", "--path=-1,-1,1,1")
+        features = json.loads(pathlib.Path(cells["files"][2]).read_text())["features"]
+        points = [feature["properties"] for feature in features[:cells["supercells"]]]
+        way = cells["path"]["supercells"]
+        self.assertGreater(len(way), 2)
+        for here, after in zip(way, way[1:]):
+            self.assertIn(after, points[here]["neighbours"])
+        straight = self.answer("cells", "--path=-1,-1,-1,-1")["path"]
+        self.assertEqual((len(straight["supercells"]), straight["length_m"]), (1, 0))
+        avoiding = self.answer("cells", "--path=-1,-1,1,1", "--fuse", "occupancy", "--avoid", "occupancy")["path"]
+        self.assertGreaterEqual(avoiding["length_m"], 2.0)
+
+    def test_the_same_map_gives_the_same_bytes(self):
+        for command in ("stack", "cells"):
+            digests = set()
+            for turn in ("a", "b"):
+                result = run(command, self.archive, "--output", self.folder / turn / command)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                digests.add(tree_digest(self.folder / turn / command))
+            self.assertEqual(len(digests), 1, command)
+
+    def test_what_is_not_there_is_said(self):
+        output = ["--output", self.folder / "x"]
+        for arguments, status, told in ((["stack", "--class", "chiar"], 2, "chair"), (["stack", "--fuse", "ocupancy"], 2, "occupancy"),
+                                        (["stack", "--layer", "chiar"], 2, "/ism/chair"),
+                                        (["stack", "--min-height", 5, "--max-height", 6], 2, "heights of 5 and 6 m"),
+                                        (["stack", "--area", "500,500,501,501"], 2, "lies outside"),
+                                        (["stack", "--area", "0,0,0,1"], 4, "X0 < X1"), (["stack", "--area", "0,0,1"], 4, "--area"),
+                                        (["stack", "--yaw", 3], 4, "--area"), (["stack", "--rule", "cubic"], 4, "biodds"),
+                                        (["stack", "--epsilon", 0.5], 4, "0.5"), (["stack", "--fuse", "a=b"], 4, "NAME=WEIGHT"),
+                                        (["stack", "--fuse", "occupancy=-1"], 2, "weight"), (["stack", "--pool", "mean"], 4, "maximum"),
+                                        (["cells", "--levels", 0], 4, "1 .. 10"), (["cells", "--path", "0,0,1"], 4, "--path"),
+                                        (["cells", "--path", "0,0,500,0"], 2, "--path"), (["cells", "--of", "chiar"], 2, "/ism/chair"),
+                                        (["cells", "--avoid", "chair"], 4, "--path")):
+            with self.subTest(arguments):
+                result = run(arguments[0], self.archive, *arguments[1:], *output)
+                self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+                self.assertIn(told, result.stderr)
+                self.assertFalse((self.folder / "x").exists())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

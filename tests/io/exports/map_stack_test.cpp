@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/exports/map_stack.hpp"
+
+#include "hypermap/io/archive/map_server.hpp"
+#include "support/temp_dir.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kEdge = 0.05;
+
+/// Voxels along x at y = 0.025, z = 0.525, in an octree without objects: each shows its own class.
+/// Of each its log-odds of occupancy and, when it has one, its class.
+struct VoxelRow {
+  double log_odds;
+  int class_id = -1;
+};
+
+MapArchive archive_of(const std::vector<std::string>& classes,
+                      const std::vector<VoxelRow>& voxels) {
+  MapArchive archive;
+  for (const std::string& name : classes) (void)archive.classes.add(name).value();
+  archive.octree = SemanticOctree::create({}).value();
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const double x = kEdge * (static_cast<double>(i) + 0.5);
+    const auto key = archive.octree->grid().key(PointInMap{{x, kEdge / 2, 0.525}});
+    VoxelLabel label;
+    if (voxels[i].class_id >= 0) {
+      label.classes[0] = {static_cast<std::uint16_t>(voxels[i].class_id), 2000};
+    }
+    const auto steps = static_cast<std::int16_t>(voxels[i].log_odds * 1000);
+    EXPECT_TRUE(archive.octree->set_leaf({.key = key.value(), .log_odds = steps, .label = label}));
+  }
+  return archive;
+}
+
+constexpr HeightBand kThin{.min_m = 0.5, .max_m = 0.55};
+
+std::vector<std::string> layer_names(const GridStack& stack) {
+  std::vector<std::string> names;
+  for (const auto& [name, grid] : stack.layers()) names.push_back(name);
+  return names;
+}
+
+TEST(MapStack, HasALayerForEachClass) {
+  const MapArchive archive =
+      archive_of({"chair", "cup", "sofa"}, {{2.0, 0}, {3.0, 1}, {-1.5}, {1.2}});
+  const GridStack stack = stack_of_map(archive, {.band = kThin}).value();
+  EXPECT_THAT(layer_names(stack), ElementsAre("/ism/chair", "/ism/cup"));
+  EXPECT_EQ(stack.options().frame_id, "map");
+  const auto chair = stack.layers().at("/ism/chair").cells();
+  ASSERT_EQ(chair.size(), 4U);
+  EXPECT_EQ(chair[0], 2000);
+  EXPECT_EQ(chair[1], -2000);  // a cup
+  EXPECT_EQ(chair[2], -1500);  // free
+  EXPECT_EQ(chair[3], -1200);  // something without a class
+  EXPECT_THAT(layer_names(stack_of_map(archive, {.band = kThin, .classes = {"Cup"}}).value()),
+              ElementsAre("/ism/cup"));
+}
+
+TEST(MapStack, FusesOccupancyLayersByTheirFramesAndWeights) {
+  MapArchive archive = archive_of({"chair"}, {{2.0, 0}, {2.0, 0}, {2.0, 0}});
+  ASSERT_TRUE(
+      archive.hypermap.frames().add({.frame_id = "map", .child_frame_id = "robot", .x_m = kEdge}));
+  const GridGeometry two{.resolution_m = kEdge, .cols = 2, .rows = 1};
+  const auto grid = OccupancyGrid::create(two, std::vector<std::int8_t>{80, 20}).value();
+  for (const auto& [name, frame] : {std::pair{"laser", "robot"}, {"lost", "moon"}}) {
+    ASSERT_TRUE(archive.hypermap.add_layer(
+        {LayerInfo{.name = name, .frame_id = frame}, OccupancyLayer(grid)}));
+  }
+  const MapStackRequest request{.band = kThin, .fused = {{.name = "laser", .weight = 0.5}}};
+  const GridStack stack = stack_of_map(archive, request).value();
+  EXPECT_THAT(layer_names(stack), ElementsAre("/ism/chair", "/ism/laser"));
+  // ln 4 = 1.386, halved, one cell further.
+  EXPECT_THAT(stack.layers().at("/ism/laser").cells(), ElementsAre(0, 693, -693));
+  const auto what = [&](const char* name) {
+    const auto failed = stack_of_map(archive, {.band = kThin, .fused = {{.name = name}}});
+    return failed ? std::string() : to_string(failed.error());
+  };
+  EXPECT_THAT(what("lost"), HasSubstr("moon"));
+  EXPECT_THAT(what("lasre"), HasSubstr("laser"));
+}
+
+TEST(MapStack, ANameWithSlashesIsOneLayer) {
+  const GridStack stack =
+      stack_of_map(archive_of({"a/b", "a_b", "//"}, {{2.0, 0}, {2.0, 1}, {2.0, 2}}),
+                   {.band = kThin})
+          .value();
+  EXPECT_THAT(layer_names(stack), ElementsAre("/ism/__", "/ism/a_b", "/ism/a_b-1"));
+}
+
+TEST(MapStack, WhatIsNotThereIsSaid) {
+  const MapArchive archive = archive_of({"chair"}, {{2.0, 0}});
+  const auto what = [&](const MapStackRequest& request) {
+    const auto failed = stack_of_map(archive, request);
+    return failed ? std::string() : to_string(failed.error());
+  };
+  EXPECT_THAT(what({.band = {.min_m = 3, .max_m = 4}}), HasSubstr("between heights of 3 and 4 m"));
+  EXPECT_THAT(what({.band = kThin, .classes = {"chiar"}}), HasSubstr("chair"));
+  EXPECT_THAT(what({.band = {.min_m = 4, .max_m = 3}}), HasSubstr("height_band"));
+  EXPECT_FALSE(stack_of_map(MapArchive{}, {}));
+  const MapArchive without = archive_of({"chair"}, {{2.0}});
+  EXPECT_EQ(stack_of_map(without, {.band = kThin}).error().code, ErrorCode::kNotFound);
+}
+
+TEST(MapStack, IsWrittenAsMapsOfMapServer) {
+  const MapArchive archive = archive_of({"chair", "combined"}, {{2.0, 0}, {3.0, 1}, {-1.5}, {1.2}});
+  const GridStack stack = stack_of_map(archive, {.band = kThin}).value();
+  // P = 0.66, 0.64, 0.2, 0.19: thresholds 0.65 and 0.196.
+  const LogOddsGrid combined =
+      LogOddsGrid::of_probabilities(stack.geometry(), std::vector{0.66, 0.64, 0.2, 0.19}).value();
+  const test::TempDir dir;
+  const auto written = write_stack_maps(stack, combined, dir / "grids").value();
+  ASSERT_EQ(written.size(), 9U);
+  const auto cells = [&](const char* name) {
+    const auto map = read_map(dir / "grids" / name).value();
+    return std::vector<int>(map.value.grid.cells().begin(), map.value.grid.cells().end());
+  };
+  EXPECT_THAT(cells("combined.yaml"), ElementsAre(100, -1, -1, 0));
+  // Log-odds 2, -3, -1.5 and -1.2: P = 0.88, 0.05, 0.18, 0.23.
+  EXPECT_THAT(cells("chair.yaml"), ElementsAre(100, 0, 0, -1));
+  EXPECT_THAT(cells("combined-2.yaml"), ElementsAre(0, 100, 0, -1));  // a class of that name
+}
+
+}  // namespace
+}  // namespace hypermap
