@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 
 namespace hypermap {
@@ -17,12 +16,6 @@ constexpr double kMinHiddenShare = 0.2;
 constexpr double kSlackColumns = 1e-6;
 /// Leaves are on an octree's lattice: one that is no larger than a tile lies in one tile.
 constexpr double kTileColumns = 64.0;
-
-double smallest_edge_m(const LeafSource& leaves) {
-  double edge_m = std::numeric_limits<double>::infinity();
-  leaves([&](const LeafSample& leaf) { edge_m = std::min(edge_m, leaf.edge_m); });
-  return edge_m;
-}
 
 double height_within(const LeafSample& leaf, const Box& box) {
   const double low = std::max(leaf.centre_in_map.z() - leaf.edge_m / 2, box.min_in_map.z());
@@ -146,16 +139,16 @@ bool ObjectColumns::can_hold_more(const Eigen::Vector2d& point_in_map) const {
 }
 
 std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,
-                                      const LeafSource& leaves) {
-  const double edge_m = smallest_edge_m(leaves);
+                                      const LeafSource& leaves,
+                                      double leaf_edge_m) {
   std::vector<ObjectColumns> columns;
   columns.reserve(objects.size());
   std::size_t num_left = kMaxColumns;
   for (const Object* object : objects) {
-    columns.emplace_back(*object, edge_m, num_left);
+    columns.emplace_back(*object, leaf_edge_m, num_left);
     num_left -= columns.back().size();
   }
-  const ObjectTiles tiles(objects, columns, kTileColumns * edge_m);
+  const ObjectTiles tiles(objects, columns, kTileColumns * leaf_edge_m);
   leaves([&](const LeafSample& leaf) {
     for (const std::size_t i : tiles.near(leaf)) columns[i].add(leaf);
   });

@@ -65,13 +65,13 @@ class ObjectColumns {
 inline constexpr std::size_t kMaxColumns = 20'000'000;
 
 /// The columns of each object, in its order, filled from the leaves. Frame: Map.
-/// Requires: leaves are cubes; edges are that of the smallest one doubled some times, on its
-/// lattice.
+/// Requires: leaves are cubes; the smallest have the edge `leaf_edge_m` > 0, others that doubled
+/// some times, on its lattice.
 /// Boundary: without leaves nothing is known. Objects whose columns would make more than
 /// kMaxColumns with those before have none: boxes may come from files of strangers.
-/// Cost: two passes over the leaves, each leaf against the objects of its tile; memory a column
-/// each.
+/// Cost: one pass over the leaves, each against the objects of its tile; memory a column each.
 [[nodiscard]] std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,
-                                                    const LeafSource& leaves);
+                                                    const LeafSource& leaves,
+                                                    double leaf_edge_m);
 
 }  // namespace hypermap

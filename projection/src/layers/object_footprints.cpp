@@ -26,8 +26,8 @@ struct Shape {
 /// The columns that carve the shape of each object; none when shapes are not carved.
 std::vector<ObjectColumns> carving_columns(std::span<const Object* const> objects,
                                            const FootprintOptions& options) {
-  if (options.policy != ShapePolicy::kVoxels || !options.carving_leaves) return {};
-  return columns_of(objects, options.carving_leaves);
+  if (options.policy != ShapePolicy::kVoxels || !options.carving) return {};
+  return columns_of(objects, options.carving->leaves, options.carving->leaf_edge_m);
 }
 
 /// `columns` may be null: the shape is not carved.

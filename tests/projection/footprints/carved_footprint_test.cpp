@@ -53,7 +53,7 @@ LeafSource all_free() {
 
 Polygon carved(const Object& object, const LeafSource& leaves) {
   const std::vector<const Object*> objects{&object};
-  auto shape = carved_footprint(object.points, columns_of(objects, leaves).front());
+  auto shape = carved_footprint(object.points, columns_of(objects, leaves, kVoxelM).front());
   EXPECT_TRUE(shape);
   return shape.value_or(Polygon{});
 }

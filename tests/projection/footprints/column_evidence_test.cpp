@@ -51,7 +51,7 @@ LeafSource source(std::vector<LeafSample> leaves) {
 
 bool can_hold_more(const Object& object, const std::vector<LeafSample>& leaves, double x) {
   const std::vector<const Object*> objects{&object};
-  return columns_of(objects, source(leaves)).front().can_hold_more({x, 0.25});
+  return columns_of(objects, source(leaves), kEdgeM).front().can_hold_more({x, 0.25});
 }
 
 TEST(ColumnEvidence, WhatWasLookedThroughHoldsNoMore) {
@@ -123,7 +123,7 @@ TEST(ColumnEvidence, AllObjectsTogetherHaveABoundedNumberOfColumns) {
   wide.box.max_in_map.head<2>() = Eigen::Vector2d(2000.0, 2000.0);
   const Object small = object_with_box();
   const std::vector<const Object*> objects{&wide, &wide, &small};
-  const auto columns = columns_of(objects, source(column(1, {})));
+  const auto columns = columns_of(objects, source(column(1, {})), kEdgeM);
   EXPECT_EQ(columns[0].size(), 16'000'000U);
   EXPECT_TRUE(columns[1].empty());
   EXPECT_EQ(columns[2].size(), 4U);

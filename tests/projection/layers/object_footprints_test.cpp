@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -82,14 +83,15 @@ TEST(ObjectFootprints, AreCarvedByTheMapWhenTheyAreOfVoxels) {
   }
   object.points.observe(points);
   const std::vector<const Object*> objects = {&object};
-  const auto area = [&](ShapePolicy policy, LeafSource leaves) {
-    const auto out = project_footprints(
-        objects, registry(), {.policy = policy, .carving_leaves = std::move(leaves)});
+  const auto area = [&](ShapePolicy policy, std::optional<CarvingMap> carving) {
+    const auto out =
+        project_footprints(objects, registry(), {.policy = policy, .carving = std::move(carving)});
     return area_m2(out->layer.objects().front().parts.front());
   };
   EXPECT_NEAR(area(ShapePolicy::kVoxels, {}), 0.5, 0.02);
-  EXPECT_LT(area(ShapePolicy::kVoxels, visit_free_square), 0.1);
-  EXPECT_NEAR(area(ShapePolicy::kHull, visit_free_square), 1.0, 1e-9) << "[hypermap]'s shapes stay";
+  EXPECT_LT(area(ShapePolicy::kVoxels, CarvingMap{visit_free_square, 0.05}), 0.1);
+  EXPECT_NEAR(area(ShapePolicy::kHull, CarvingMap{visit_free_square, 0.05}), 1.0, 1e-9)
+      << "[hypermap]'s shapes stay";
 }
 
 TEST(ObjectFootprints, AnObjectWithoutShapesShowsItsBoxAndThatIsSaid) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,15 +59,14 @@ Result<void> put_occupancy(MapArchive& archive,
 /// As put_occupancy.
 Result<void> put_footprints(MapArchive& archive,
                             std::span<const ObjectId> confirmed,
-                            const LeafSource& leaves,
-                            const ObjectPipelineOptions& options,
-                            const LayerOptions& layers) {
+                            std::optional<CarvingMap> carving,
+                            const ObjectPipelineOptions& options) {
   auto footprints = guarded_layer([&] {
     return project_footprints(objects_of(archive.objects, confirmed),
                               archive.classes,
                               {.policy = options.footprint,
                                .confidence = options.confirmation.confidence,
-                               .carving_leaves = layers.carve_footprints ? leaves : LeafSource()});
+                               .carving = std::move(carving)});
   });
   if (footprints) return put_layer(archive.hypermap, kSemanticLayer, std::move(footprints->layer));
   archive.hypermap.remove_layer(kSemanticLayer);
@@ -149,7 +149,10 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
     if (!put) derived.left_out.push_back(left_out(put.error(), layer));
   };
   note(put_occupancy(archive, leaves, options), kOccupancyName);
-  note(put_footprints(archive, confirmed, leaves, objects, options), kSemanticLayer);
+  auto carving = options.carve_footprints
+                     ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
+                     : std::nullopt;
+  note(put_footprints(archive, confirmed, std::move(carving), objects), kSemanticLayer);
   note(put_class_grids(archive, leaves, options), "class grids");
   return derived;
 }

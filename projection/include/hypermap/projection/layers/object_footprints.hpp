@@ -11,18 +11,25 @@
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace hypermap {
 
+/// The map that objects stand in, each leaf with its owner.
+struct CarvingMap {
+  LeafSource leaves;
+  double leaf_edge_m =
+      0.0;  ///< Of the smallest leaves; others: doubled some times, on its lattice.
+};
+
 struct FootprintOptions {
   ShapePolicy policy = ShapePolicy::kVoxels;
   ObjectConfidenceOptions confidence = {};
-  /// The map that the objects stand in, each leaf with its owner. With it, shapes by policy
-  /// `voxels` lack what sensors looked through and where other objects stand; without, they are
-  /// convex. Edges of leaves: the smallest one doubled some times, on its lattice.
-  LeafSource carving_leaves = {};
+  /// With it, shapes by policy `voxels` lack what sensors looked through and where other objects
+  /// stand; without, they are convex.
+  std::optional<CarvingMap> carving = std::nullopt;
 };
 
 struct FootprintLayer {
