@@ -132,7 +132,7 @@ void StackArguments::finish() {
 Result<GridStack> StackArguments::make() const {
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded,
                             load_archive(file, load.limits, {}, stop_when_interrupted()));
-  const auto cut = [&]() -> Result<GridStack> {
+  auto cut = [&]() -> Result<GridStack> {
     HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, stack_of_map(loaded.value, request));
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));

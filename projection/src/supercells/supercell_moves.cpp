@@ -24,7 +24,7 @@ int num_squares(int side, int level) {
 }  // namespace
 
 SupercellMoves::SupercellMoves(const BinnedCells& cells, const SupercellOptions& options)
-    : cells_(&cells), options_(options) {
+    : cells_(&cells), options_(options), cell_(empty_set(cells.num_layers)) {
   const int cols = num_squares(cells.cols, options.num_levels);
   const int rows = num_squares(cells.rows, options.num_levels);
   const auto num_cells =
@@ -75,14 +75,15 @@ SupercellMoves::CellRect SupercellMoves::rect_of(Block block) const {
           .high = std::min((block.row + 1) << level_, cells_->rows)};
 }
 
-CellSums SupercellMoves::set_of(Block block) const {
+const CellSums& SupercellMoves::set_of(Block block) {
   const std::size_t place =
       static_cast<std::size_t>(block.row) * static_cast<std::size_t>(block_cols_) +
       static_cast<std::size_t>(block.col);
   if (level_ > 0) return blocks_[place];
-  CellSums cell = empty_set(cells_->num_layers);
-  add_cell(cell, cells_->of_cell(place));
-  return cell;
+  cell_.num_cells = 0;
+  std::ranges::fill(cell_.layers, HistogramSums{});
+  add_cell(cell_, cells_->of_cell(place));
+  return cell_;
 }
 
 int SupercellMoves::label(Block block) const {
@@ -156,8 +157,8 @@ double SupercellMoves::variance_change(int label, const CellSums& set, int sign)
          variance_of(supercell, cells_->num_bins);
 }
 
-double SupercellMoves::gain_by(Block block, int to) const {
-  const CellSums set = set_of(block);
+double SupercellMoves::energy_change(Block block, int to) {
+  const CellSums& set = set_of(block);
   const int from = label(block);
   const double growing = variance_change(to, set, 1);
   const double shrinking = options_.total ? variance_change(from, set, -1) : 0.0;
@@ -166,7 +167,7 @@ double SupercellMoves::gain_by(Block block, int to) const {
 
 void SupercellMoves::move(Block block, int to) {
   assert(may_leave(block) && to != label(block));
-  const CellSums set = set_of(block);
+  const CellSums& set = set_of(block);
   const int from = label(block);
   const CellRect rect = rect_of(block);
   energy_ += variance_change(to, set, 1) + variance_change(from, set, -1) -

@@ -39,8 +39,8 @@ class SupercellMoves {
   /// Whether the block's supercell stays connected and not empty without it, and has a variance.
   [[nodiscard]] bool may_leave(Block block) const;
   /// What counts for a move: negative is better. Requires: the block may leave for this neighbour.
-  [[nodiscard]] double gain_by(Block block, int to) const;
-  /// Requires: as gain_by.
+  [[nodiscard]] double energy_change(Block block, int to);
+  /// Requires: as energy_change.
   void move(Block block, int to);
 
   /// H = sum of D' - gamma G, kept up to date by each move.
@@ -62,7 +62,8 @@ class SupercellMoves {
   [[nodiscard]] double contour_around(const CellRect& rect, int label_inside) const;
   [[nodiscard]] double contour_at(int col, int row, const CellRect& rect, int label_inside) const;
   [[nodiscard]] CellRect rect_of(Block block) const;
-  [[nodiscard]] CellSums set_of(Block block) const;
+  /// Valid until the next call.
+  [[nodiscard]] const CellSums& set_of(Block block);
   [[nodiscard]] std::size_t cell_index(int col, int row) const noexcept {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_->cols) +
            static_cast<std::size_t>(col);
@@ -73,6 +74,7 @@ class SupercellMoves {
   std::vector<std::int32_t> labels_;
   std::vector<CellSums> supercells_;
   std::vector<CellSums> blocks_;  ///< Of this level; none where they are single cells.
+  CellSums cell_;                 ///< Working memory for a block that is a single cell.
   int level_ = 0;
   int block_cols_ = 0;
   int block_rows_ = 0;

@@ -9,7 +9,7 @@ namespace hypermap {
 namespace {
 
 /// Less is rounding.
-constexpr double kLeastGain = 1e-12;
+constexpr double kLeastFall = 1e-12;
 
 constexpr OptionRow kSupercellRows[] = {
     option::count<&SupercellOptions::num_levels>(
@@ -30,18 +30,18 @@ constexpr OptionRow kSupercellRows[] = {
         "max_passes", {1, 1000}, {.effect = "Most passes over all blocks of one size."}),
 };
 
-/// The neighbour that gains most by the block; none when no neighbour gains.
-std::optional<int> best_taker(const SupercellMoves& moves, Block block) {
+/// The neighbour by whose taking the block the energy falls most; none when it falls by none.
+std::optional<int> best_taker(SupercellMoves& moves, Block block) {
   const int own = moves.label(block);
   std::optional<int> best;
-  double best_gain = -kLeastGain;
+  double best_change = -kLeastFall;
   for (const int to : moves.labels_beside(block)) {
     if (to < 0 || to == own || to == best) continue;
-    const double gain = moves.gain_by(block, to);
-    const bool is_better = gain < best_gain || (best && gain == best_gain && to < *best);
+    const double change = moves.energy_change(block, to);
+    const bool is_better = change < best_change || (best && change == best_change && to < *best);
     if (!is_better) continue;
     best = to;
-    best_gain = gain;
+    best_change = change;
   }
   return best;
 }

@@ -139,8 +139,9 @@ Result<std::vector<int>> supercells_of(const TopometricGraph& graph,
   const auto place = static_cast<std::size_t>(found - graph.layers.begin());
   std::vector<int> numbers;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-    const bool is_probable = graph.nodes[i].mean[place].probability() >= at_least;
-    if (is_probable) numbers.push_back(static_cast<int>(i));
+    const LogOdds mean = graph.nodes[i].mean[place];
+    const bool is_known = mean != LogOdds();
+    if (is_known && mean.probability() >= at_least) numbers.push_back(static_cast<int>(i));
   }
   return numbers;
 }

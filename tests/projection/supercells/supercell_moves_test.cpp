@@ -110,7 +110,7 @@ TEST_P(SupercellMovesOn, EachMoveKeepsTheEnergyAndTheConnectednessThatWouldBeFou
       const int to = to_choose[random.below(static_cast<std::uint32_t>(to_choose.size()))];
       auto before = variances(cells, moves.labels());
       const double contour_before = contour(cells, moves.labels());
-      const double promised = moves.gain_by(block, to);
+      const double promised = moves.energy_change(block, to);
       moves.move(block, to);
       ++num_moves;
       auto after = variances(cells, moves.labels());

@@ -89,6 +89,10 @@ TEST(TopometricGraph, SupercellsAreFoundByClass) {
   EXPECT_THAT(supercells_of(graph, "/ism/0").value(), ElementsAre(1, 2));
   EXPECT_THAT(supercells_of(graph, "/ism/0", Probability(0.8)).value(), ElementsAre(2));
   EXPECT_THAT(supercells_of(graph, "/ism/0", Probability(0.95)).value(), ElementsAre());
+  const GridStack unknown =
+      stack_from(geometry, 1, [](int /*layer*/, Cell cell) { return cell.col == 1 ? 0.6 : 0.5; });
+  const auto partly_known = topometric_graph(unknown, labelled(geometry, {0, 1, 2})).value();
+  EXPECT_THAT(supercells_of(partly_known, "/ism/0", Probability(0.2)).value(), ElementsAre(1));
   const auto failed = supercells_of(graph, "/ism/O");
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().code, ErrorCode::kNotFound);

@@ -46,8 +46,9 @@ struct TopometricGraph {
 [[nodiscard]] Result<TopometricGraph> topometric_graph(const GridStack& stack,
                                                        const Supercells& supercells);
 
-/// The supercells whose mean on a layer is at least this probable, by number.
-/// Errors: kNotFound for a name that is no layer's, telling those that there are.
+/// The supercells whose mean on a layer is at least this probable, by number; not those of which
+/// the layer says nothing. Errors: kNotFound for a name that is no layer's, telling those that
+/// there are.
 [[nodiscard]] Result<std::vector<int>> supercells_of(const TopometricGraph& graph,
                                                      std::string_view layer,
                                                      Probability at_least = Probability(0.5));
