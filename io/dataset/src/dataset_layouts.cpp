@@ -112,6 +112,7 @@ std::optional<Loaded<DatasetDescription>> find_7scenes_layout(const fs::path& fo
   out.value.trajectory = "frame-*.pose.txt";
   out.value.trajectory_format = TrajectoryFormat::kMatrix;
   out.value.pair_by = PosePairing::kNumber;
+  out.value.may_be_unregistered = true;  // 7-Scenes is not, others in its layout are
   take_intrinsics(folder, published_intrinsics(585.0, 585.0, 320.0, 240.0), "7-Scenes", out);
   return out;
 }

@@ -3,8 +3,11 @@
 
 #include "folder_reader.hpp"
 #include "hypermap/io/dataset/detections_parsing.hpp"
+#include "images/registration_estimate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -84,6 +87,49 @@ Result<void> settle_cameras(Sequence& sequence) {
       depth_camera == sequence.summary.camera && d.color_from_depth.matrix().isIdentity(0.0);
   if (!is_same) sequence.depth_camera = depth_camera;
   return {};
+}
+
+/// Images that the estimate is made from, evenly chosen.
+constexpr std::size_t kNumAskedFrames = 8;
+
+std::optional<RegistrationEstimate> estimate_registration(const Sequence& sequence) {
+  RegistrationEstimator estimator(sequence.summary.camera);
+  std::vector<const SequenceEntry*> entries;
+  for (const SequenceEntry& entry : sequence.entries) {
+    if (!entry.depth.empty() && !entry.color.empty()) entries.push_back(&entry);
+  }
+  const std::size_t num = std::min(entries.size(), kNumAskedFrames);
+  for (std::size_t i = 0; i < num; ++i) {
+    const SequenceEntry& entry = *entries[i * entries.size() / num];
+    const auto depth = read_depth(sequence.folder / entry.depth, sequence.description.depth_format);
+    const auto color = read_color(sequence.folder / entry.color);
+    if (depth && color) estimator.add(*depth, *color);
+  }
+  return estimator.estimate();
+}
+
+/// The colour camera of a recording whose depth turns out not to be registered to it. Its poses are
+/// those of depth: what tracked the camera knew nothing of colour.
+void settle_registration(Sequence& sequence) {
+  if (!sequence.description.may_be_unregistered || sequence.depth_camera) return;
+  const auto found = estimate_registration(sequence);
+  if (!found || !validate(found->color_camera)) return;
+  sequence.depth_camera = sequence.summary.camera;
+  sequence.poses_are_of_depth = true;
+  sequence.description.color_from_depth = found->color_from_depth;
+  sequence.summary.camera = found->color_camera;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(),
+                text.size(),
+                "registered to colour by the images: focal length %.1f px, centre (%.1f, "
+                "%.1f), %.3f m beside; edges agree %.2f instead of %.2f",
+                found->color_camera.fx_px,
+                found->color_camera.cx_px,
+                found->color_camera.cy_px,
+                -found->color_from_depth.translation().x(),
+                found->agreement,
+                found->agreement_as_is);
+  sequence.summary.registration = text.data();
 }
 
 /// Takes out the boxes wholly outside the camera's image, in frames that do not state their own
@@ -226,6 +272,7 @@ Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path&
     return frame_error(ErrorCode::kNotFound, path.string(), "has no frame left to read");
   }
   HYPERMAP_TRY(settle_cameras(sequence));
+  settle_registration(sequence);
   summary.depth_units_per_m = d.depth_format.units_per_m;
   ClassRegistry grown = registry;
   HYPERMAP_TRY(read_detection_files(options, sequence, grown));

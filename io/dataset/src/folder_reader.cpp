@@ -40,7 +40,10 @@ Result<RgbdFrame> FolderReader::try_read(std::size_t index) const {
   frame.name = entry.name;
   frame.stamp = entry.stamp;
   frame.camera = summary().camera;
-  HYPERMAP_ASSIGN_OR_RETURN(const InputFromCamera pose, pose_of(entry));
+  HYPERMAP_ASSIGN_OR_RETURN(InputFromCamera pose, pose_of(entry));
+  if (sequence_.poses_are_of_depth) {
+    pose = InputFromCamera(pose.isometry() * sequence_.description.color_from_depth.inverse());
+  }
   frame.map_from_camera = map_from_input() * pose;
   HYPERMAP_ASSIGN_OR_RETURN(frame.depth_m, depth_of(entry));
   if (options_.read_color && !entry.color.empty()) {

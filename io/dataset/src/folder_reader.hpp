@@ -38,6 +38,7 @@ struct Sequence {
   std::vector<SequenceEntry> entries;  ///< All of them, before first and stride.
   std::vector<PairedDetections> detectors;
   std::optional<PinholeCamera> depth_camera;  ///< When depth is not registered to colour.
+  bool poses_are_of_depth = false;            ///< Poses are those of the depth camera.
   LabelNames label_names;
   DetectorId label_detector;
   std::vector<ClassId> label_classes;

@@ -149,6 +149,7 @@ Result<void> settle_alignment(MappingRun& run, const MappingJob& job, MappingRep
   note(misreading ? misreading : find_wrong_up(pairs, up->map_from_input), job, report);
   run.dataset->set_map_from_input(up->map_from_input);
   report.up = up->explanation;
+  report.registration = run.dataset->summary().registration;
   return {};
 }
 

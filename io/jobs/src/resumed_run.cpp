@@ -124,9 +124,11 @@ void take_over(MappingRun& run, const SavedRun& saved, MappingReport& report) {
   run.checkpoint_of = run.dataset->frame_name(checkpoint.last.position);
   std::vector<Finding> findings = std::move(report.findings);
   std::string up = std::move(report.up);
+  std::string registration = std::move(report.registration);
   report = checkpoint.report;
   report.findings = std::move(findings);
   report.up = std::move(up);
+  report.registration = std::move(registration);
   report.num_resumed = report.num_frames;
 }
 

@@ -70,6 +70,8 @@ struct DatasetDescription {
   std::optional<Intrinsics> depth_intrinsics;
   std::string depth_intrinsics_file;
   Eigen::Isometry3d color_from_depth = Eigen::Isometry3d::Identity();
+  /// Nothing says whether depth is registered to colour: the images are asked.
+  bool may_be_unregistered = false;
   /// Images of class numbers and of instances, which become detections; patterns or empty.
   std::string labels;
   std::string instances;

@@ -64,8 +64,11 @@ struct DatasetSummary {
   std::size_t num_detection_frames = 0;
   std::size_t num_detections = 0;
   std::optional<std::string> up_axis;  ///< "z", "-y" ... when the description says so.
-  std::vector<std::string> unpaired;   ///< Depth, colour or detections without partner, by name.
-  std::vector<Finding> findings;       ///< Repairs and unknown keys of the files that were read.
+  /// What the images say of a colour camera that depth is not registered to; empty where it is, or
+  /// where the description has both cameras.
+  std::string registration;
+  std::vector<std::string> unpaired;  ///< Depth, colour or detections without partner, by name.
+  std::vector<Finding> findings;      ///< Repairs and unknown keys of the files that were read.
 };
 
 /// A sequence. `read` is safe to call concurrently.

@@ -115,6 +115,8 @@ struct MappingReport {
   std::size_t num_tentative = 0;           ///< Not confirmed.
   LeafCount leaves;
   std::string up;  ///< How the world was aligned to gravity, in words.
+  /// Of a colour camera that the images told; empty: depth is registered as it is.
+  std::string registration;
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
