@@ -72,7 +72,7 @@ TEST(GridStack, TheOrderOfReadingsDoesNotCount) {
   EXPECT_GT(layer_of(first, "/ism/a").num_known(), 60U);
   std::ranges::reverse(order);
   EXPECT_EQ(fused(order), first);
-  std::ranges::rotate(order, order.begin() + 5);
+  std::rotate(order.begin(), order.begin() + 5, order.end());
   EXPECT_EQ(fused(order), first);
 }
 
