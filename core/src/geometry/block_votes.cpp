@@ -3,6 +3,7 @@
 
 #include "point_votes.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <limits>
@@ -61,13 +62,20 @@ BlockVotes block_votes(std::span<const PointVote> votes) {
   BlockNumbers numbers(votes.size());
   BlockVotes out;
   out.of_cell.reserve(votes.size());
+  out.best_of_cell.reserve(votes.size());
+  std::vector<std::uint32_t> best;
   for (const PointVote& vote : votes) {
     const std::uint32_t number = numbers.number_of(block_of(vote.cell));
     std::uint32_t& sum = numbers.blocks()[number].votes;
     sum = saturated_sum(sum, vote.votes);
     out.of_cell.push_back(number);
+    if (number == best.size()) best.push_back(0);
+    best[number] = std::max(best[number], vote.votes);
   }
-  for (std::uint32_t& number : out.of_cell) number = numbers.blocks()[number].votes;
+  for (std::uint32_t& number : out.of_cell) {
+    out.best_of_cell.push_back(best[number]);
+    number = numbers.blocks()[number].votes;
+  }
   out.typical = typical_votes(numbers.blocks());
   return out;
 }

@@ -16,7 +16,8 @@ inline constexpr int kBlockShift = 2;
 
 /// The sums of the votes of all cells in a block.
 struct BlockVotes {
-  std::vector<std::uint32_t> of_cell;  ///< Per cell, the sum of its block.
+  std::vector<std::uint32_t> of_cell;       ///< Per cell, the sum of its block.
+  std::vector<std::uint32_t> best_of_cell;  ///< Per cell, the most votes of a cell in its block.
   /// Of the block of a typical vote: half of all votes lie in blocks with more. 1 without votes.
   std::uint32_t typical = 1;
 };

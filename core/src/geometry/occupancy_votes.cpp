@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: one type; what its cells and blocks are worth is split off already.
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include "block_votes.hpp"
@@ -29,29 +30,37 @@ void widen(OccupancyVotesState& state) {
   state.edge_m *= 2.0;
 }
 
-/// The share asked for of what the cell of a typical vote has.
+/// The share asked for of what is usual.
 std::uint32_t votes_needed(const OccupancyVotesState& state,
-                           std::uint32_t typical,
+                           std::uint32_t usual,
                            const OccupancyVotesOptions& options) {
-  const double needed = std::ceil(options.min_vote_share * typical);
+  const double needed = std::ceil(options.min_vote_share * usual);
   const std::uint32_t least =
       options.min_vote_share > 0.0 && state.num_observations >= kNumToOutvoteOne ? 2U : 1U;
   return std::max(least, static_cast<std::uint32_t>(needed));
 }
 
+/// A cell needs its share of what a typical cell has, or the best one of its block where that has
+/// less: the legs of a table are seen more rarely than its top, and are no error for that.
 std::vector<CellStanding> standings_of(const OccupancyVotesState& state,
-                                       std::uint32_t needed,
+                                       std::uint32_t typical,
                                        const OccupancyVotesOptions& options) {
   std::vector<CellStanding> out;
   out.reserve(state.votes.size());
-  for (const PointVote& vote : state.votes) {
-    out.push_back(vote.votes >= needed ? CellStanding::kAgreed : CellStanding::kSupported);
+  const auto standing = [&](const PointVote& vote, std::uint32_t usual) {
+    return vote.votes >= votes_needed(state, usual, options) ? CellStanding::kAgreed
+                                                             : CellStanding::kSupported;
+  };
+  if (options.min_block_share == 0.0) {
+    for (const PointVote& vote : state.votes) out.push_back(standing(vote, typical));
+    return out;
   }
-  if (options.min_block_share == 0.0) return out;
   const BlockVotes blocks = block_votes(state.votes);
   const double needed_in_block = options.min_block_share * blocks.typical;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (blocks.of_cell[i] < needed_in_block) out[i] = CellStanding::kStray;
+  for (std::size_t i = 0; i < state.votes.size(); ++i) {
+    const bool is_stray = blocks.of_cell[i] < needed_in_block;
+    const std::uint32_t usual = std::min(typical, blocks.best_of_cell[i]);
+    out.push_back(is_stray ? CellStanding::kStray : standing(state.votes[i], usual));
   }
   return out;
 }
@@ -231,16 +240,24 @@ void OccupancyVotes::adopt(OccupancyVotesState state) {
   thresholds.typical_votes = typical_votes(state.votes);
   thresholds.votes_needed = votes_needed(state, thresholds.typical_votes, options_);
   auto standings = std::make_shared<const std::vector<CellStanding>>(
-      standings_of(state, thresholds.votes_needed, options_));
+      standings_of(state, thresholds.typical_votes, options_));
   const CellAgreement agreement = agreement_of(state, *standings, thresholds);
   state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
   standings_ = std::move(standings);
   agreement_ = agreement;
 }
 
-std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other, double factor) {
+std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other,
+                                     double factor,
+                                     ContestedPlace place) {
   const Contest contest(agreement_.typical_votes, other.agreement_.typical_votes, factor);
-  const auto lost = lost_cells(*state_, *other.state_, contest);
+  OccupancyVotesState wide;
+  if (place == ContestedPlace::kBlock) {
+    wide = *other.state_;
+    for (int i = 0; i < kBlockShift; ++i) widen(wide);
+  }
+  const OccupancyVotesState& theirs = place == ContestedPlace::kBlock ? wide : *other.state_;
+  const auto lost = lost_cells(*state_, theirs, contest);
   if (lost.empty() || lost.size() == state_->votes.size()) return 0;
   take({.edge_m = state_->edge_m,
         .num_observations = state_->num_observations,

@@ -17,6 +17,7 @@ TEST(BlockVotes, ACellHasTheSumOfItsFourByFourByFour) {
       {{-1, 0, 0}, 7}, {{0, 0, 0}, 1}, {{3, 3, 3}, 2}, {{4, 0, 0}, 5}};
   const BlockVotes blocks = block_votes(votes);
   EXPECT_EQ(blocks.of_cell, (std::vector<std::uint32_t>{7, 3, 3, 5}));
+  EXPECT_EQ(blocks.best_of_cell, (std::vector<std::uint32_t>{7, 2, 2, 5}));
   // Of 15 votes, 7 and then 5 lie in blocks with more: the middle one is in the block of 5.
   EXPECT_EQ(blocks.typical, 5U);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: one type, each of its rules with numbers worked by hand.
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include "support/object_builders.hpp"
@@ -132,6 +133,40 @@ TEST(OccupancyVotes, ASideSeenSeldomStays) {
   EXPECT_NEAR(points.agreed_box()->extent().y(), 0.6, 0.03);
 }
 
+/// Centres of 4 x 4 cells of 1 cm, one block of `z_cell`'s layer.
+std::vector<Eigen::Vector3f> sheet_of_cells(float z_cell) {
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i < 16; ++i) {
+    points.emplace_back(0.01F * (static_cast<float>(i % 4) + 0.5F),
+                        0.01F * (static_cast<float>(i / 4) + 0.5F),
+                        0.01F * (z_cell + 0.5F));
+  }
+  return points;
+}
+
+TEST(OccupancyVotes, WhatIsSeenSeldomCountsWhereNothingIsSeenOften) {
+  // A table's top (layer 41) seen 40 times, noise above it (42) and a leg (layer 0) 6 times: a
+  // typical cell has 40 votes, so that 10 are needed. The leg's block has 96 of 736 and more than a
+  // tenth of the top's; its best cell has 6, so that 2 are needed there. A tenth of 16 x 46 = 736
+  // is 73.6: what two observations saw elsewhere, 32, is a stray.
+  OccupancyVotes points;
+  for (int i = 0; i < 40; ++i) {
+    auto seen = sheet_of_cells(41);
+    const auto add = [&](float z_cell) {
+      const auto more = sheet_of_cells(z_cell);
+      seen.insert(seen.end(), more.begin(), more.end());
+    };
+    if (i < 6) add(42);
+    if (i >= 30 && i < 36) add(0);
+    if (i >= 38) add(80);
+    points.observe(seen);
+  }
+  EXPECT_EQ(points.agreement().typical_votes, 40U);
+  EXPECT_EQ(points.agreement().num_cells, 32U);
+  EXPECT_EQ(points.agreement().low.z, 0);
+  EXPECT_EQ(points.agreement().high.z, 41);
+}
+
 TEST(OccupancyVotes, LargeThingsGetLargerCellsAndMemoryStaysFlat) {
   OccupancyVotes points;
   for (int i = 0; i < 10; ++i) points.observe(surface_of(box_at({0, 0, 0.5}, {2.0, 1.0, 1.0})));
@@ -248,6 +283,22 @@ TEST(OccupancyVotes, WhatIsKnownOfTheAgreedCellsFollowsEveryChange) {
   EXPECT_GT(one.state().edge_m, one.options().edge_m);
   one.merge(other);
   expect_agreement_of_points(one);
+}
+
+TEST(OccupancyVotes, CellsBesideThoseOfAnotherGoToItByTheBlock) {
+  // Ours: 40 votes of a cell far away, 6 of cell (0, 0, 0). Theirs: 34 of its neighbour (1, 0, 0).
+  // 6 / 40 times 1.5 is less than 34 / 34, but no cell is in both.
+  const Eigen::Vector3f far_away{1.005F, 0.005F, 0.005F};
+  const Eigen::Vector3f contested{0.005F, 0.005F, 0.005F};
+  OccupancyVotes ours;
+  for (int i = 0; i < 34; ++i) ours.observe(std::vector{far_away});
+  for (int i = 0; i < 6; ++i) ours.observe(std::vector{far_away, contested});
+  OccupancyVotes theirs;
+  for (int i = 0; i < 34; ++i) theirs.observe(std::vector{Eigen::Vector3f{0.015F, 0.005F, 0.005F}});
+  EXPECT_EQ(ours.yield_to(theirs, 1.5), 0U);
+  EXPECT_EQ(ours.yield_to(theirs, 1.5, ContestedPlace::kBlock), 1U);
+  ASSERT_EQ(ours.state().votes.size(), 1U);
+  EXPECT_EQ(ours.state().votes[0].cell, (PointCell{100, 0, 0}));
 }
 
 TEST(OccupancyVotes, NothingIsGivenUpToNobodyAndNotEverything) {

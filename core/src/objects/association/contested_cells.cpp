@@ -14,12 +14,22 @@ namespace {
 /// Fewer observations agree on nothing yet.
 constexpr std::uint32_t kLeastObservations = 4;
 
+std::optional<ClassId> best_class_of(const Object& object) {
+  const auto best = object.belief.best();
+  return best ? std::optional(best->id) : std::nullopt;
+}
+
 /// The object without the cells that another one agrees on more; none when it keeps all.
 std::optional<Object> without_cells_of(const Object& object,
                                        const Object& other,
                                        const AssociationOptions& options) {
+  // Of one class, what was taken for both once may lie beside the other's cells.
+  const bool is_of_one_class = best_class_of(object) == best_class_of(other);
+  const ContestedPlace place = is_of_one_class ? ContestedPlace::kBlock : ContestedPlace::kCell;
   OccupancyVotes points = object.points;
-  if (points.yield_to(other.points, options.assignment.contested_factor) == 0) return std::nullopt;
+  if (points.yield_to(other.points, options.assignment.contested_factor, place) == 0) {
+    return std::nullopt;
+  }
   Object smaller = object;
   smaller.points = std::move(points);
   const auto box = options.box_from_points ? smaller.points.agreed_box() : std::nullopt;

@@ -43,7 +43,8 @@ struct PointVote {
 struct OccupancyVotesOptions {
   double edge_m = 0.01;             ///< Edge of a cell to begin with.
   std::uint32_t max_cells = 16384;  ///< More make cells twice as wide.
-  /// A cell counts when it has at least this share of the votes that a typical vote's cell has. 0
+  /// A cell counts when it has at least this share of the votes that a typical vote's cell has, or
+  /// the best cell of its block where that has less: what was seen seldom is no error for that. 0
   /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
   /// A cell counts when, besides, the block of 4 x 4 x 4 cells that it lies in has at least this
@@ -65,6 +66,9 @@ struct OccupancyVotesState {
   friend bool operator==(const OccupancyVotesState&, const OccupancyVotesState&) = default;
 };
 
+/// Where two objects contest a cell: in it alone, or in the other's block of 4 x 4 x 4 around it.
+enum class ContestedPlace : std::uint8_t { kCell, kBlock };
+
 /// What the observations of an object say of a cell that one of them voted for.
 enum class CellStanding : std::uint8_t {
   kStray,      ///< Few have points near it.
@@ -75,7 +79,7 @@ enum class CellStanding : std::uint8_t {
 /// Which cells of a state count, and where they lie. Follows from the state and the options.
 struct CellAgreement {
   std::uint32_t typical_votes = 1;  ///< Of the cell of a typical vote.
-  std::uint32_t votes_needed = 1;   ///< Of a cell that counts, if its block has enough.
+  std::uint32_t votes_needed = 1;   ///< Of a cell that counts, in a block of typical cells.
   std::size_t num_cells = 0;        ///< That count.
   PointCell low;                    ///< The lowest coordinates of those; zeros when there are none.
   PointCell high;                   ///< The highest ones.
@@ -104,11 +108,13 @@ class OccupancyVotes {
 
   /// Gives up the cells that another object's observations agree on more, by `factor` and more;
   /// votes count relative to the cell of a typical vote of either. Of finer cells of the other the
-  /// best one counts. Returns how many went.
+  /// best one counts, with kBlock the best one of its block. Returns how many went.
   /// Requires: factor > 0.
   /// Boundary: all stay when none would be left.
   /// Cost: O(cells of the slabs of x that both have); allocates for the cells that go.
-  std::size_t yield_to(const OccupancyVotes& other, double factor);
+  std::size_t yield_to(const OccupancyVotes& other,
+                       double factor,
+                       ContestedPlace place = ContestedPlace::kCell);
 
   /// How many cells enough observations agree on, and where those lie.
   [[nodiscard]] const CellAgreement& agreement() const noexcept { return agreement_; }
