@@ -118,6 +118,24 @@ TEST(ForegroundFlatThing, IsThePatchOfItsSupportInsideTheBox) {
   EXPECT_EQ(found->pixel_indices.size(), 40U * 40U);
 }
 
+/// A box in which a mouse lies on a floor; of its upper rows so many are without depth.
+Result<Segment> found_beside_a_hole(int hole_px) {
+  BoxScene scene;
+  scene.add(kFloor, {1.5, -2, -1}, {4, 2, 0.5}).add(kMouse, {1.6, -0.05, 0.5}, {1.65, 0.05, 0.58});
+  SceneView view = scene.view(test::look_at({0, 0, 1.0}, {1.6, 0, 0.56}));
+  Detection cup;
+  cup.box_px = {280, 180, 360, 275};
+  for (int v = 180; v < 180 + hole_px; ++v) {
+    for (int u = 280; u < 360; ++u) view.frame.depth_m.at(u, v) = 0.0F;
+  }
+  return segment(view.frame, cup, {});
+}
+
+TEST(ForegroundHole, WhatIsBesideTheUnmeasuredIsNotTheThing) {
+  EXPECT_TRUE(found_beside_a_hole(0).has_value());
+  EXPECT_FALSE(found_beside_a_hole(45).has_value());
+}
+
 TEST(ForegroundMask, ReplacesTheBox) {
   const SceneView view = office_view(5);
   Detection masked = detection_of(view, kCup);

@@ -23,6 +23,8 @@ constexpr double kPatchShare = 0.03;
 constexpr double kPatchMinOutline = 0.7;
 /// A cell with fewer neighbours of the object hangs in the air between two surfaces.
 constexpr int kLeastNeighbours = 3;
+/// Less of a box that is mostly unmeasured is not the object.
+constexpr double kLeastSpan = 0.15;
 
 /// A plane found outside may go on through the object: the seats of two chairs are of one height.
 /// What lies on it inside the box, and is not joined with the outside, is no background unless it
@@ -88,6 +90,35 @@ std::vector<std::uint8_t> cells_of_object(const DepthWindow& window,
     }
   }
   return firm;
+}
+
+/// Whether the object may rather be what the box does not measure: a detector's box is tight around
+/// its object, and these cells span little of it and are fewer than those without depth; what is
+/// merely out of range has depth. A cup nearer than the sensor measures is not the table's edge.
+bool is_beside_the_unmeasured(const RgbdFrame& frame,
+                              const DepthWindow& window,
+                              const std::vector<std::uint8_t>& is_object) {
+  if (window.is_masked) return false;
+  PixelRect spanned;
+  std::size_t num_object = 0;
+  std::size_t num_unmeasured = 0;
+  for (int y = window.box.v_begin; y < window.box.v_end; ++y) {
+    for (int x = window.box.u_begin; x < window.box.u_end; ++x) {
+      const std::size_t cell = window.cell(x, y);
+      const float depth_m = frame.depth_m.at(window.pixel_u(x), window.pixel_v(y));
+      num_unmeasured += is_measured(depth_m) ? 0U : 1U;
+      if (is_object[cell] == 0) continue;
+      ++num_object;
+      spanned = spanned.empty() ? PixelRect{x, y, x + 1, y + 1}
+                                : PixelRect{std::min(spanned.u_begin, x),
+                                            std::min(spanned.v_begin, y),
+                                            std::max(spanned.u_end, x + 1),
+                                            std::max(spanned.v_end, y + 1)};
+    }
+  }
+  const double span = static_cast<double>(spanned.width()) * spanned.height();
+  const double box = static_cast<double>(window.box.width()) * window.box.height();
+  return span < kLeastSpan * box && num_object < num_unmeasured;
 }
 
 /// What a window shows, and 1 on the cells of the object.
@@ -230,6 +261,7 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   notes.step(
       "object", 1, [&](std::size_t cell) { return is_object[cell] != 0 ? 1 : kLabelAbsent; });
 
+  if (is_beside_the_unmeasured(frame, window, is_object)) return nothing_left("object");
   std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_object);
   if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels))
     return nothing_left("object");
