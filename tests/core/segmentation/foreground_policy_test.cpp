@@ -91,7 +91,7 @@ TEST(ForegroundTable, HasItsFarLegsThoughItsTopIsNotMeasured) {
   EXPECT_NEAR(found_depth_m(flat_table(2.8)), 0.86, 0.02);
 }
 
-TEST(ForegroundTable, EndsWhereSomethingStandsFartherBehindThanTheBoxIsWide) {
+TEST(ForegroundTable, EndsWhereSomethingStandsFartherBehindThanTablesAreDeep) {
   EXPECT_LT(found_depth_m(flat_table(4.2)), 0.1);
 }
 

@@ -14,6 +14,9 @@ namespace {
 constexpr std::uint32_t kBehindMinCells = 24;
 constexpr double kBehindMaxOutside = 0.02;
 constexpr double kBehindMinOutline = 0.65;
+/// It is no farther behind than this share of the box's width there: no object is much deeper than
+/// wide, but between those that are a room's length apart nothing is measured either.
+constexpr float kBehindMaxOfWidth = 0.65F;
 /// Something nearer hides the foot of what stands behind an object, not that of its parts.
 constexpr double kBehindMaxHiddenFoot = 0.25;
 /// What hides a foot is measured within so many cells of it.
@@ -67,7 +70,7 @@ bool is_part_behind(const DepthWindow& window,
   const auto end = static_cast<std::size_t>(window.box.u_end - 1);
   const auto begin = static_cast<std::size_t>(window.box.u_begin);
   const float width_m = (window.slope_x[end] - window.slope_x[begin]) * depth_m;
-  return behind_m >= 0.0F && behind_m <= width_m;
+  return behind_m >= 0.0F && behind_m <= kBehindMaxOfWidth * width_m;
 }
 
 }  // namespace hypermap

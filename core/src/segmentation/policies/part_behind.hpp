@@ -14,9 +14,9 @@ namespace hypermap {
 /// be measured.
 ///
 /// It is whole in the box, its edge is mostly its own outline, nothing hides its foot, and it is no
-/// farther behind than the box is wide there. What merely stands behind an object and looks over it
-/// has its foot hidden.
-/// Requires: both have cells in the box. Cost: O(cells of the bounds of both).
+/// farther behind than two thirds of the box's width there. What merely stands behind an object and
+/// looks over it has its foot hidden. Requires: both have cells in the box. Cost: O(cells of the
+/// bounds of both).
 [[nodiscard]] bool is_part_behind(const DepthWindow& window,
                                   const DepthComponents& labelled,
                                   std::uint32_t best,
