@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t kBehindMinCells = 24;
 constexpr double kBehindMaxOutside = 0.02;
 constexpr double kBehindMinOutline = 0.65;
-/// It is no farther behind than this share of the box's width there: no object is much deeper than
-/// wide, but between those that are a room's length apart nothing is measured either.
+/// It is no farther behind than this share of the box's width there: objects are seldom much deeper
+/// than wide, what stands farther behind is another one.
 constexpr float kBehindMaxOfWidth = 0.65F;
 /// Something nearer hides the foot of what stands behind an object, not that of its parts.
 constexpr double kBehindMaxHiddenFoot = 0.25;
