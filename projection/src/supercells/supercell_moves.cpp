@@ -30,7 +30,8 @@ SupercellMoves::SupercellMoves(const BinnedCells& cells, const SupercellOptions&
   const auto num_cells =
       static_cast<std::size_t>(cells.cols) * static_cast<std::size_t>(cells.rows);
   labels_.reserve(num_cells);
-  supercells_.assign(static_cast<std::size_t>(cols * rows), empty_set(cells.num_layers));
+  supercells_.assign(static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows),
+                     empty_set(cells.num_layers));
   for (int row = 0; row < cells.rows; ++row) {
     for (int col = 0; col < cells.cols; ++col) {
       const int square_col = std::min(col >> options.num_levels, cols - 1);

@@ -136,10 +136,12 @@ TEST(OccupancyVotes, ASideSeenSeldomStays) {
 /// Centres of 4 x 4 cells of 1 cm, one block of `z_cell`'s layer.
 std::vector<Eigen::Vector3f> sheet_of_cells(float z_cell) {
   std::vector<Eigen::Vector3f> points;
-  for (int i = 0; i < 16; ++i) {
-    points.emplace_back(0.01F * (static_cast<float>(i % 4) + 0.5F),
-                        0.01F * (static_cast<float>(i / 4) + 0.5F),
-                        0.01F * (z_cell + 0.5F));
+  points.reserve(16);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      const Eigen::Vector3f cell(static_cast<float>(x), static_cast<float>(y), z_cell);
+      points.emplace_back(0.01F * (cell.array() + 0.5F));
+    }
   }
   return points;
 }
