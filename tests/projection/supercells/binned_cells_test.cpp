@@ -23,7 +23,7 @@ using testing::ElementsAre;
 CellSums all_of(const BinnedCells& cells) {
   CellSums set;
   set.layers.resize(static_cast<std::size_t>(cells.num_layers));
-  const auto count = static_cast<std::size_t>(cells.cols * cells.rows);
+  const auto count = static_cast<std::size_t>(cells.cols) * static_cast<std::size_t>(cells.rows);
   for (std::size_t i = 0; i < count; ++i) add_cell(set, cells.of_cell(i));
   return set;
 }
@@ -51,7 +51,7 @@ TEST(BinnedCells, AHandWorkedVariance) {
 /// D' by the letter: the covariance matrix of the joint histogram of Eq. (9), its eigenvalues.
 double sum_of_eigenvalues(const BinnedCells& cells) {
   std::map<std::vector<std::uint16_t>, double> joint;
-  const auto count = static_cast<std::size_t>(cells.cols * cells.rows);
+  const auto count = static_cast<std::size_t>(cells.cols) * static_cast<std::size_t>(cells.rows);
   for (std::size_t i = 0; i < count; ++i) {
     const auto values = cells.of_cell(i);
     joint[{values.begin(), values.end()}] += 1.0 / static_cast<double>(count);
@@ -76,7 +76,8 @@ TEST(BinnedCells, MarginalVariancesAreTheEigenvaluesOfTheJointHistogram) {
   // [sogm] Eq. (8) to (10): the sum of the eigenvalues is the trace.
   for (const int num_layers : {1, 2, 3, 5}) {
     for (const int num_bins : {2, 7, 16, 256}) {
-      const auto seed = static_cast<std::uint64_t>(10 * num_layers + num_bins);
+      const auto seed =
+          10U * static_cast<std::uint64_t>(num_layers) + static_cast<std::uint64_t>(num_bins);
       const BinnedCells cells = binned(random_stack(cells_of(9, 5), num_layers, seed), num_bins);
       EXPECT_NEAR(variance_of(all_of(cells), num_bins), sum_of_eigenvalues(cells), 1e-12);
     }

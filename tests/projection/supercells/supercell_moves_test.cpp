@@ -51,7 +51,8 @@ double contour(const BinnedCells& cells, const Labels& labels) {
       for (int y = row - 1; y <= row + 1; ++y) {
         for (int x = col - 1; x <= col + 1; ++x) {
           if (x < 0 || y < 0 || x >= cells.cols || y >= cells.rows) continue;
-          ++counts[labels[static_cast<std::size_t>(y * cells.cols + x)]];
+          ++counts[labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.cols) +
+                          static_cast<std::size_t>(x)]];
           ++total;
         }
       }

@@ -84,7 +84,7 @@ TEST(Supercells, AreConnectedAndCoverEveryCellOnAnyStack) {
     for (const auto& [cols, rows] : {std::pair{33, 12}, {9, 50}, {16, 16}, {3, 40}, {65, 5}}) {
       const GridGeometry geometry = cells_of(cols, rows);
       for (const bool total : {false, true}) {
-        const auto seed = static_cast<std::uint64_t>(cols + num_layers);
+        const auto seed = static_cast<std::uint64_t>(cols) + static_cast<std::uint64_t>(num_layers);
         const auto found =
             extract_supercells(random_stack(geometry, num_layers, seed),
                                {.num_levels = 2, .contour_weight = 0.001, .total = total})
