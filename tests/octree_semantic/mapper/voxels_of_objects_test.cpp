@@ -26,8 +26,20 @@ std::set<ObjectId> ids_without_object(const SemanticMapper& mapper) {
   return ids;
 }
 
-/// Boxes that are lost, moved, bloated or of another class now and then, so that objects are made,
-/// merged and removed.
+/// A quarter of the image's height, anywhere in it.
+Detection false_alarm(const PinholeCamera& camera, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const double edge_px = camera.height_px / 4.0;
+  const double u_px = unit(random) * (camera.width_px - edge_px);
+  const double v_px = unit(random) * (camera.height_px - edge_px);
+  Detection alarm;
+  alarm.box_px = {u_px, v_px, u_px + edge_px, v_px + edge_px};
+  alarm.class_scores = class_vector(ClassId{static_cast<std::uint32_t>(random() % 8)}, 0.7, 8);
+  return alarm;
+}
+
+/// Boxes that are lost, moved, bloated, of another class or of nothing now and then, so that
+/// objects are made, merged and removed.
 RgbdFrame disturbed(RgbdFrame frame, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::erase_if(frame.detections, [&](const Detection&) { return unit(random) < 0.4; });
@@ -42,6 +54,7 @@ RgbdFrame disturbed(RgbdFrame frame, std::mt19937& random) {
           class_vector(ClassId{static_cast<std::uint32_t>(random() % 8)}, 0.7, 8);
     }
   }
+  frame.detections.push_back(false_alarm(frame.camera, random));
   return frame;
 }
 
