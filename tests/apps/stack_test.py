@@ -94,6 +94,10 @@ class Stacks(unittest.TestCase):
         listed = {(i, k) for i, point in enumerate(points) for k in point["properties"]["neighbours"] if i < k}
         self.assertEqual(lines, listed)
 
+    def test_one_supercell_is_counted_in_the_singular(self):
+        said = run("cells", self.archive, "--output", self.folder / "cells", "--levels", 10).stdout
+        self.assertIn("1 supercell, 0 moves", said)
+
     def test_a_way_leads_from_neighbour_to_neighbour(self):
         points = []
         cells = self.answer("cells", "--path=-1,-1,1,1")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/exports/supercell_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
@@ -128,9 +129,9 @@ std::string list_of(const std::vector<int>& numbers) {
 }
 
 void print_cells_text(const CellsAnswer& answer) {
-  std::printf("%d supercells, %zu moves, energy %.6f, of the squares %.6f\n",
-              answer.supercells.count,
-              answer.supercells.num_moves,
+  std::printf("%s, %s, energy %.6f, of the squares %.6f\n",
+              count_text(static_cast<std::size_t>(answer.supercells.count), "supercell").c_str(),
+              count_text(answer.supercells.num_moves, "move").c_str(),
               answer.supercells.energy,
               answer.supercells.first_energy);
   if (answer.of_layer) std::printf("found: %s\n", list_of(*answer.of_layer).c_str());

@@ -109,11 +109,7 @@ bool is_beside_the_unmeasured(const RgbdFrame& frame,
       num_unmeasured += is_measured(depth_m) ? 0U : 1U;
       if (is_object[cell] == 0) continue;
       ++num_object;
-      spanned = spanned.empty() ? PixelRect{x, y, x + 1, y + 1}
-                                : PixelRect{std::min(spanned.u_begin, x),
-                                            std::min(spanned.v_begin, y),
-                                            std::max(spanned.u_end, x + 1),
-                                            std::max(spanned.v_end, y + 1)};
+      spanned = united(spanned, {x, y, x + 1, y + 1});
     }
   }
   const double span = static_cast<double>(spanned.width()) * spanned.height();

@@ -28,15 +28,6 @@ constexpr double kStandsOutShare = 0.05;
 /// and to say that nothing was found is better than to put the object in the wrong place.
 constexpr double kFlatShare = 0.6;
 
-PixelRect united(const PixelRect& a, const PixelRect& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.u_begin, b.u_begin),
-          std::min(a.v_begin, b.v_begin),
-          std::max(a.u_end, b.u_end),
-          std::max(a.v_end, b.v_end)};
-}
-
 /// Share of the box that the rectangle spans: a detector's box is tight around its object.
 double span_share(const PixelRect& rect, const PixelRect& box) {
   return static_cast<double>(rect.width()) * rect.height() /

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -43,6 +44,16 @@ struct PixelRect {
   }
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
+
+/// The smallest rectangle around both; an empty one has nothing to be around.
+[[nodiscard]] inline PixelRect united(const PixelRect& a, const PixelRect& b) noexcept {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.u_begin, b.u_begin),
+          std::min(a.v_begin, b.v_begin),
+          std::max(a.u_end, b.u_end),
+          std::max(a.v_end, b.v_end)};
+}
 
 /// The pixels of an image of that size whose centre lies in `box` after it grew by `margin_px` on
 /// each side.
