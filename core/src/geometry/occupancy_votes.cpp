@@ -89,25 +89,10 @@ CellAgreement agreement_of(const OccupancyVotesState& state,
   return out;
 }
 
-/// Forgets the cells that fewest agree on, or, when too many are agreed on, doubles their edges.
+/// Doubles the edges of the cells until there is room. Forgetting those of few votes instead would
+/// keep out what was seen last: of a large thing most cells have one vote.
 void make_room(OccupancyVotesState& state, const OccupancyVotesOptions& options) {
-  while (state.votes.size() > options.max_cells) {
-    const std::uint32_t needed = votes_needed(state, typical_votes(state.votes), options);
-    const auto num_agreed = static_cast<std::size_t>(
-        std::count_if(state.votes.begin(), state.votes.end(), [&](const PointVote& v) {
-          return v.votes >= needed;
-        }));
-    const std::size_t most = options.max_cells;
-    if (num_agreed > most / 4 * 3) {
-      widen(state);
-      continue;
-    }
-    std::stable_sort(state.votes.begin(), state.votes.end(), [](const auto& a, const auto& b) {
-      return a.votes > b.votes;
-    });
-    state.votes.resize(options.max_cells);
-    std::sort(state.votes.begin(), state.votes.end());
-  }
+  while (state.votes.size() > options.max_cells) widen(state);
 }
 
 /// How often the edge `fine_m` doubles up to `coarse_m`.

@@ -2,6 +2,7 @@
 // Long because: one type, each of its rules with numbers worked by hand.
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
+#include "hypermap/core/base/random_numbers.hpp"
 #include "support/object_builders.hpp"
 
 #include <gtest/gtest.h>
@@ -175,6 +176,32 @@ TEST(OccupancyVotes, LargeThingsGetLargerCellsAndMemoryStaysFlat) {
   EXPECT_LE(points.state().votes.size(), points.options().max_cells);
   EXPECT_GT(points.state().edge_m, points.options().edge_m);
   EXPECT_NEAR(points.agreed_box()->extent().x(), 2.0, 0.05);
+}
+
+TEST(OccupancyVotes, WhatIsSeenLastOfALargeThingIsOfItToo) {
+  // A wall of 4 x 2 m has 80,000 cells, and an observation 2,000 points: most cells have one vote
+  // when the last quarter comes into view.
+  OccupancyVotes points;
+  CounterRng random(1, 2);
+  const auto observe = [&](double from_m, double to_m) {
+    std::vector<Eigen::Vector3f> seen;
+    for (int i = 0; i < 2000; ++i) {
+      seen.emplace_back(static_cast<float>(random.uniform(from_m, to_m)),
+                        0.005F,
+                        static_cast<float>(random.uniform(0.0, 2.0)));
+    }
+    points.observe(seen);
+  };
+  for (int i = 0; i < 30; ++i) observe(0.0, 3.0);
+  for (int i = 0; i < 10; ++i) observe(1.0, 4.0);
+  EXPECT_NEAR(points.agreed_box()->max_in_map.x(), 4.0, 0.05);
+  const auto of_quarter = [&](double from_m) {
+    const auto agreed = points.agreed_points();
+    return std::ranges::count_if(agreed, [&](const Eigen::Vector3d& point) {
+      return point.x() > from_m && point.x() < from_m + 1.0;
+    });
+  };
+  EXPECT_GT(of_quarter(3.0), of_quarter(0.0) / 2);
 }
 
 TEST(OccupancyVotes, StraysSideBySideDoNotAgreeWhenCellsWiden) {
