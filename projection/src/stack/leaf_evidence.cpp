@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/caught.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -48,16 +49,19 @@ LeafKinds kinds_in(const LeafSource& leaves, const HeightBand& band, const GridG
   return kinds;
 }
 
-/// What a leaf says of a cell of which it is `num_voxels`.
-int steps_of_leaf(const LeafSample& leaf, double num_voxels) {
-  const LogOdds says = leaf.occupied && leaf.best_class ? leaf.class_log_odds : leaf.occupancy;
+/// What a leaf says of a cell of which it is `num_voxels`. Source: [smap] Eq. (3.18).
+int steps_of_leaf(const LeafSample& leaf, double num_voxels, LogOdds class_prior) {
+  const LogOdds says = leaf.occupied && leaf.best_class
+                           ? LogOdds(leaf.class_log_odds.value() - class_prior.value())
+                           : leaf.occupancy;
   return static_cast<int>(std::lround(num_voxels * to_steps(says)));
 }
 
 ColumnSums sum_columns(const LeafSource& leaves,
                        const HeightBand& band,
                        const GridGeometry& geometry,
-                       const LeafKinds& kinds) {
+                       const LeafKinds& kinds,
+                       LogOdds class_prior) {
   ColumnSums sums;
   const std::size_t num_cells = geometry.num_cells();
   sums.occupied.assign(num_cells, 0);
@@ -70,7 +74,8 @@ ColumnSums sum_columns(const LeafSource& leaves,
   leaves([&](const LeafSample& leaf) {
     for_each_column(geometry, band, leaf, [&](Cell cell, double covered, double height_m) {
       const std::size_t i = geometry.index(cell);
-      const int steps = steps_of_leaf(leaf, covered * height_m / kinds.smallest_edge_m);
+      const int steps =
+          steps_of_leaf(leaf, covered * height_m / kinds.smallest_edge_m, class_prior);
       (leaf.occupied ? sums.occupied : sums.free)[i] += steps;
       if (!leaf.occupied) return;
       sums.is_occupied[i] = true;
@@ -103,7 +108,10 @@ Result<LogOddsGrid> grid_of(ClassId id, const ColumnSums& sums, const OccupancyG
 }  // namespace
 
 Result<std::vector<ClassEvidenceGrid>> project_class_evidence(
-    const LeafSource& leaves, const HeightBand& band, const OccupancyProjectionOptions& options) {
+    const LeafSource& leaves,
+    const HeightBand& band,
+    const OccupancyProjectionOptions& options,
+    std::size_t num_classes) {
   using Grids = std::vector<ClassEvidenceGrid>;
   HYPERMAP_ASSIGN_OR_RETURN(const OccupancyGrid occupancy,
                             project_occupancy(leaves, band, options));
@@ -116,7 +124,8 @@ Result<std::vector<ClassEvidenceGrid>> project_class_evidence(
                   std::to_string(classes.size()) + " grids together have more than 2^30 cells",
                   "resolution_m");
     }
-    const ColumnSums sums = sum_columns(leaves, band, geometry, kinds);
+    const Probability prior(1.0 / static_cast<double>(std::max<std::size_t>(num_classes, 2)));
+    const ColumnSums sums = sum_columns(leaves, band, geometry, kinds, LogOdds::of(prior));
     Grids grids;
     for (const ClassId id : classes) {
       HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid grid, grid_of(id, sums, occupancy));

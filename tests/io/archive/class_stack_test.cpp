@@ -49,7 +49,8 @@ TEST(ClassStack, HasALayerForEachClassInTheBand) {
   const ClassRegistry classes = registry_of({"chair", "never seen", "a/b"});
   const GridStack stack = class_stack(leaves, classes, {}).value();
   EXPECT_THAT(names_of(stack), ElementsAre("/ism/a_b", "/ism/chair"));
-  EXPECT_THAT(stack.layers().at("/ism/chair").cells(), ElementsAre(1500, -1500, -2000));
+  // Of three classes: 1.5 + ln 2 = 2.193; what has no class is something of log-odds 2.
+  EXPECT_THAT(stack.layers().at("/ism/chair").cells(), ElementsAre(2193, -2193, -2000));
   EXPECT_THAT(names_of(class_stack(leaves, classes, {.classes = {"Chair"}}).value()),
               ElementsAre("/ism/chair"));
   EXPECT_THAT(names_of(class_stack(leaves, classes, {.options = {.parent = "/map"}}).value()),

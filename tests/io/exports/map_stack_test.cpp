@@ -62,8 +62,8 @@ TEST(MapStack, HasALayerForEachClass) {
   EXPECT_EQ(stack.options().frame_id, "map");
   const auto chair = stack.layers().at("/ism/chair").cells();
   ASSERT_EQ(chair.size(), 4U);
-  EXPECT_EQ(chair[0], 2000);
-  EXPECT_EQ(chair[1], -2000);  // a cup
+  EXPECT_EQ(chair[0], 2693);   // of three classes: 2 + ln 2
+  EXPECT_EQ(chair[1], -2693);  // a cup
   EXPECT_EQ(chair[2], -1500);  // free
   EXPECT_EQ(chair[3], -1200);  // something without a class
   EXPECT_THAT(

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace hypermap {
@@ -61,6 +62,19 @@ TEST(ClassEvidence, IsTheSumOverTheVoxelsOfAColumn) {
   EXPECT_THAT(grids->front().grid.cells(), ElementsAre(-2200, 2000, -3500, -3000, 0));
   EXPECT_EQ(grids->back().id, kChair);
   EXPECT_THAT(grids->back().grid.cells(), ElementsAre(2200, 400, -3500, -3000, 0));
+}
+
+TEST(ClassEvidence, IsRelativeToWhatIsLikelyBefore) {
+  // [smap] Eq. (3.18): of 80 classes one of p = 0.39 says ln(0.39 / 0.61) + ln 79 = -0.4473 +
+  // 4.3694 = 3.9221 for it; of two, -0.4473.
+  const std::vector<LeafSample> leaves{leaf_of_class(0, 3, kChair, std::log(0.39 / 0.61)),
+                                       leaf_of_class(1, 3, kTable, 0.0)};
+  const auto of_80 = project_class_evidence(visiting(leaves), kBand, {}, 80).value();
+  EXPECT_THAT(of_80.back().grid.cells(), ElementsAre(3922, -4369));
+  for (const std::size_t few : {0U, 1U, 2U}) {
+    const auto of_few = project_class_evidence(visiting(leaves), kBand, {}, few).value();
+    EXPECT_THAT(of_few.back().grid.cells(), ElementsAre(-447, 0));
+  }
 }
 
 TEST(ClassEvidence, CountsVoxelsHoweverLeavesJoinThem) {

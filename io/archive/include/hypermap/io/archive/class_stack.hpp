@@ -29,7 +29,8 @@ struct ClassStackRequest {
 /// The name of a class's or layer's layer in a stack: below the parent, slashes replaced.
 [[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
 
-/// A layer for each class that some leaf in the band bears: project_class_evidence, as it is.
+/// A layer for each class that some leaf in the band bears: project_class_evidence, as it is, of as
+/// many classes as are registered.
 ///
 /// Boundary: no layers where no leaf in the band has one of the classes. Errors: kNotFound when no
 /// leaf lies in the band or a class is not known; those of project_class_evidence and
