@@ -107,6 +107,26 @@ TEST(ForegroundTable, LacksWhatStandsBehindItThoughItIsInTheBox) {
   EXPECT_NEAR(found->box.max_in_map.x(), 2.8, 0.05);
 }
 
+/// A bed seen from its foot. At its head, in its box and 2 cm beside it, there is something of this
+/// edge up to this height; how far to that side the bed reaches, from its middle.
+double side_of_bed_m(double edge_m, double top_m) {
+  BoxScene scene;
+  scene.add(kFloor, {0.5, -3, -0.1}, {6, 3, 0}).add(kTable, {1.5, -0.8, 0.2}, {3.5, 0.8, 0.5});
+  scene.add(kTable, {3.5, -0.8, 0}, {3.55, 0.8, 0.95});
+  scene.add(kChair, {3.4 - edge_m, 0.82, top_m - edge_m}, {3.4, 0.82 + edge_m, top_m});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2.5, 0, 0.5}), 1);
+  const auto found = segment(view.frame, detection_of(view, kTable), {});
+  return found ? found->box.max_in_map.y() : 0.0;
+}
+
+TEST(ForegroundBed, LacksWhatStandsBesideItThoughItIsInTheBox) {
+  EXPECT_NEAR(side_of_bed_m(0.4, 0.42), 0.8, 0.03);
+}
+
+TEST(ForegroundBed, HasAFragmentBesideIt) {
+  EXPECT_NEAR(side_of_bed_m(0.15, 0.62), 0.97, 0.03);
+}
+
 TEST(ForegroundFlatThing, IsThePatchOfItsSupportInsideTheBox) {
   BoxScene scene;
   scene.add(kTable, {0.5, -2, 0.7}, {4, 2, 0.75});

@@ -3,6 +3,8 @@
 
 #include "part_behind.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -18,8 +20,10 @@ constexpr double kCompetingOverlap = 0.5;
 constexpr double kCompetingScore = 0.1;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
 constexpr double kPartMinGain = 0.03;
-/// Or it is a fragment of less than this share of the best surface: a leaf, a blade.
+/// Or it is a fragment of less than this share of the best surface and from above no larger than
+/// this: a leaf, a blade, a leg, not what stands beside a bed.
 constexpr double kFragmentShare = 0.2;
+constexpr double kFragmentSizeM = 0.5;
 /// A part is not the background seen through the object.
 constexpr double kPartMinOutline = 0.3;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
@@ -130,6 +134,14 @@ bool are_near(const Columns& a, const Columns& b, float height_gap_m) {
   });
 }
 
+/// The diagonal of the rectangle along the axes that they cover of the plan.
+double plan_size_m(const Columns& columns, double edge_m) {
+  Eigen::AlignedBox2i cover;
+  for (const Column& column : columns) cover.extend(Eigen::Vector2i(column.x, column.y));
+  return cover.isEmpty() ? 0.0
+                         : edge_m * (cover.sizes() + Eigen::Vector2i::Ones()).cast<double>().norm();
+}
+
 /// Surfaces that may complete the object, the largest first: no background, and not a few pixels.
 ComponentIds part_candidates(const DepthWindow& window,
                              const DepthComponents& labelled,
@@ -170,12 +182,13 @@ ComponentIds with_parts(const DepthWindow& window,
     const PixelRect bounds = labelled.components[id].bounds_in_box;
     const PixelRect wider = united(covered, bounds);
     const double gain = span_share(wider, window.box) - span_share(covered, window.box);
-    const bool is_fragment =
+    const bool widens = gain >= kPartMinGain;
+    const bool is_small =
         labelled.components[id].num_in_box < kFragmentShare * labelled.components[best].num_in_box;
-    if (gain < kPartMinGain && !is_fragment) return false;
-    const double height_gap_m =
-        gain < kPartMinGain ? options.part_gap_m : options.part_height_gap_m;
+    if (!widens && !is_small) return false;
+    const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
+    if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
     if (!are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id))
       return false;
