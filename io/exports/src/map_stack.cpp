@@ -83,12 +83,6 @@ Result<OccupancyGrid> trinary(const LogOddsGrid& grid) {
 
 }  // namespace
 
-std::string stack_layer_name(std::string_view parent, std::string_view name) {
-  std::string plain(name);
-  std::ranges::replace(plain, '/', '_');
-  return std::string(parent) + "/" + plain;
-}
-
 Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
   HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, projection_geometry(leaves, request.band));

@@ -94,6 +94,9 @@ class GridStack {
   Layers layers_;
 };
 
+/// The name of a class's or another map's layer in a stack: below the parent, slashes replaced.
+[[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
+
 /// Whether a layer is the one of that name or lies below it: "/ism/a/b" is of "/ism/a".
 [[nodiscard]] bool is_at_or_below(std::string_view layer, std::string_view name);
 

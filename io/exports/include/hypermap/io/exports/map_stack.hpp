@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -28,9 +27,6 @@ struct MapStackRequest {
   GridStackOptions options = {};  ///< Its frame is that of the map's voxels, whatever stands there.
   ResamplingOptions resampling = {};  ///< Of fused layers.
 };
-
-/// The name of a class's or layer's layer in a stack: below the parent, slashes replaced.
-[[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
 
 /// A stack on the cells of the map's class grids: project_class_evidence of its shown voxels
 /// (`shown_leaves`) in the largest region of the map, and the layers asked for, by their frames.
