@@ -48,15 +48,15 @@ TEST(TiltedScanModel, ACellIsToldOnceAndObstaclesWin) {
   const TiltedScanModel model = TiltedScanModel::create({.evidence = {.resolution_m = 0.1},
                                                          .heights = {.ground_tolerance_m = 0.05}})
                                     .value();
-  const auto told = [&](const std::vector<double>& ranges_m) {
+  const auto says = [&](const std::vector<double>& ranges_m) {
     return model.grids(steep(ranges_m)).value().front().grid;
   };
   // Both in [0.7, 0.8): 0.99 m at x = 0.792, z = 0.006; 0.9 m at x = 0.72, z = 0.06.
-  for (const LogOddsGrid& grid : {told({0.99, 0.9}), told({0.9, 0.99})}) {
+  for (const LogOddsGrid& grid : {says({0.99, 0.9}), says({0.9, 0.99})}) {
     EXPECT_EQ(grid.num_known(), 1U);
     EXPECT_EQ(grid.at(cell_at(grid.geometry(), {0.75, 0.01}).value()), kHit);
   }
-  const LogOddsGrid twice = told({0.99, 0.98});
+  const LogOddsGrid twice = says({0.99, 0.98});
   EXPECT_EQ(twice.at(cell_at(twice.geometry(), {0.75, 0.01}).value()), kFree);
 }
 
