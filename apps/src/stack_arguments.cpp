@@ -3,10 +3,13 @@
 
 #include "choices.hpp"
 #include "hypermap/core/base/option_table.hpp"
+#include "hypermap/io/archive/class_stack.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/projection/grids/layer_options.hpp"
 #include "hypermap/projection/stack/stack_services.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
+#include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -66,6 +69,19 @@ Result<GridGeometry> geometry_asked_for(const StackArguments& arguments,
   return geometry;
 }
 
+/// A layer of the map that is a stack.
+Result<GridStack> stored_stack(const MapArchive& map, const std::string& name) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, map.hypermap.at(name));
+  const auto* stack = layer->content.as<GridStackLayer>();
+  if (stack != nullptr && stack->stack()) return *stack->stack();
+  return fail(ErrorCode::kUnsupported, "layer " + printable(name) + " is no stack", "--from");
+}
+
+Result<GridStack> whole_stack(const MapArchive& map, const StackArguments& arguments) {
+  if (arguments.from) return stored_stack(map, *arguments.from);
+  return stack_of_map(map, arguments.request);
+}
+
 }  // namespace
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
@@ -76,14 +92,20 @@ void StackArguments::add_to(CLI::App& command) {
   const OptionTable& heights = option_table(LayerOptions{});
   const OptionTable& resampling = option_table(ResamplingOptions{});
   command.add_option("file", file, "archive or configuration")->required();
-  command.add_option("--min-height", request.band.min_m, "of voxels that count")
+  CLI::Option* from_option =
+      command.add_option("--from", from, "take this layer of the map, a stack, not its voxels");
+  command
+      .add_option("--archive", archive, "the map with what is made here as layers, as an archive")
+      ->type_name("FILE");
+  command.add_option("--min-height", request.of_classes.band.min_m, "of voxels that count")
       ->check(value_of_field(heights, "min_height_m"))
       ->capture_default_str();
-  command.add_option("--max-height", request.band.max_m, "of voxels that count")
+  command.add_option("--max-height", request.of_classes.band.max_m, "of voxels that count")
       ->check(value_of_field(heights, "max_height_m"))
       ->capture_default_str();
   command
-      .add_option("--class", request.classes, "only these, separated by commas; may be repeated")
+      .add_option(
+          "--class", request.of_classes.classes, "only these, separated by commas; may be repeated")
       ->delimiter(',');
   command
       .add_option(
@@ -91,7 +113,9 @@ void StackArguments::add_to(CLI::App& command) {
           fused,
           "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; may be repeated")
       ->delimiter(',');
-  command.add_option("--keep-share", request.options.keep_share, "of evidence when new comes")
+  command
+      .add_option(
+          "--keep-share", request.of_classes.options.keep_share, "of evidence when new comes")
       ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
       ->capture_default_str();
   command
@@ -116,6 +140,10 @@ void StackArguments::add_to(CLI::App& command) {
           "no cell counts as surer than this (default: 1e-06)")
       ->check(value_of_field(resampling, "epsilon"));
   load.add_to(command);
+  for (const char* of_voxels :
+       {"--min-height", "--max-height", "--class", "--fuse", "--keep-share"}) {
+    from_option->excludes(command.get_option(of_voxels));
+  }
 }
 
 void StackArguments::finish() {
@@ -124,16 +152,20 @@ void StackArguments::finish() {
       static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
   request.fused.clear();
   for (const std::string& text : fused) request.fused.push_back(parse_fused(text));
+  if (archive) {
+    keep_apart("--archive", *archive, {file});
+    keep_suffix("--archive", *archive, ".hmap");
+  }
   if (const auto parsed = parse_area(area); !parsed) {
     throw CLI::ValidationError("--area", parsed.error().what);
   }
 }
 
-Result<GridStack> StackArguments::make() const {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto loaded,
-                            load_archive(file, load.limits, {}, stop_when_interrupted()));
+Result<StackOfFile> StackArguments::make() const {
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto loaded, load_archive(file, load.limits, archive_layer_types(), stop_when_interrupted()));
   auto cut = [&]() -> Result<GridStack> {
-    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, stack_of_map(loaded.value, request));
+    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, whole_stack(loaded.value, *this));
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
     for (const std::string& name : layers) {
@@ -142,7 +174,18 @@ Result<GridStack> StackArguments::make() const {
     return cut_out(stack, asked);
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {file}));
-  return cut;
+  return StackOfFile{.map = std::move(loaded.value), .stack = std::move(*cut)};
+}
+
+Result<std::vector<std::filesystem::path>> StackArguments::save(StackOfFile made,
+                                                                std::vector<Layer> further) const {
+  if (!archive) return std::vector<std::filesystem::path>{};
+  further.push_back(
+      {LayerInfo{.name = std::string(kStackLayer), .frame_id = made.stack.options().frame_id},
+       GridStackLayer(std::move(made.stack))});
+  for (Layer& layer : further) HYPERMAP_TRY(made.map.hypermap.put_layer(std::move(layer)));
+  HYPERMAP_TRY(save_archive(made.map, *archive, {.limits = load.limits}));
+  return std::vector<std::filesystem::path>{*archive};
 }
 
 }  // namespace hypermap::app

@@ -4,20 +4,30 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 #include "load_arguments.hpp"
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace hypermap::app {
 
+/// A map, and the stack that was asked of it.
+struct StackOfFile {
+  MapArchive map;
+  GridStack stack;
+};
+
 struct StackArguments {
   std::string file;
+  std::optional<std::string> archive;  ///< Where the map with what was made is saved.
+  std::optional<std::string> from;     ///< The stack is this layer of the map's.
   MapStackRequest request;
   std::string rule = "biodds";
   std::vector<std::string> fused;  ///< NAME or NAME=WEIGHT.
@@ -30,8 +40,12 @@ struct StackArguments {
   void add_to(CLI::App& command);
   /// Throws CLI::ValidationError for what is no number, area or layer. To be called before make.
   void finish();
-  /// The stack, cut out as asked. Errors: those of loading, stack_of_map and cut_out.
-  [[nodiscard]] Result<GridStack> make() const;
+  /// The stack, cut out as asked. Errors: those of loading, stack_of_map and cut_out; kUnsupported
+  /// when the layer to take it from is no stack.
+  [[nodiscard]] Result<StackOfFile> make() const;
+  /// Saves the map with the layers that were made, where an archive is asked for; gives its path.
+  [[nodiscard]] Result<std::vector<std::filesystem::path>> save(StackOfFile made,
+                                                                std::vector<Layer> further) const;
 };
 
 /// The full name of a layer that may be named without its parent.

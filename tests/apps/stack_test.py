@@ -112,6 +112,35 @@ class Stacks(unittest.TestCase):
         avoiding = self.answer("cells", "--path=-1,-1,1,1", "--fuse", "occupancy", "--avoid", "occupancy")["path"]
         self.assertGreaterEqual(avoiding["length_m"], 2.0)
 
+    def test_what_is_made_is_kept_in_an_archive(self):
+        kept = self.folder / "kept.hmap"
+        made = self.answer("stack", "--resolution", 0.2, "--archive", kept)
+        self.assertEqual(made["files"][-1], str(kept))
+        result = run("stack", kept, "--from", "stack", "--output", self.folder / "again", "--json")
+        self.assertEqual(json.loads(result.stdout)["layers"], made["layers"], result.stderr)
+        with_cells = self.folder / "cells.hmap"
+        result = run("cells", kept, "--from", "stack", "--output", self.folder / "cells", "--archive", with_cells, "--json")
+        cells = json.loads(result.stdout)
+        layers = {layer["name"]: layer for layer in json.loads(run("info", with_cells, "--json").stdout)["layers"]}
+        self.assertEqual(layers["stack"]["class"], "GridStackLayer")
+        self.assertEqual(layers["stack"]["cells"]["occupied"], made["combined"]["occupied"])
+        self.assertEqual((layers["supercells"]["class"], layers["supercells"]["objects"]),
+                         ("SupercellLayer", cells["supercells"]))
+        name = self.classes_with_a_grid()[0]
+        found = json.loads(run("query", with_cells, "--layer", "stack", "--string", name, "--json").stdout)
+        self.assertEqual(len(found["results"]),
+                         next(layer["occupied"] for layer in made["layers"] if layer["name"] == f"/ism/{name}"))
+        self.assertEqual(run("check", with_cells).returncode, 0)
+
+    def test_a_map_keeps_a_stack_when_told_to(self):
+        own = self.folder / "own.hmap"
+        dataset = self.shared / "lab"
+        result = run("map", "--input", dataset, "--resolution", 0.1, "--stack", "--output", own)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        whole = self.answer("stack")
+        result = run("stack", own, "--from", "stack", "--output", self.folder / "own", "--json")
+        self.assertEqual(json.loads(result.stdout)["layers"], whole["layers"], result.stderr)
+
     def test_the_same_map_gives_the_same_bytes(self):
         for command in ("stack", "cells"):
             digests = set()
@@ -133,7 +162,11 @@ class Stacks(unittest.TestCase):
                                         (["stack", "--fuse", "occupancy=-1"], 2, "weight"), (["stack", "--pool", "mean"], 4, "maximum"),
                                         (["cells", "--levels", 0], 4, "1 .. 10"), (["cells", "--path", "0,0,1"], 4, "--path"),
                                         (["cells", "--path", "0,0,500,0"], 2, "--path"), (["cells", "--of", "chiar"], 2, "/ism/chair"),
-                                        (["cells", "--avoid", "chair"], 4, "--path")):
+                                        (["cells", "--avoid", "chair"], 4, "--path"),
+                                        (["stack", "--from", "semantic"], 2, "no stack"), (["stack", "--from", "stakc"], 2, "stakc"),
+                                        (["stack", "--from", "stack", "--class", "chair"], 4, "--class"),
+                                        (["stack", "--archive", self.archive], 4, "--archive"),
+                                        (["cells", "--archive", self.folder / "x.zip"], 4, ".hmap")):
             with self.subTest(arguments):
                 result = run(arguments[0], self.archive, *arguments[1:], *output)
                 self.assertEqual(result.returncode, status, result.stdout + result.stderr)

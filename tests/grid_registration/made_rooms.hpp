@@ -73,8 +73,8 @@ inline LogOddsGrid seen_room(const PlanRoom& room,
       int num_occupied = 0;
       int num_inside = 0;
       for (int i = 0; i < 9; ++i) {
-        const Eigen::Vector2d part(col + (i % 3) / 3.0 + 1.0 / 6.0,
-                                   row + (i / 3) / 3.0 + 1.0 / 6.0);
+        const int below = i / 3;
+        const Eigen::Vector2d part(col + (i % 3) / 3.0 + 1.0 / 6.0, row + below / 3.0 + 1.0 / 6.0);
         const Eigen::Vector2d place =
             (room_from_frame * from_cells(geometry, part).homogeneous()).hnormalized();
         num_inside += room.is_inside(place) ? 1 : 0;

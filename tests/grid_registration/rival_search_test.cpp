@@ -18,7 +18,8 @@ GridImage speckles(int cols, int rows, int period) {
   for (int row = 0; row < rows; ++row) {
     for (int col = 0; col < cols; ++col) {
       const int source = period > 0 ? col % period : col;
-      const auto number = static_cast<std::uint64_t>(row * 1000 + source);
+      const auto number = std::uint64_t{1000} * static_cast<std::uint64_t>(row) +
+                          static_cast<std::uint64_t>(source);
       image.value(row, col) = static_cast<float>(random.uniform_at(number) - 0.5);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "hypermap/core/base/count_text.hpp"
+#include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/io/exports/supercell_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
@@ -60,8 +61,9 @@ Result<std::vector<int>> found_of(const TopometricGraph& graph,
                                   const CellsCommand& arguments,
                                   const std::string& layer,
                                   double at_least) {
-  return supercells_of(
-      graph, full_layer_name(arguments.stack.request.options, layer), Probability(at_least));
+  return supercells_of(graph,
+                       full_layer_name(arguments.stack.request.of_classes.options, layer),
+                       Probability(at_least));
 }
 
 /// A way that leads through no supercell that is more probably of the layer to avoid than not.
@@ -71,7 +73,8 @@ Result<std::optional<GraphPath>> path_asked_for(const CellsAnswer& answer,
   HYPERMAP_ASSIGN_OR_RETURN(const int from, supercell_below(answer.supercells, ends[0], ends[1]));
   HYPERMAP_ASSIGN_OR_RETURN(const int to, supercell_below(answer.supercells, ends[2], ends[3]));
   if (!arguments.avoid) return shortest_path(answer.graph, from, to);
-  const std::string name = full_layer_name(arguments.stack.request.options, *arguments.avoid);
+  const std::string name =
+      full_layer_name(arguments.stack.request.of_classes.options, *arguments.avoid);
   HYPERMAP_TRY(supercells_of(answer.graph, name));
   const auto place = static_cast<std::size_t>(std::ranges::find(answer.graph.layers, name) -
                                               answer.graph.layers.begin());
@@ -80,15 +83,28 @@ Result<std::optional<GraphPath>> path_asked_for(const CellsAnswer& answer,
   });
 }
 
+Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
+                                                      StackOfFile made,
+                                                      const StackArguments& arguments) {
+  if (!arguments.archive) return std::vector<std::filesystem::path>{};
+  HYPERMAP_ASSIGN_OR_RETURN(SupercellLayer layer,
+                            SupercellLayer::create(answer.supercells, answer.graph));
+  std::vector<Layer> layers;
+  layers.push_back(
+      {LayerInfo{.name = std::string(kSupercellLayer), .frame_id = made.stack.options().frame_id},
+       std::move(layer)});
+  return arguments.save(std::move(made), std::move(layers));
+}
+
 Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   ClassPalette palette;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, arguments.stack.make());
+  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
   CellsAnswer answer;
-  HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(stack, arguments.options));
-  HYPERMAP_ASSIGN_OR_RETURN(answer.graph, topometric_graph(stack, answer.supercells));
+  HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(made.stack, arguments.options));
+  HYPERMAP_ASSIGN_OR_RETURN(answer.graph, topometric_graph(made.stack, answer.supercells));
   if (arguments.of_layer) {
     HYPERMAP_ASSIGN_OR_RETURN(
         answer.of_layer,
@@ -100,6 +116,8 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(
       answer.files, write_supercells(answer.supercells, answer.graph, arguments.output, palette));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto saved, save_cells(answer, std::move(made), arguments.stack));
+  answer.files.insert(answer.files.end(), saved.begin(), saved.end());
   return answer;
 }
 

@@ -29,7 +29,8 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   }
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto loaded,
-      load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
+      load_archive(
+          arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
   auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   return written;

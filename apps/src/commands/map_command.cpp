@@ -39,6 +39,7 @@ struct MapArguments {
   std::optional<std::string> resolution_m;
   std::optional<std::string> max_range_m;
   bool refine_poses = false;
+  bool class_stack = false;
   std::optional<std::string> stats;
   std::optional<std::string> transform;
   int num_threads = 0;
@@ -70,12 +71,15 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   }
   const std::optional<std::string> refinement =
       arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
+  const std::optional<std::string> class_stack =
+      arguments.class_stack ? std::optional<std::string>("true") : std::nullopt;
   HYPERMAP_ASSIGN_OR_RETURN(options,
                             with_flags(std::move(options),
                                        {{"integration.mode", arguments.mode},
                                         {"octree.resolution_m", arguments.resolution_m},
                                         {"integration.max_range_m", arguments.max_range_m},
-                                        {"refinement.rule", refinement}}));
+                                        {"refinement.rule", refinement},
+                                        {"projection.class_stack", class_stack}}));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
   auto& transient = job.mapper.objects.transient_class_names;
@@ -198,6 +202,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                    arguments.refine_poses,
                    "mend given poses that are a little wrong by the surfaces that earlier frames "
                    "showed (refinement.rule)");
+  command.add_flag("--stack",
+                   arguments.class_stack,
+                   "keep a layer `stack` too: log-odds for each class, which stack and cells take "
+                   "(projection.class_stack)");
   command
       .add_option("--checkpoint-every",
                   arguments.job.checkpoint_every,

@@ -119,8 +119,10 @@ void print_hint(const MapArchive& archive, const MapQuery& query) {
 }
 
 ExitCode run(const QueryRequest& request) {
-  const auto loaded = load_archive(
-      request.arguments.file, request.arguments.load.limits, {}, stop_when_interrupted());
+  const auto loaded = load_archive(request.arguments.file,
+                                   request.arguments.load.limits,
+                                   archive_layer_types(),
+                                   stop_when_interrupted());
   if (!loaded) return report(loaded.error());
   auto answers = run_query(loaded->value, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);

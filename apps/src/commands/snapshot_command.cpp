@@ -57,7 +57,8 @@ Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
   }
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto loaded,
-      load_archive(arguments.file, arguments.load.limits, {}, stop_when_interrupted()));
+      load_archive(
+          arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
   const MapArchive& archive = loaded.value;
   const auto confirmed = confirmed_objects_of(archive);
   SnapshotScene scene = map_scene(

@@ -41,9 +41,12 @@ Pooling pooling_of(const std::string& name) {
 }
 
 Result<WrittenStack> write_stack(const StackCommand& arguments) {
-  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, arguments.stack.make());
+  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
+  GridStack stack = made.stack;
   HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid combined, pooled(stack, pooling_of(arguments.pooling)));
   HYPERMAP_ASSIGN_OR_RETURN(auto files, write_stack_maps(stack, combined, arguments.output));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto saved, arguments.stack.save(std::move(made), {}));
+  files.insert(files.end(), saved.begin(), saved.end());
   return WrittenStack{std::move(stack), std::move(combined), std::move(files)};
 }
 

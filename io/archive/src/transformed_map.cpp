@@ -84,15 +84,22 @@ Result<FrameTree> moved_frames(const FrameTree& frames, const UprightMotion& mot
   return moved;
 }
 
+/// None when the layer is of another type.
+template <class T>
+std::optional<Result<LayerContent>> moved_as(const Layer& layer, const UprightMotion& motion) {
+  const auto* content = layer.content.as<T>();
+  if (content == nullptr) return std::nullopt;
+  return transformed(*content, motion).map([](T moved) { return LayerContent(std::move(moved)); });
+}
+
 Result<LayerContent> moved_content(const Layer& layer, const UprightMotion& motion) {
   if (const auto* occupancy = layer.content.as<OccupancyLayer>()) {
     HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid grid, transformed(occupancy->grid, motion));
     return LayerContent(OccupancyLayer(std::move(grid), occupancy->extra));
   }
-  if (const auto* semantic = layer.content.as<SemanticLayer>()) {
-    HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer shapes, transformed(*semantic, motion));
-    return LayerContent(std::move(shapes));
-  }
+  if (const auto moved = moved_as<SemanticLayer>(layer, motion)) return *moved;
+  if (const auto moved = moved_as<GridStackLayer>(layer, motion)) return *moved;
+  if (const auto moved = moved_as<SupercellLayer>(layer, motion)) return *moved;
   return unsupported(layer.info.name, "lies in frame map and cannot be moved");
 }
 

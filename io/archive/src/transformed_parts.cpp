@@ -16,6 +16,12 @@ double turned_by(double angle_rad, double yaw_rad) {
   return yaw_rad == 0.0 ? angle_rad : std::remainder(angle_rad + yaw_rad, kTurn);
 }
 
+GridGeometry moved_geometry(GridGeometry geometry, const UprightMotion& motion) {
+  geometry.origin = motion.in_plane() * geometry.origin;
+  geometry.yaw_rad = turned_by(geometry.yaw_rad, motion.yaw_rad);
+  return geometry;
+}
+
 Ring moved_ring(const Ring& ring, const Eigen::Isometry2d& motion) {
   Ring moved;
   moved.reserve(ring.size());
@@ -41,10 +47,32 @@ Result<Polygon> transformed(const Polygon& polygon, const UprightMotion& motion)
 
 Result<OccupancyGrid> transformed(const OccupancyGrid& grid, const UprightMotion& motion) {
   if (grid.cells().empty()) return grid;
-  GridGeometry geometry = grid.geometry();
-  geometry.origin = motion.in_plane() * geometry.origin;
-  geometry.yaw_rad = turned_by(geometry.yaw_rad, motion.yaw_rad);
-  return OccupancyGrid::create(geometry, {grid.cells().begin(), grid.cells().end()});
+  return OccupancyGrid::create(moved_geometry(grid.geometry(), motion),
+                               {grid.cells().begin(), grid.cells().end()});
+}
+
+Result<GridStackLayer> transformed(const GridStackLayer& layer, const UprightMotion& motion) {
+  if (!layer.stack()) return layer;
+  const GridGeometry geometry = moved_geometry(layer.stack()->geometry(), motion);
+  GridStack::Layers layers;
+  for (const auto& [name, grid] : layer.stack()->layers()) {
+    HYPERMAP_ASSIGN_OR_RETURN(
+        LogOddsGrid moved,
+        LogOddsGrid::create(geometry, {grid.cells().begin(), grid.cells().end()}));
+    layers.emplace(name, std::move(moved));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(
+      GridStack stack, GridStack::create(geometry, layer.stack()->options(), std::move(layers)));
+  return GridStackLayer(std::move(stack));
+}
+
+Result<SupercellLayer> transformed(const SupercellLayer& layer, const UprightMotion& motion) {
+  if (layer.supercells().labels.empty()) return layer;
+  Supercells supercells = layer.supercells();
+  supercells.geometry = moved_geometry(supercells.geometry, motion);
+  TopometricGraph graph = layer.graph();
+  for (SupercellNode& node : graph.nodes) node.centroid = motion.in_plane() * node.centroid;
+  return SupercellLayer::create(std::move(supercells), std::move(graph));
 }
 
 Result<SemanticLayer> transformed(const SemanticLayer& layer, const UprightMotion& motion) {

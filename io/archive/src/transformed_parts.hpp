@@ -6,6 +6,8 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
+#include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
@@ -27,6 +29,12 @@ struct UprightMotion {
 /// Boundary: a grid without cells lies nowhere and stays. Errors: as validate(GridGeometry).
 [[nodiscard]] Result<OccupancyGrid> transformed(const OccupancyGrid& grid,
                                                 const UprightMotion& motion);
+/// Boundary: a layer without a stack stays. Errors: as validate(GridGeometry).
+[[nodiscard]] Result<GridStackLayer> transformed(const GridStackLayer& layer,
+                                                 const UprightMotion& motion);
+/// Boundary: a layer without cells stays. Errors: as validate(GridGeometry).
+[[nodiscard]] Result<SupercellLayer> transformed(const SupercellLayer& layer,
+                                                 const UprightMotion& motion);
 /// Errors: as of polygons, naming the object.
 [[nodiscard]] Result<SemanticLayer> transformed(const SemanticLayer& layer,
                                                 const UprightMotion& motion);

@@ -15,7 +15,8 @@ namespace hypermap {
 
 Result<FileSummary> check_archive(const std::filesystem::path& path,
                                   const FileCheckOptions& options) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, options.limits, {}, options.stop));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto loaded, load_archive(path, options.limits, archive_layer_types(), options.stop));
   return FileSummary{"archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
                          " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)",
                      std::move(loaded.findings)};

@@ -16,7 +16,7 @@ using DescribedFile = Result<Loaded<FileInfo>>;
 DescribedFile describe_archive(const std::filesystem::path& path,
                                const ArchiveLimits& limits,
                                const StopCheck& stop) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, limits, {}, stop));
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, limits, archive_layer_types(), stop));
   return Loaded<FileInfo>{describe(loaded.value), std::move(loaded.findings)};
 }
 

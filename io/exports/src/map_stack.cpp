@@ -3,16 +3,11 @@
 
 #include "export_folder.hpp"
 #include "export_parts.hpp"
-#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/map_server.hpp"
-#include "hypermap/projection/stack/leaf_evidence.hpp"
 #include "map_file_pair.hpp"
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -24,31 +19,6 @@ Result<LeafSource> voxels_of(const MapArchive& archive) {
   const LeafSource leaves = shown_leaves(archive);
   if (!leaves) return fail(ErrorCode::kNotFound, "the map has no octree");
   return leaves_of_largest(leaves, MapRegions::find(leaves));
-}
-
-Result<std::set<ClassId>> classes_asked_for(const MapArchive& archive,
-                                            const std::vector<std::string>& names) {
-  const auto ids = archive.classes.find_all(names);
-  if (!ids) return fail(ids.error().code, ids.error().what, "--class");
-  return std::set<ClassId>(ids->begin(), ids->end());
-}
-
-Result<void> fuse_classes(GridStack& stack,
-                          const MapArchive& archive,
-                          const LeafSource& leaves,
-                          const MapStackRequest& request) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, classes_asked_for(archive, request.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(auto grids, project_class_evidence(leaves, request.band));
-  for (ClassEvidenceGrid& evidence : grids) {
-    const bool is_wanted = request.classes.empty() || wanted.contains(evidence.id);
-    if (!is_wanted || !archive.classes.contains(evidence.id)) continue;
-    std::string layer = stack_layer_name(stack.options().parent, archive.classes.name(evidence.id));
-    if (stack.layers().contains(layer)) layer += "-" + std::to_string(evidence.id.value);
-    HYPERMAP_TRY(stack.fuse({.layer = std::move(layer), .grid = std::move(evidence.grid)},
-                            Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
-                            {.rule = ResamplingRule::kNearest}));
-  }
-  return {};
 }
 
 Result<void> fuse_layer(GridStack& stack,
@@ -85,16 +55,9 @@ Result<OccupancyGrid> trinary(const LogOddsGrid& grid) {
 
 Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
-  HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, projection_geometry(leaves, request.band));
-  if (geometry.num_cells() == 0) {
-    return fail(ErrorCode::kNotFound,
-                "no voxel lies between heights of " + number_text(request.band.min_m) + " and " +
-                    number_text(request.band.max_m) + " m");
-  }
-  GridStackOptions options = request.options;
-  options.frame_id = shown_frame_id(archive);
-  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, GridStack::create(geometry, std::move(options)));
-  HYPERMAP_TRY(fuse_classes(stack, archive, leaves, request));
+  ClassStackRequest of_classes = request.of_classes;
+  of_classes.options.frame_id = shown_frame_id(archive);
+  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, class_stack(leaves, archive.classes, of_classes));
   for (const FusedLayer& fused : request.fused) {
     HYPERMAP_TRY(fuse_layer(stack, archive, fused, request.resampling));
   }

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/exports/supercell_export.hpp"
+#include "hypermap/projection/stack/evidence_color.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
 
 namespace hypermap {
 namespace {
 
 constexpr int kLongerSide = 512;  // in pixels
-constexpr Rgb8 kNothingKnown{150, 150, 150};
-constexpr Rgb8 kAllSayNo{235, 235, 235};
-
-std::string_view class_of_layer(std::string_view layer) {
-  return layer.substr(layer.rfind('/') + 1);
-}
-
-Rgb8 color_of_node(const SupercellNode& node,
-                   const TopometricGraph& graph,
-                   const ClassPalette& palette) {
-  if (const auto best = best_layer(node))
-    return palette.color_of(class_of_layer(graph.layers[*best]));
-  const bool is_known =
-      std::ranges::any_of(node.mean, [](LogOdds mean) { return mean != LogOdds(); });
-  return is_known ? kAllSayNo : kNothingKnown;
-}
 
 Rgb8 darker(Rgb8 color) {
   const auto part = [](std::uint8_t value) { return static_cast<std::uint8_t>(value * 3 / 5); };
@@ -38,7 +22,7 @@ ColorImage supercell_image(const Supercells& supercells,
                            const ClassPalette& palette) {
   std::vector<Rgb8> colors;
   for (const SupercellNode& node : graph.nodes)
-    colors.push_back(color_of_node(node, graph, palette));
+    colors.push_back(evidence_color(evidence_of(node, graph), palette));
   const GridGeometry& geometry = supercells.geometry;
   const int scale = std::max(kLongerSide / std::max(geometry.cols, geometry.rows), 1);
   ColorImage image(geometry.cols * scale, geometry.rows * scale);

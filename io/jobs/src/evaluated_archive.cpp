@@ -36,7 +36,8 @@ std::optional<BelievedObject> believed(const Object& object,
 
 Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
                                         const EvaluatedSource& source) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, source.limits, {}, source.stop));
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
+                            load_archive(path, source.limits, archive_layer_types(), source.stop));
   EvaluatedArchive result{.archive = std::move(loaded.value)};
   const auto found = result.archive.hypermap.at(source.layer);
   if (!found) return Unexpected(with_source(found.error(), {path.string()}));

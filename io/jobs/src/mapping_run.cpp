@@ -179,7 +179,8 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   run.input_name =
       printable(std::filesystem::absolute(job.input).lexically_normal().filename().string());
   if (job.append) {
-    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(job.output, job.limits, {}, job.stop));
+    HYPERMAP_ASSIGN_OR_RETURN(
+        auto loaded, load_archive(job.output, job.limits, archive_layer_types(), job.stop));
     run.classes = loaded.value.classes;
     run.previous = std::move(loaded.value);
   }

@@ -94,7 +94,8 @@ Result<SavedRun> load_saved_run(const MappingJob& job) {
                           .field = kOption},
                          job);
   }
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_archive(path, job.limits, {}, job.stop));
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
+                            load_archive(path, job.limits, archive_layer_types(), job.stop));
   MapArchive& map = loaded.value;
   if (map.checkpoint.kind == ValueKind::kNull || !map.octree || map.provenance.empty()) {
     return in_checkpoint({.code = ErrorCode::kUnsupported,

@@ -23,6 +23,9 @@ constexpr OptionRow kLayerRows[] = {
         "carve_footprints",
         {.effect = "Footprints by policy voxels lack what was looked through and where other "
                    "objects stand; else they are convex."}),
+    option::flag<&LayerOptions::class_stack>(
+        "class_stack",
+        {.effect = "A layer `stack` of log-odds for each class is kept beside the others."}),
 };
 
 Result<void> check_band(const LayerOptions& options) {

@@ -101,6 +101,11 @@ Result<void> Hypermap::set_content(std::string_view name, LayerContent content) 
   return add_layer(std::move(layer));
 }
 
+Result<void> Hypermap::put_layer(Layer layer) {
+  if (find(layer.info.name) == nullptr) return add_layer(std::move(layer));
+  return set_content(layer.info.name, std::move(layer.content));
+}
+
 Result<void> Hypermap::update(std::string_view name, const LayerContent& update) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, at(name));
   if (!layer->info.enable_update.value_or(true)) {

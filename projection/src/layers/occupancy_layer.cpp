@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/occupancy_layer.hpp"
 
+#include "hypermap/projection/layers/asked_cells.hpp"
 #include "hypermap/projection/layers/layer_members.hpp"
 
 #include <string>
@@ -21,23 +22,6 @@ bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {
          (!query.text || is_spelling_of(occupancy_string(occupancy), *query.text));
 }
 
-/// Cells where the query looks, in row-major order.
-template <class Visit>
-void for_each_cell(const GridGeometry& geometry, const LayerQuery& query, const Visit& visit) {
-  const auto at = query.at ? cell_at(geometry, query.at->xy) : std::nullopt;
-  if (query.at && !at) return;
-  if (query.area) {
-    for_each_covered_cell(geometry, *query.area, [&](Cell cell, double /*covered*/) {
-      if (!at || cell == *at) visit(cell);
-    });
-    return;
-  }
-  if (at) return visit(*at);
-  for (int row = 0; row < geometry.rows; ++row) {
-    for (int col = 0; col < geometry.cols; ++col) visit(Cell{col, row});
-  }
-}
-
 }  // namespace
 
 LayerStatistics OccupancyLayer::statistics() const {
@@ -51,7 +35,7 @@ LayerStatistics OccupancyLayer::statistics() const {
 
 Result<std::vector<LayerAnswer>> OccupancyLayer::query(const LayerQuery& query) const {
   std::vector<LayerAnswer> answers;
-  for_each_cell(grid.geometry(), query, [&](Cell cell) {
+  for_each_asked_cell(grid.geometry(), query, [&](Cell cell) {
     if (is_asked_for(grid.at(cell), query)) answers.push_back(answer_of(grid, cell));
   });
   return answers;

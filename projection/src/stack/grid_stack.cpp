@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
@@ -59,6 +60,31 @@ Result<void> check_sensor(const SensorGrid& sensor, const GridStackOptions& opti
               "weight");
 }
 
+Result<void> check_num_layers(std::size_t num_layers, const GridGeometry& geometry) {
+  if (num_layers * geometry.num_cells() <= kMaxCellsOfLayers) return {};
+  return fail(ErrorCode::kLimit,
+              std::to_string(num_layers) + " layers together have more than 2^30 cells",
+              "layer");
+}
+
+/// A layer that was fused before.
+Result<void> check_layer(const std::string& name,
+                         const LogOddsGrid& grid,
+                         const GridGeometry& geometry,
+                         const GridStackOptions& options) {
+  HYPERMAP_TRY(check_layer_name(name, options.parent));
+  if (grid.geometry() != geometry)
+    return fail(ErrorCode::kInvalidArgument, printable(name) + " has other cells", "layer");
+  const int max_steps = to_steps(options.max_log_odds);
+  const auto beyond = std::ranges::find_if(
+      grid.cells(), [max_steps](LogOddsSteps steps) { return std::abs(steps) > max_steps; });
+  if (beyond == grid.cells().end()) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              printable(name) + " has a cell of " + std::to_string(*beyond) +
+                  " steps, evidence saturates at " + std::to_string(max_steps),
+              "layer");
+}
+
 /// Evidence that reaches a cell.
 struct CellEvidence {
   Cell cell;
@@ -101,6 +127,10 @@ Result<void> validate(const GridStackOptions& options) {
   return check_options(options);
 }
 
+std::string_view last_part(std::string_view layer) {
+  return layer.substr(layer.rfind('/') + 1);
+}
+
 bool is_at_or_below(std::string_view layer, std::string_view name) {
   return layer.starts_with(name) && (layer.size() == name.size() || layer[name.size()] == '/');
 }
@@ -120,16 +150,23 @@ Result<GridStack> GridStack::create(const GridGeometry& geometry, GridStackOptio
   return GridStack(geometry, std::move(options));
 }
 
+Result<GridStack> GridStack::create(const GridGeometry& geometry,
+                                    GridStackOptions options,
+                                    Layers layers) {
+  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, create(geometry, std::move(options)));
+  HYPERMAP_TRY(check_num_layers(layers.size(), geometry));
+  for (const auto& [name, grid] : layers)
+    HYPERMAP_TRY(check_layer(name, grid, geometry, stack.options_));
+  stack.layers_ = std::move(layers);
+  return stack;
+}
+
 Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
                                     const Eigen::Matrix3d& stack_from_sensor,
                                     const ResamplingOptions& resampling) {
   HYPERMAP_TRY(check_sensor(sensor, options_));
   const bool is_new = !layers_.contains(sensor.layer);
-  if (is_new && (layers_.size() + 1) * geometry_.num_cells() > kMaxCellsOfLayers) {
-    return fail(ErrorCode::kLimit,
-                std::to_string(layers_.size() + 1) + " layers together have more than 2^30 cells",
-                "layer");
-  }
+  if (is_new) HYPERMAP_TRY(check_num_layers(layers_.size() + 1, geometry_));
   HYPERMAP_ASSIGN_OR_RETURN(
       const Resampler resampler,
       Resampler::create(sensor.grid, geometry_, stack_from_sensor, resampling));

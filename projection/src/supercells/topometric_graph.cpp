@@ -152,6 +152,14 @@ std::optional<std::size_t> best_layer(const SupercellNode& node) {
   return static_cast<std::size_t>(best - node.mean.begin());
 }
 
+PlaceEvidence evidence_of(const SupercellNode& node, const TopometricGraph& graph) {
+  PlaceEvidence evidence;
+  if (const auto best = best_layer(node)) evidence.best_layer = graph.layers[*best];
+  evidence.is_known =
+      std::ranges::any_of(node.mean, [](LogOdds mean) { return mean != LogOdds(); });
+  return evidence;
+}
+
 std::optional<GraphPath> shortest_path(const TopometricGraph& graph,
                                        int from,
                                        int to,

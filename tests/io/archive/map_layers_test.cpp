@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_layers.hpp"
 
+#include "hypermap/io/archive/class_stack.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -208,6 +211,36 @@ TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {
   };
   EXPECT_LT(area({}), 0.1);
   EXPECT_NEAR(area({.carve_footprints = false}), 0.5, 0.02);
+}
+
+TEST(DerivedLayers, KeepAStackOfTheClassesWhereOneIsAskedForOrThere) {
+  MapArchive archive;
+  (void)archive.classes.add("chair").value();
+  (void)archive.classes.add("giraffe").value();
+  Object chair = chair_at(0.0);
+  chair.existence = LogOdds(3.0);
+  const ObjectId id = archive.objects.add(std::move(chair));
+  archive.octree = SemanticOctree::create({}).value();
+  ASSERT_TRUE(archive.octree->set_leaf(voxel(*archive.octree, 0.2, id, kGiraffe)));
+  ObjectPipelineOptions all;
+  all.confirmation.min_observations = 0;
+  all.confirmation.min_real_probability = std::nullopt;
+  const auto stack_after = [&](const LayerOptions& options) {
+    EXPECT_TRUE(derive_layers(archive, all, options));
+    return archive.hypermap.find_as<GridStackLayer>(kStackLayer);
+  };
+  EXPECT_EQ(stack_after({}), nullptr);
+  const GridStackLayer* layer = stack_after({.class_stack = true});
+  ASSERT_NE(layer, nullptr);
+  // The voxel is the chair's by its owner; what it was named itself is not asked.
+  const GridStack before = layer->stack().value();
+  ASSERT_EQ(before.layers().size(), 1U);
+  EXPECT_EQ(before.layers().begin()->first, "/ism/chair");
+  EXPECT_GT(before.layers().begin()->second.num_known(), 0U);
+  // A stack that is there is never that of another map.
+  const auto voxel_of_chair = voxel(*archive.octree, 0.3, id, kChair);
+  ASSERT_TRUE(archive.octree->set_leaf(voxel_of_chair));
+  EXPECT_NE(stack_after({})->stack().value(), before);
 }
 
 TEST(LayerOptions, RefuseABandThatIsNone) {

@@ -57,7 +57,7 @@ std::vector<std::string> layer_names(const GridStack& stack) {
 TEST(MapStack, HasALayerForEachClass) {
   const MapArchive archive =
       archive_of({"chair", "cup", "sofa"}, {{2.0, 0}, {3.0, 1}, {-1.5}, {1.2}});
-  const GridStack stack = stack_of_map(archive, {.band = kThin}).value();
+  const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();
   EXPECT_THAT(layer_names(stack), ElementsAre("/ism/chair", "/ism/cup"));
   EXPECT_EQ(stack.options().frame_id, "map");
   const auto chair = stack.layers().at("/ism/chair").cells();
@@ -66,8 +66,10 @@ TEST(MapStack, HasALayerForEachClass) {
   EXPECT_EQ(chair[1], -2000);  // a cup
   EXPECT_EQ(chair[2], -1500);  // free
   EXPECT_EQ(chair[3], -1200);  // something without a class
-  EXPECT_THAT(layer_names(stack_of_map(archive, {.band = kThin, .classes = {"Cup"}}).value()),
-              ElementsAre("/ism/cup"));
+  EXPECT_THAT(
+      layer_names(
+          stack_of_map(archive, {.of_classes = {.band = kThin, .classes = {"Cup"}}}).value()),
+      ElementsAre("/ism/cup"));
 }
 
 TEST(MapStack, FusesOccupancyLayersByTheirFramesAndWeights) {
@@ -80,13 +82,15 @@ TEST(MapStack, FusesOccupancyLayersByTheirFramesAndWeights) {
     ASSERT_TRUE(archive.hypermap.add_layer(
         {LayerInfo{.name = name, .frame_id = frame}, OccupancyLayer(grid)}));
   }
-  const MapStackRequest request{.band = kThin, .fused = {{.name = "laser", .weight = 0.5}}};
+  const MapStackRequest request{.of_classes = {.band = kThin},
+                                .fused = {{.name = "laser", .weight = 0.5}}};
   const GridStack stack = stack_of_map(archive, request).value();
   EXPECT_THAT(layer_names(stack), ElementsAre("/ism/chair", "/ism/laser"));
   // ln 4 = 1.386, halved, one cell further.
   EXPECT_THAT(stack.layers().at("/ism/laser").cells(), ElementsAre(0, 693, -693));
   const auto what = [&](const char* name) {
-    const auto failed = stack_of_map(archive, {.band = kThin, .fused = {{.name = name}}});
+    const auto failed =
+        stack_of_map(archive, {.of_classes = {.band = kThin}, .fused = {{.name = name}}});
     return failed ? std::string() : to_string(failed.error());
   };
   EXPECT_THAT(what("lost"), HasSubstr("moon"));
@@ -96,7 +100,7 @@ TEST(MapStack, FusesOccupancyLayersByTheirFramesAndWeights) {
 TEST(MapStack, ANameWithSlashesIsOneLayer) {
   const GridStack stack =
       stack_of_map(archive_of({"a/b", "a_b", "//"}, {{2.0, 0}, {2.0, 1}, {2.0, 2}}),
-                   {.band = kThin})
+                   {.of_classes = {.band = kThin}})
           .value();
   EXPECT_THAT(layer_names(stack), ElementsAre("/ism/__", "/ism/a_b", "/ism/a_b-1"));
 }
@@ -107,17 +111,19 @@ TEST(MapStack, WhatIsNotThereIsSaid) {
     const auto failed = stack_of_map(archive, request);
     return failed ? std::string() : to_string(failed.error());
   };
-  EXPECT_THAT(what({.band = {.min_m = 3, .max_m = 4}}), HasSubstr("between heights of 3 and 4 m"));
-  EXPECT_THAT(what({.band = kThin, .classes = {"chiar"}}), HasSubstr("chair"));
-  EXPECT_THAT(what({.band = {.min_m = 4, .max_m = 3}}), HasSubstr("height_band"));
+  EXPECT_THAT(what({.of_classes = {.band = {.min_m = 3, .max_m = 4}}}),
+              HasSubstr("between heights of 3 and 4 m"));
+  EXPECT_THAT(what({.of_classes = {.band = kThin, .classes = {"chiar"}}}), HasSubstr("chair"));
+  EXPECT_THAT(what({.of_classes = {.band = {.min_m = 4, .max_m = 3}}}), HasSubstr("height_band"));
   EXPECT_FALSE(stack_of_map(MapArchive{}, {}));
   const MapArchive without = archive_of({"chair"}, {{2.0}});
-  EXPECT_EQ(stack_of_map(without, {.band = kThin}).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(stack_of_map(without, {.of_classes = {.band = kThin}}).error().code,
+            ErrorCode::kNotFound);
 }
 
 TEST(MapStack, IsWrittenAsMapsOfMapServer) {
   const MapArchive archive = archive_of({"chair", "combined"}, {{2.0, 0}, {3.0, 1}, {-1.5}, {1.2}});
-  const GridStack stack = stack_of_map(archive, {.band = kThin}).value();
+  const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();
   // P = 0.66, 0.64, 0.2, 0.19: thresholds 0.65 and 0.196.
   const LogOddsGrid combined =
       LogOddsGrid::of_probabilities(stack.geometry(), std::vector{0.66, 0.64, 0.2, 0.19}).value();

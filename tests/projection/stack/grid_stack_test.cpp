@@ -52,6 +52,23 @@ TEST(GridStack, ReadingsAreMultipliedAsOdds) {
   EXPECT_NEAR(layer.log_odds({1, 0}).probability().value(), 0.2, 1e-3);
 }
 
+TEST(GridStack, IsMadeOfLayersThatWereFusedBefore) {
+  GridStack stack = stack_of(sized(5, 4));
+  ASSERT_TRUE(stack.fuse(reading("/ism/a", random_grid(sized(5, 4), 1, 9000)), pose(0, 0)));
+  ASSERT_TRUE(stack.fuse(reading("/ism/a/b", random_grid(sized(5, 4), 2, 9000)), pose(0, 0)));
+  EXPECT_EQ(GridStack::create(sized(5, 4), {}, stack.layers()).value(), stack);
+  const auto refusal = [&](const char* name, const LogOddsGrid& grid) {
+    const auto made =
+        GridStack::create(sized(5, 4), {.max_log_odds = LogOdds(9.0)}, {{name, grid}});
+    return made ? std::string("none") : to_string(made.error());
+  };
+  EXPECT_EQ(refusal("/ism/a", layer_of(stack, "/ism/a")), "none");
+  EXPECT_THAT(refusal("/ism", layer_of(stack, "/ism/a")), HasSubstr("below /ism/"));
+  EXPECT_THAT(refusal("/ism/a", random_grid(sized(4, 5), 1, 9)), HasSubstr("other cells"));
+  EXPECT_THAT(refusal("/ism/a", grid_of(sized(5, 4), std::vector<LogOddsSteps>(20, -9001))),
+              HasSubstr("-9001 steps, evidence saturates at 9000"));
+}
+
 TEST(GridStack, TheOrderOfReadingsDoesNotCount) {
   // [sogm] Eq. (1): a product. Sensors of any pose, size and resolution, two of three layers.
   std::vector<SensorGrid> readings;

@@ -3,6 +3,8 @@
 
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/class_stack.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 #include "hypermap/projection/grids/class_grids.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
@@ -28,10 +30,8 @@ std::vector<const Object*> objects_of(const ObjectMap& objects,
   return found;
 }
 
-/// Replaces the content of a layer, or adds the layer.
 Result<void> put_layer(Hypermap& hypermap, std::string_view name, LayerContent content) {
-  if (hypermap.find(name) != nullptr) return hypermap.set_content(name, std::move(content));
-  return hypermap.add_layer({LayerInfo{.name = std::string(name)}, std::move(content)});
+  return hypermap.put_layer({LayerInfo{.name = std::string(name)}, std::move(content)});
 }
 
 HeightBand band_of(const LayerOptions& options) {
@@ -88,6 +88,22 @@ Result<void> put_class_grids(MapArchive& archive,
         {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
   }
   return {};
+}
+
+/// As put_occupancy.
+Result<void> put_stack(MapArchive& archive, const LeafSource& leaves, const LayerOptions& options) {
+  auto stack = guarded_layer([&] {
+    return class_stack(
+        leaves, archive.classes, {.band = band_of(options), .classes = {}, .options = {}});
+  });
+  if (stack) return put_layer(archive.hypermap, kStackLayer, GridStackLayer(std::move(*stack)));
+  archive.hypermap.remove_layer(kStackLayer);
+  return Unexpected(std::move(stack).error());
+}
+
+/// A stack that an earlier run made is made anew: the old one would be of another map.
+bool wants_stack(const MapArchive& archive, const LayerOptions& options) {
+  return options.class_stack || archive.hypermap.find_as<GridStackLayer>(kStackLayer) != nullptr;
 }
 
 Finding left_out(Error error, std::string_view layer) {
@@ -154,6 +170,7 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
                      : std::nullopt;
   note(put_footprints(archive, confirmed, std::move(carving), objects), kSemanticLayer);
   note(put_class_grids(archive, leaves, options), "class grids");
+  if (wants_stack(archive, options)) note(put_stack(archive, leaves, options), kStackLayer);
   return derived;
 }
 

@@ -17,6 +17,8 @@ struct LayerOptions {
   double min_free_share = 0.5;
   /// Footprints by policy `voxels` lack what was looked through and where other objects stand.
   bool carve_footprints = true;
+  /// A stack of evidence for each class is kept beside the other layers.
+  bool class_stack = false;
   friend bool operator==(const LayerOptions&, const LayerOptions&) = default;
 };
 

@@ -100,6 +100,8 @@ class Hypermap {
   /// Gives a layer new content; one that changes its form moves behind those of the new one.
   /// Errors: kNotFound.
   [[nodiscard]] Result<void> set_content(std::string_view name, LayerContent content);
+  /// set_content of the layer of that name where there is one, else add_layer. Errors: of both.
+  [[nodiscard]] Result<void> put_layer(Layer layer);
   /// Lets a layer take an update of its class in, as its type does it (MapLayer::updated).
   /// Errors: kNotFound; kUnsupported when the layer's enable_update is false; those of the type.
   /// The layer is then as it was.

@@ -59,6 +59,11 @@ class GridStack {
   /// Without layers. Errors: those of validate; kInvalidArgument when the geometry has no cells.
   [[nodiscard]] static Result<GridStack> create(const GridGeometry& geometry,
                                                 GridStackOptions options = {});
+  /// With layers that were fused before. Errors: also those of fuse for names and sizes;
+  /// kInvalidArgument for a layer of another geometry or a cell beyond `max_log_odds`.
+  [[nodiscard]] static Result<GridStack> create(const GridGeometry& geometry,
+                                                GridStackOptions options,
+                                                Layers layers);
 
   [[nodiscard]] const GridGeometry& geometry() const noexcept { return geometry_; }
   [[nodiscard]] const GridStackOptions& options() const noexcept { return options_; }
@@ -96,6 +101,8 @@ class GridStack {
 
 /// The name of a class's or another map's layer in a stack: below the parent, slashes replaced.
 [[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
+/// The last part of a layer's name, of a class's layer the class: "b" of "/ism/a/b".
+[[nodiscard]] std::string_view last_part(std::string_view layer);
 
 /// Whether a layer is the one of that name or lies below it: "/ism/a/b" is of "/ism/a".
 [[nodiscard]] bool is_at_or_below(std::string_view layer, std::string_view name);

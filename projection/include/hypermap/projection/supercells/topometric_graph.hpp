@@ -7,6 +7,7 @@
 
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/projection/stack/evidence_color.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
 
@@ -56,6 +57,9 @@ struct TopometricGraph {
 /// The place of the layer of the largest mean above 0, the first of equal ones; none when every
 /// layer is unknown or says no.
 [[nodiscard]] std::optional<std::size_t> best_layer(const SupercellNode& node);
+
+/// What its layers say of a node together, the best one by `best_layer`. Valid as long as `graph`.
+[[nodiscard]] PlaceEvidence evidence_of(const SupercellNode& node, const TopometricGraph& graph);
 
 /// From node to neighbouring node.
 struct GraphPath {

@@ -12,6 +12,7 @@
 #include "hypermap/core/evaluation/true_surfaces.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
+#include "hypermap/io/archive/layer_types.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/codec/file_reach.hpp"
@@ -101,16 +102,18 @@ struct ArchiveLimits {
 /// label without a class; kUnsupported for a newer version and for a file of another kind; kIo;
 /// kOutOfMemory; kInterrupted when `stop` says so. Each names archive and member; where many small
 /// members meet a limit together, the one that crosses it.
-[[nodiscard]] Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
-                                                      const ArchiveLimits& limits = {},
-                                                      const LayerRegistry& layers = {},
-                                                      const StopCheck& stop = {});
+[[nodiscard]] Result<Loaded<MapArchive>> load_archive(
+    const std::filesystem::path& path,
+    const ArchiveLimits& limits = {},
+    const LayerRegistry& layers = archive_layer_types(),
+    const StopCheck& stop = {});
 /// The same from an archive's bytes, which errors call `source.file`.
-[[nodiscard]] Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
-                                                       const SourceName& source,
-                                                       const ArchiveLimits& limits = {},
-                                                       const LayerRegistry& layers = {},
-                                                       const StopCheck& stop = {});
+[[nodiscard]] Result<Loaded<MapArchive>> parse_archive(
+    std::string_view bytes,
+    const SourceName& source,
+    const ArchiveLimits& limits = {},
+    const LayerRegistry& layers = archive_layer_types(),
+    const StopCheck& stop = {});
 
 /// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
 /// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse; whether
@@ -126,7 +129,7 @@ struct SaveOptions {
   /// Larger archives are written without that second look. Unit: byte. Default: 1 GiB.
   std::uint64_t max_verified_bytes = std::uint64_t{1} << 30;
   /// Types of layers that verification loads: all that the map has.
-  LayerRegistry layers = {};
+  LayerRegistry layers = archive_layer_types();
 };
 
 /// Replaces the file atomically. Errors: those of write_archive and write_file_atomically;

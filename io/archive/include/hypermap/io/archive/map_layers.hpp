@@ -50,8 +50,9 @@ struct DerivedLayers {
   std::vector<Finding> left_out;    ///< Layers that are not there, and why; `entry` names them.
 };
 
-/// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, from its
-/// octree and from the objects that `objects` confirms; other layers stay as they are.
+/// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, and, where it
+/// is asked for or there already, `stack`: from its octree and from the objects that `objects`
+/// confirms; other layers stay as they are.
 ///
 /// Grids cover the largest region of the octree alone (map_regions.hpp); `semantic` has the objects
 /// of all regions. What cannot be made (too many cells, no memory) is left out and said: the map

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
-#include "hypermap/projection/grids/occupancy_projection.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 
 #include <filesystem>
@@ -21,15 +21,13 @@ struct FusedLayer {
 };
 
 struct MapStackRequest {
-  HeightBand band = {};                   ///< Voxels that count.
-  std::vector<std::string> classes = {};  ///< Only these; all when empty.
-  std::vector<FusedLayer> fused = {};     ///< In this order, after the classes.
-  GridStackOptions options = {};  ///< Its frame is that of the map's voxels, whatever stands there.
-  ResamplingOptions resampling = {};  ///< Of fused layers.
+  ClassStackRequest of_classes = {};   ///< The frame of its options is not asked, but the map's.
+  std::vector<FusedLayer> fused = {};  ///< In this order, after the classes.
+  ResamplingOptions resampling = {};   ///< Of fused layers.
 };
 
-/// A stack on the cells of the map's class grids: project_class_evidence of its shown voxels
-/// (`shown_leaves`) in the largest region of the map, and the layers asked for, by their frames.
+/// A stack on the cells of the map's class grids: class_stack of its shown voxels (`shown_leaves`)
+/// in the largest region of the map, and the layers asked for, by their frames.
 ///
 /// Errors: kNotFound when no voxel, or none of the classes asked for, lies in the band and no layer
 /// is fused, a class is not known or a layer not there;
