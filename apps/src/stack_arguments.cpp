@@ -139,6 +139,7 @@ void StackArguments::add_to(CLI::App& command) {
           [this](double p) { request.resampling.epsilon = Probability(p); },
           "no cell counts as surer than this (default: 1e-06)")
       ->check(value_of_field(resampling, "epsilon"));
+  sensed.add_to(command);
   load.add_to(command);
   for (const char* of_voxels :
        {"--min-height", "--max-height", "--class", "--fuse", "--keep-share"}) {
@@ -152,6 +153,9 @@ void StackArguments::finish() {
       static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
   request.fused.clear();
   for (const std::string& text : fused) request.fused.push_back(parse_fused(text));
+  sensed.finish();
+  sensed.job.classes = request.of_classes.classes;
+  sensed.job.heights.max_obstacle_m = request.of_classes.band.max_m;
   if (archive) {
     keep_apart("--archive", *archive, {file});
     keep_suffix("--archive", *archive, ".hmap");
@@ -164,8 +168,10 @@ void StackArguments::finish() {
 Result<StackOfFile> StackArguments::make() const {
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded, load_archive(file, load.limits, archive_layer_types(), stop_when_interrupted()));
+  std::optional<SensedStackReport> report;
   auto cut = [&]() -> Result<GridStack> {
-    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, whole_stack(loaded.value, *this));
+    HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, whole_stack(loaded.value, *this));
+    HYPERMAP_ASSIGN_OR_RETURN(report, sensed.fuse_into(stack, loaded.value));
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
     for (const std::string& name : layers) {
@@ -174,7 +180,8 @@ Result<StackOfFile> StackArguments::make() const {
     return cut_out(stack, asked);
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {file}));
-  return StackOfFile{.map = std::move(loaded.value), .stack = std::move(*cut)};
+  return StackOfFile{
+      .map = std::move(loaded.value), .stack = std::move(*cut), .sensed = std::move(report)};
 }
 
 Result<std::vector<std::filesystem::path>> StackArguments::save(StackOfFile made,

@@ -8,6 +8,7 @@
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 #include "load_arguments.hpp"
+#include "sensed_arguments.hpp"
 
 #include <CLI/App.hpp>
 
@@ -22,6 +23,7 @@ namespace hypermap::app {
 struct StackOfFile {
   MapArchive map;
   GridStack stack;
+  std::optional<SensedStackReport> sensed = std::nullopt;  ///< Of the frames that were fused.
 };
 
 struct StackArguments {
@@ -35,12 +37,14 @@ struct StackArguments {
   std::optional<std::string> area;
   std::optional<double> resolution_m;
   double yaw_deg = 0.0;
+  SensedArguments sensed;
   LoadArguments load;
 
   void add_to(CLI::App& command);
   /// Throws CLI::ValidationError for what is no number, area or layer. To be called before make.
   void finish();
-  /// The stack, cut out as asked. Errors: those of loading, stack_of_map and cut_out; kUnsupported
+  /// The stack with the frames asked for, cut out as asked. Errors: those of loading, stack_of_map,
+  /// fuse_frames and cut_out; kUnsupported
   /// when the layer to take it from is no stack.
   [[nodiscard]] Result<StackOfFile> make() const;
   /// Saves the map with the layers that were made, where an archive is asked for; gives its path.

@@ -132,6 +132,46 @@ class Stacks(unittest.TestCase):
                          next(layer["occupied"] for layer in made["layers"] if layer["name"] == f"/ism/{name}"))
         self.assertEqual(run("check", with_cells).returncode, 0)
 
+    def test_frames_are_fused_as_further_layers(self):
+        frames = ["--input", self.shared / "lab", "--sensor", "depth,detections=0.5"]
+        stack = self.answer("stack", *frames)
+        layers = {layer["name"]: layer for layer in stack["layers"]}
+        self.assertEqual(stack["sensed"]["frames"], NUM_FRAMES)
+        self.assertGreater(layers["/ism/depth"]["occupied"], 0)
+        self.assertGreater(layers["/ism/depth"]["free"], layers["/ism/depth"]["occupied"])
+        detected = [name for name in layers if name.startswith("/ism/detections/")]
+        self.assertGreater(len(detected), 0)
+        for name in detected:
+            self.assertGreater(layers[name]["occupied"], 0)
+        # What depth calls occupied the map, made of the same frames, does not call free, but where things end.
+        both = self.answer("stack", *frames, "--fuse", "occupancy", "--layer", "depth,occupancy", "--pool", "bayesian")
+        self.assertEqual(sorted(layer["name"] for layer in both["layers"]), ["/ism/depth", "/ism/occupancy"])
+        again = self.answer("stack", *frames)
+        self.assertEqual(again["layers"], stack["layers"])
+
+    def test_frames_are_registered_to_a_layer(self):
+        stack = self.answer("stack", "--input", self.shared / "lab", "--fuse", "occupancy", "--register", "occupancy",
+                            "--max-shift", 0.3, "--stride", 4)
+        sensed = stack["sensed"]
+        self.assertEqual(sensed["frames"], NUM_FRAMES // 4)
+        self.assertEqual(sensed["registered"] + sum(sensed["refused"].values()), sensed["frames"])
+        self.assertLessEqual(sensed["max_shift_m"], 0.45)
+
+    def test_wrong_sensors_inputs_and_references_are_named(self):
+        dataset = self.shared / "lab"
+        for arguments, status, said in ((["--sensor", "depth"], 4, "--input"),
+                                        (["--input", dataset, "--sensor", "sonar"], 4, "--sensor"),
+                                        (["--input", dataset, "--max-shift", 1], 4, "--register"),
+                                        (["--input", dataset, "--register", "nothing"], 2, "nothing"),
+                                        (["--input", self.folder, "--stride", 2], 2, str(self.folder))):
+            result = run("stack", self.archive, "--output", self.folder / "out", *arguments)
+            self.assertEqual(result.returncode, status, (arguments, result.stderr))
+            self.assertIn(said, result.stderr)
+        moved = self.folder / "renamed"
+        shutil.copytree(dataset, moved)
+        result = run("stack", self.archive, "--output", self.folder / "out", "--input", moved)
+        self.assertIn(result.returncode, (0, 2))
+
     def test_a_map_keeps_a_stack_when_told_to(self):
         own = self.folder / "own.hmap"
         dataset = self.shared / "lab"

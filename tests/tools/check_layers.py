@@ -23,8 +23,9 @@ THIRD_PARTY = {
     "octomap/": ("octomap", ()),  # the oracle of tests only
     "embree3/": ("embree", ("octree_semantic", "simulator")),
     "hwy/": ("hwy::hwy", ("octree_semantic",)),
-    "opencv2/core": ("opencv_core", ("detector", "viewer_offscreen")),
+    "opencv2/core": ("opencv_core", ("detector", "grid_registration", "viewer_offscreen")),
     "opencv2/dnn": ("opencv_dnn", ("detector",)),
+    "opencv2/features2d": ("opencv_features2d", ("grid_registration",)),
     "opencv2/freetype": ("opencv_freetype", ("viewer_offscreen",)),
     "opencv2/imgproc": ("opencv_imgproc", ("detector", "viewer_offscreen")),
     "yaml-cpp/": ("yaml-cpp", ("codec",)),

@@ -7,7 +7,7 @@ import re
 import sys
 import tempfile
 
-FOLDERS = ("core", "octree_semantic", "projection", "io", "viewer_offscreen", "apps")
+FOLDERS = ("core", "octree_semantic", "projection", "grid_registration", "io", "viewer_offscreen", "apps")
 LIBRARIES = FOLDERS[:-1]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 

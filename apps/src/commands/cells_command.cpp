@@ -14,6 +14,7 @@
 #include <CLI/Validators.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -47,6 +48,7 @@ struct CellsAnswer {
   std::optional<std::vector<int>> of_layer = {};
   bool is_path_asked = false;
   std::optional<GraphPath> path = {};
+  std::optional<SensedStackReport> sensed = {};
 };
 
 /// The supercell at a place that was asked for. Errors: kNotFound outside the grid.
@@ -103,6 +105,7 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
   CellsAnswer answer;
+  answer.sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(made.stack, arguments.options));
   HYPERMAP_ASSIGN_OR_RETURN(answer.graph, topometric_graph(made.stack, answer.supercells));
   if (arguments.of_layer) {
@@ -165,7 +168,8 @@ ExitCode run_cells(const CellsCommand& arguments) {
   arguments.json ? print_cells_json(*answer) : print_cells_text(*answer);
   const bool is_path_missing = answer->is_path_asked && !answer->path;
   if (is_path_missing) std::fprintf(stderr, "cells: no way leads there\n");
-  return is_path_missing ? ExitCode::kFindings : ExitCode::kDone;
+  const ExitCode worst = report_skipped(answer->sensed);
+  return is_path_missing ? std::max(worst, ExitCode::kFindings) : worst;
 }
 
 void add_supercell_options(CLI::App& command, SupercellOptions& options) {
@@ -215,7 +219,9 @@ void add_cells_command(CLI::App& program, Action& action) {
                  "hypermap cells lab.hmap --fuse occupancy --path 0.5,0.5,3,2 --avoid occupancy "
                  "--total --output cells"});
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->output, {arguments->stack.file, arguments->palette});
+    keep_apart("--output",
+               arguments->output,
+               {arguments->stack.file, arguments->palette, arguments->stack.sensed.dataset.input});
     arguments->stack.finish();
     if (arguments->path) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
 #include "command.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/projection/stack/stack_services.hpp"
 #include "outputs.hpp"
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,7 @@ struct WrittenStack {
   GridStack stack;
   LogOddsGrid combined;
   std::vector<std::filesystem::path> files;
+  std::optional<SensedStackReport> sensed;
 };
 
 Pooling pooling_of(const std::string& name) {
@@ -43,11 +46,12 @@ Pooling pooling_of(const std::string& name) {
 Result<WrittenStack> write_stack(const StackCommand& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
   GridStack stack = made.stack;
+  std::optional<SensedStackReport> sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid combined, pooled(stack, pooling_of(arguments.pooling)));
   HYPERMAP_ASSIGN_OR_RETURN(auto files, write_stack_maps(stack, combined, arguments.output));
   HYPERMAP_ASSIGN_OR_RETURN(const auto saved, arguments.stack.save(std::move(made), {}));
   files.insert(files.end(), saved.begin(), saved.end());
-  return WrittenStack{std::move(stack), std::move(combined), std::move(files)};
+  return WrittenStack{std::move(stack), std::move(combined), std::move(files), std::move(sensed)};
 }
 
 /// Cells of which more is said for, and more against.
@@ -60,21 +64,50 @@ Json grid_json(const std::string& name, const LogOddsGrid& grid) {
           {"unknown", static_cast<std::ptrdiff_t>(grid.cells().size()) - num_known}};
 }
 
+Json sensed_json(const SensedStackReport& sensed) {
+  Json refused = Json::object();
+  for (const auto& [reason, count] : sensed.num_refused) refused[reason] = count;
+  return {{"frames", sensed.num_frames},
+          {"skipped", sensed.skipped.size()},
+          {"registered", sensed.num_registered},
+          {"refused", std::move(refused)},
+          {"mean_shift_m", sensed.mean_shift_m},
+          {"max_shift_m", sensed.max_shift_m}};
+}
+
 Json stack_json(const WrittenStack& written, const std::string& pooling) {
   const GridGeometry& geometry = written.stack.geometry();
   Json layers = Json::array();
   for (const auto& [name, grid] : written.stack.layers()) layers.push_back(grid_json(name, grid));
   Json files = Json::array();
   for (const auto& path : written.files) files.push_back(path.string());
-  return {{"frame", written.stack.options().frame_id},
-          {"resolution_m", geometry.resolution_m},
-          {"origin", {geometry.origin.x(), geometry.origin.y(), geometry.yaw_rad}},
-          {"cols", geometry.cols},
-          {"rows", geometry.rows},
-          {"layers", std::move(layers)},
-          {"pooling", pooling},
-          {"combined", grid_json("combined", written.combined)},
-          {"files", std::move(files)}};
+  Json document = {{"frame", written.stack.options().frame_id},
+                   {"resolution_m", geometry.resolution_m},
+                   {"origin", {geometry.origin.x(), geometry.origin.y(), geometry.yaw_rad}},
+                   {"cols", geometry.cols},
+                   {"rows", geometry.rows},
+                   {"layers", std::move(layers)},
+                   {"pooling", pooling},
+                   {"combined", grid_json("combined", written.combined)},
+                   {"files", std::move(files)}};
+  if (written.sensed) document["sensed"] = sensed_json(*written.sensed);
+  return document;
+}
+
+void print_sensed(const SensedStackReport& sensed) {
+  std::printf("fused %s", count_text(sensed.num_frames, "frame").c_str());
+  if (sensed.num_registered > 0) {
+    std::printf(", %zu of them registered, moved by %.3f m on average and %.3f m at most",
+                sensed.num_registered,
+                sensed.mean_shift_m,
+                sensed.max_shift_m);
+  }
+  std::printf("\n");
+  for (const auto& [reason, count] : sensed.num_refused) {
+    std::printf("not registered for %s: %s, fused as posed\n",
+                reason.c_str(),
+                count_text(count, "frame").c_str());
+  }
 }
 
 void print_layer(const std::string& name, const LogOddsGrid& grid) {
@@ -89,15 +122,17 @@ void print_layer(const std::string& name, const LogOddsGrid& grid) {
 ExitCode run_stack(const StackCommand& arguments) {
   const auto written = write_stack(arguments);
   if (!written) return report(written.error());
+  const ExitCode worst = report_skipped(written->sensed);
   if (arguments.json) {
     const Json document = stack_json(*written, arguments.pooling);
     std::printf("%s\n", document.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-    return ExitCode::kDone;
+    return worst;
   }
+  if (written->sensed) print_sensed(*written->sensed);
   for (const auto& [name, grid] : written->stack.layers()) print_layer(name, grid);
   print_layer("combined (" + arguments.pooling + ")", written->combined);
   for (const auto& path : written->files) std::printf("%s\n", path.c_str());
-  return ExitCode::kDone;
+  return worst;
 }
 
 }  // namespace
@@ -116,9 +151,12 @@ void add_stack_command(CLI::App& program, Action& action) {
       command,
       {"hypermap stack lab.hmap --output grids",
        "hypermap stack lab.hmap --class chair,table --fuse occupancy=0.5 --resolution 0.1 "
-       "--pool bayesian --output grids"});
+       "--pool bayesian --output grids",
+       "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids"});
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->output, {arguments->stack.file});
+    keep_apart("--output",
+               arguments->output,
+               {arguments->stack.file, arguments->stack.sensed.dataset.input});
     arguments->stack.finish();
     action = [arguments] { return run_stack(*arguments); };
   });

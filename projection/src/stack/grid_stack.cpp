@@ -135,6 +135,12 @@ bool is_at_or_below(std::string_view layer, std::string_view name) {
   return layer.starts_with(name) && (layer.size() == name.size() || layer[name.size()] == '/');
 }
 
+std::string stack_layer_name(std::string_view parent, std::string_view name) {
+  std::string plain(name);
+  std::ranges::replace(plain, '/', '_');
+  return std::string(parent) + "/" + plain;
+}
+
 Result<GridStack> GridStack::create(const GridGeometry& geometry, GridStackOptions options) {
   HYPERMAP_TRY(validate(options));
   HYPERMAP_TRY(validate(geometry));

@@ -29,12 +29,6 @@ Result<GridGeometry> geometry_of_band(const LeafSource& leaves, const HeightBand
 
 }  // namespace
 
-std::string stack_layer_name(std::string_view parent, std::string_view name) {
-  std::string plain(name);
-  std::ranges::replace(plain, '/', '_');
-  return std::string(parent) + "/" + plain;
-}
-
 Result<GridStack> class_stack(const LeafSource& leaves,
                               const ClassRegistry& classes,
                               const ClassStackRequest& request) {

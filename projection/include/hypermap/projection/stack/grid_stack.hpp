@@ -99,6 +99,8 @@ class GridStack {
   Layers layers_;
 };
 
+/// The name of a class's or another map's layer in a stack: below the parent, slashes replaced.
+[[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
 /// The last part of a layer's name, of a class's layer the class: "b" of "/ism/a/b".
 [[nodiscard]] std::string_view last_part(std::string_view layer);
 

@@ -26,9 +26,6 @@ struct ClassStackRequest {
   GridStackOptions options = {};          ///< Of the stack; its frame is that of the leaves.
 };
 
-/// The name of a class's or layer's layer in a stack: below the parent, slashes replaced.
-[[nodiscard]] std::string stack_layer_name(std::string_view parent, std::string_view name);
-
 /// A layer for each class that some leaf in the band bears: project_class_evidence, as it is, of as
 /// many classes as are registered.
 ///
