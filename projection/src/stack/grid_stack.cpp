@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
@@ -90,6 +92,34 @@ void add_evidence(LogOddsGrid& layer,
   }
 }
 
+Result<void> check_saturation(const LogOddsGrid& grid, const GridStackOptions& options) {
+  const int max_steps = to_steps(options.max_log_odds);
+  const auto cells = grid.cells();
+  const auto beyond =
+      std::ranges::find_if(cells, [max_steps](int steps) { return std::abs(steps) > max_steps; });
+  if (beyond == cells.end()) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "log-odds must be at most " + number_text(options.max_log_odds.value()) +
+                  " either way, is " + number_text(from_steps(*beyond).value()) + " in cell " +
+                  std::to_string(beyond - cells.begin()),
+              "cells");
+}
+
+/// Does not throw. What reaches beyond `to` is left out.
+void copy_cells(const LogOddsGrid& from, Cell first, LogOddsGrid& to) {
+  const auto end_of = [](int begin, int length, int size) {
+    return static_cast<int>(
+        std::clamp(std::int64_t{begin} + length, std::int64_t{0}, std::int64_t{size}));
+  };
+  const Cell end{end_of(first.col, from.geometry().cols, to.geometry().cols),
+                 end_of(first.row, from.geometry().rows, to.geometry().rows)};
+  for (int row = std::max(first.row, 0); row < end.row; ++row) {
+    for (int col = std::max(first.col, 0); col < end.col; ++col) {
+      to.set({col, row}, from.at({col - first.col, row - first.row}));
+    }
+  }
+}
+
 }  // namespace
 
 const OptionTable& option_table(const GridStackOptions&) {
@@ -114,16 +144,20 @@ Result<GridStack> GridStack::create(const GridGeometry& geometry, GridStackOptio
   return GridStack(geometry, std::move(options));
 }
 
+Result<void> GridStack::check_new_layer(const std::string& layer) const {
+  const bool has_room = (layers_.size() + 1) * geometry_.num_cells() <= kMaxCellsOfLayers;
+  if (has_room || layers_.contains(layer)) return {};
+  return fail(ErrorCode::kLimit,
+              std::to_string(layers_.size() + 1) + " layers together have more than 2^30 cells",
+              "layer");
+}
+
 Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
                                     const Eigen::Matrix3d& stack_from_sensor,
                                     const ResamplingOptions& resampling) {
   HYPERMAP_TRY(check_sensor(sensor, options_));
+  HYPERMAP_TRY(check_new_layer(sensor.layer));
   const bool is_new = !layers_.contains(sensor.layer);
-  if (is_new && (layers_.size() + 1) * geometry_.num_cells() > kMaxCellsOfLayers) {
-    return fail(ErrorCode::kLimit,
-                std::to_string(layers_.size() + 1) + " layers together have more than 2^30 cells",
-                "layer");
-  }
   HYPERMAP_ASSIGN_OR_RETURN(
       const Resampler resampler,
       Resampler::create(sensor.grid, geometry_, stack_from_sensor, resampling));
@@ -144,6 +178,22 @@ Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
   HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Isometry2d stack_from_sensor,
                             frames.to_from(options_.frame_id, sensor.frame_id));
   return fuse(sensor, Eigen::Matrix3d(stack_from_sensor.matrix()), resampling);
+}
+
+Result<void> GridStack::replace_cells(const std::string& layer,
+                                      const LogOddsGrid& grid,
+                                      Cell first) {
+  HYPERMAP_TRY(check_layer_name(layer, options_.parent));
+  HYPERMAP_TRY(check_new_layer(layer));
+  HYPERMAP_TRY(check_saturation(grid, options_));
+  return guarded(ErrorCode::kInvalidArgument, "the layer", [&]() -> Result<void> {
+    if (!layers_.contains(layer)) {
+      HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid unknown, LogOddsGrid::create(geometry_));
+      layers_.emplace(layer, std::move(unknown));
+    }
+    copy_cells(grid, first, layers_.find(layer)->second);
+    return {};
+  });
 }
 
 }  // namespace hypermap

@@ -189,6 +189,32 @@ TEST(GridStack, WhatCannotBeFusedLeavesTheStackAsItWas) {
   EXPECT_EQ(stack, before);
 }
 
+TEST(GridStack, CellsAreReplacedAsTheyAre) {
+  GridStack stack = stack_of(sized(4, 2), {.max_log_odds = LogOdds(9.0), .keep_share = 0.5});
+  const LogOddsGrid part = grid_of(sized(2, 2, 7.0), {1, 2, 0, 9000});
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {1, 0}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 2, 0, 0, 0, 9000, 0));
+  EXPECT_EQ(layer_of(stack, "/ism/a").geometry(), sized(4, 2));
+  // Unknown cells take the place of known ones, too; what reaches beyond the stack is left out.
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {2, -1}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 0, 9000, 0, 0, 9000, 0));
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {-1, 1}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 0, 9000, 2, 0, 9000, 0));
+  constexpr int kFar = std::numeric_limits<int>::max();
+  for (const Cell outside : {Cell{kFar, kFar}, Cell{-kFar - 1, 0}, Cell{4, 0}, Cell{0, -2}}) {
+    const GridStack before = stack;
+    ASSERT_TRUE(stack.replace_cells("/ism/a", part, outside));
+    EXPECT_EQ(stack, before);
+  }
+  const GridStack before = stack;
+  const auto too_sure = stack.replace_cells("/ism/b", grid_of(sized(2, 1), {1, -9001}));
+  ASSERT_FALSE(too_sure);
+  EXPECT_EQ(too_sure.error().field, "cells");
+  EXPECT_THAT(to_string(too_sure.error()), HasSubstr("is -9.001 in cell 1"));
+  EXPECT_EQ(stack.replace_cells("/other/b", part).error().field, "layer");
+  EXPECT_EQ(stack, before);
+}
+
 TEST(GridStack, OptionsAreChecked) {
   EXPECT_EQ(GridStack::create(GridGeometry{}).error().field, "geometry");
   EXPECT_EQ(GridStack::create(sized(20'000, 20'000)).error().code, ErrorCode::kLimit);

@@ -83,9 +83,19 @@ class GridStack {
                                          const FrameTree& frames,
                                          const ResamplingOptions& resampling = {});
 
+  /// Puts the cells of `grid` in the place of those that a layer has from `first` on; the layer is
+  /// made when it is not there. Exact: nothing is resampled, and where `grid` says that it lies is
+  /// not asked. Boundary: what reaches beyond the stack is left out. Errors: kInvalidArgument for
+  /// the name as `fuse`, and for a cell beyond max_log_odds; kLimit as `fuse`; kOutOfMemory. Then
+  /// the stack is as it was.
+  [[nodiscard]] Result<void> replace_cells(const std::string& layer,
+                                           const LogOddsGrid& grid,
+                                           Cell first = {});
+
   friend bool operator==(const GridStack&, const GridStack&) = default;
 
  private:
+  [[nodiscard]] Result<void> check_new_layer(const std::string& layer) const;
   GridStack(const GridGeometry& geometry, GridStackOptions options)
       : geometry_(geometry), options_(std::move(options)) {}
 
