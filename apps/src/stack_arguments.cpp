@@ -3,12 +3,14 @@
 
 #include "choices.hpp"
 #include "hypermap/core/base/option_table.hpp"
+#include "hypermap/io/tiles/tile_map.hpp"
 #include "hypermap/projection/grids/layer_options.hpp"
 #include "hypermap/projection/stack/stack_services.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 
 #include <CLI/Validators.hpp>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +68,24 @@ Result<GridGeometry> geometry_asked_for(const StackArguments& arguments,
   return geometry;
 }
 
+/// What must be read of a map for the area, with all that a cell of it may be made from.
+Result<std::optional<Rect>> rect_around_area(const StackArguments& arguments) {
+  constexpr double kMargin = 10.0;  // in metres: the largest cells
+  HYPERMAP_ASSIGN_OR_RETURN(const auto corners, parse_area(arguments.area));
+  if (!corners) return std::optional<Rect>();
+  const Eigen::Vector2d corner((*corners)[0], (*corners)[1]);
+  const Eigen::Vector2d size(Eigen::Vector2d((*corners)[2], (*corners)[3]) - corner);
+  const Eigen::Rotation2Dd turn(arguments.yaw_deg * std::numbers::pi / 180.0);
+  Rect rect{corner, corner};
+  for (const Eigen::Vector2d& share : {Eigen::Vector2d(1, 0), {0, 1}, {1, 1}}) {
+    const Eigen::Vector2d point = corner + turn * share.cwiseProduct(size);
+    rect.min = rect.min.cwiseMin(point);
+    rect.max = rect.max.cwiseMax(point);
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
+  return std::optional(Rect{rect.min - margin, rect.max + margin});
+}
+
 }  // namespace
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
@@ -75,24 +95,31 @@ std::string full_layer_name(const GridStackOptions& options, const std::string& 
 void StackArguments::add_to(CLI::App& command) {
   const OptionTable& heights = option_table(LayerOptions{});
   const OptionTable& resampling = option_table(ResamplingOptions{});
-  command.add_option("file", file, "archive or configuration")->required();
+  command.add_option("file", file, "archive or configuration");
+  CLI::Option* tiles_option = command.add_option(
+      "--tiles", tiles, "folder of tiles to take instead of a file, ours or [sogm]'s");
   command.add_option("--min-height", request.band.min_m, "of voxels that count")
       ->check(value_of_field(heights, "min_height_m"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command.add_option("--max-height", request.band.max_m, "of voxels that count")
       ->check(value_of_field(heights, "max_height_m"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command
       .add_option("--class", request.classes, "only these, separated by commas; may be repeated")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(tiles_option);
   command
       .add_option(
           "--fuse",
           fused,
           "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; may be repeated")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(tiles_option);
   command.add_option("--keep-share", request.options.keep_share, "of evidence when new comes")
       ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command
       .add_option("--layer",
@@ -104,7 +131,8 @@ void StackArguments::add_to(CLI::App& command) {
   command.add_option("--yaw", yaw_deg, "degrees by which the area is turned about X0,Y0")
       ->check(number_in(-360.0, 360.0))
       ->needs(area_option);
-  command.add_option("--resolution", resolution_m, "edge of a cell (default: that of the voxels)")
+  command
+      .add_option("--resolution", resolution_m, "edge of a cell (default: that of voxels or tiles)")
       ->check(number_in(0.001, 10.0));
   command.add_option("--rule", rule, "how values between cells are had")
       ->transform(one_of(rule_names()))
@@ -119,6 +147,9 @@ void StackArguments::add_to(CLI::App& command) {
 }
 
 void StackArguments::finish() {
+  if (file.empty() == tiles.empty()) {
+    throw CLI::ValidationError("--tiles", "either a file or a folder of tiles must be named");
+  }
   const auto names = rule_names();
   request.resampling.rule =
       static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
@@ -129,11 +160,19 @@ void StackArguments::finish() {
   }
 }
 
-Result<GridStack> StackArguments::make() const {
+Result<GridStack> StackArguments::uncut_stack() const {
+  if (!tiles.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto around, rect_around_area(*this));
+    return read_tile_map(tiles, around, request.options);
+  }
   HYPERMAP_ASSIGN_OR_RETURN(const auto loaded,
                             load_archive(file, load.limits, {}, stop_when_interrupted()));
+  return stack_of_map(loaded.value, request);
+}
+
+Result<GridStack> StackArguments::make() const {
   auto cut = [&]() -> Result<GridStack> {
-    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, stack_of_map(loaded.value, request));
+    HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack, uncut_stack());
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
     for (const std::string& name : layers) {
@@ -141,7 +180,7 @@ Result<GridStack> StackArguments::make() const {
     }
     return cut_out(stack, asked);
   }();
-  if (!cut) return Unexpected(with_source(cut.error(), {file}));
+  if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
   return cut;
 }
 

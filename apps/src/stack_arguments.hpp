@@ -17,7 +17,8 @@
 namespace hypermap::app {
 
 struct StackArguments {
-  std::string file;
+  std::string file;   ///< Empty where the stack comes from tiles.
+  std::string tiles;  ///< Folder; empty where it comes from a map.
   MapStackRequest request;
   std::string rule = "biodds";
   std::vector<std::string> fused;  ///< NAME or NAME=WEIGHT.
@@ -30,8 +31,12 @@ struct StackArguments {
   void add_to(CLI::App& command);
   /// Throws CLI::ValidationError for what is no number, area or layer. To be called before make.
   void finish();
-  /// The stack, cut out as asked. Errors: those of loading, stack_of_map and cut_out.
+  /// The stack, cut out as asked. Errors: those of loading, stack_of_map or read_tile_map, and
+  /// cut_out.
   [[nodiscard]] Result<GridStack> make() const;
+
+ private:
+  [[nodiscard]] Result<GridStack> uncut_stack() const;
 };
 
 /// The full name of a layer that may be named without its parent.

@@ -197,7 +197,9 @@ void add_cells_command(CLI::App& program, Action& action) {
                  "hypermap cells lab.hmap --fuse occupancy --path 0.5,0.5,3,2 --avoid occupancy "
                  "--total --output cells"});
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->output, {arguments->stack.file, arguments->palette});
+    keep_apart("--output",
+               arguments->output,
+               {arguments->stack.file, arguments->stack.tiles, arguments->palette});
     arguments->stack.finish();
     if (arguments->path) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");

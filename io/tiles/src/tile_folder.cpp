@@ -4,7 +4,6 @@
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
-#include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/tiles/tile_file.hpp"
 
 #include <algorithm>
@@ -22,11 +21,6 @@ constexpr std::string_view kTileStart = "tile_";
 
 Unexpected folder_error(ErrorCode code, std::string what, const fs::path& path) {
   return Unexpected(Error{.code = code, .what = std::move(what), .file = path.string()});
-}
-
-Result<FiledTile> read_tile_file(const fs::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, read_file(path, kMaxTileBytes));
-  return decode_tile(bytes, {path.string()});
 }
 
 /// A whole number at the start of the text, with the sign that follows it; the text goes on behind.

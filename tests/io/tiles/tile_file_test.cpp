@@ -4,11 +4,13 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
 #include "hypermap/io/codec/zip_writer.hpp"
+#include "support/temp_dir.hpp"
 #include "tile_builders.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -64,6 +66,15 @@ TEST(TileFile, ATileIsReadAsItWasWritten) {
     EXPECT_EQ(read.lattice, small_tiles());
     EXPECT_EQ(encode_tile(read.tile, read.lattice).value(), bytes);
   }
+}
+
+TEST(TileFile, AFileIsNamedInItsErrors) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.tile", std::ios::binary) << encoded(sample_tile({1, 2}, 3));
+  EXPECT_EQ(read_tile_file(dir / "a.tile").value().tile, sample_tile({1, 2}, 3));
+  std::ofstream(dir / "b.tile") << "text";
+  EXPECT_THAT(to_string(read_tile_file(dir / "b.tile").error()), HasSubstr("b.tile: "));
+  EXPECT_EQ(read_tile_file(dir / "none").error().code, ErrorCode::kIo);
 }
 
 TEST(TileFile, ItsNameTellsContentResolutionAndLocation) {

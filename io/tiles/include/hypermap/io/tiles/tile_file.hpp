@@ -15,6 +15,7 @@
 #include "hypermap/projection/tiles/tile_store.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -43,5 +44,8 @@ struct FiledTile {
 /// Errors: kMalformedFile with member and field; kUnsupported for one that a newer version wrote;
 /// kLimit as encode_tile, before memory is taken; kOutOfMemory.
 [[nodiscard]] Result<FiledTile> decode_tile(std::string_view bytes, const SourceName& source);
+
+/// Errors: also kIo.
+[[nodiscard]] Result<FiledTile> read_tile_file(const std::filesystem::path& path);
 
 }  // namespace hypermap
