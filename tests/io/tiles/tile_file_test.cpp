@@ -98,7 +98,7 @@ TEST(TileFile, TheHeadIsForPeopleToo) {
     EXPECT_THAT(head, HasSubstr(text));
   }
   // Cell 0 of the first layer by name, little-endian.
-  const LogOddsGrid& first = sample_tile({-2, 6}, 1).layers.at("/ism/camera/Tür");
+  const LogOddsGrid first = sample_tile({-2, 6}, 1).layers.at("/ism/camera/Tür");
   const std::string cells = zip.read("layer-0").value();
   EXPECT_EQ(cells.size(), 128U);
   const int low = static_cast<unsigned char>(cells[0]);
