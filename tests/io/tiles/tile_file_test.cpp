@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
@@ -102,8 +103,8 @@ TEST(TileFile, TheHeadIsForPeopleToo) {
   const std::string cells = zip.read("layer-0").value();
   EXPECT_EQ(cells.size(), 128U);
   const int low = static_cast<unsigned char>(cells[0]);
-  const int high = static_cast<signed char>(cells[1]);
-  EXPECT_EQ(high * 256 + low, first.at({0, 0}));
+  const int high = static_cast<unsigned char>(cells[1]);
+  EXPECT_EQ(static_cast<std::int16_t>(high * 256 + low), first.at({0, 0}));
 }
 
 TEST(TileFile, ItIsCutOrFlippedNowhereUnnoticed) {
