@@ -5,6 +5,7 @@
 #include "hypermap/core/base/option_table.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
+#include "hypermap/io/tiles/tile_map.hpp"
 #include "hypermap/projection/grids/layer_options.hpp"
 #include "hypermap/projection/stack/stack_services.hpp"
 #include "number_lists.hpp"
@@ -12,6 +13,7 @@
 #include "outputs.hpp"
 
 #include <CLI/Validators.hpp>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -77,9 +79,22 @@ Result<GridStack> stored_stack(const MapArchive& map, const std::string& name) {
   return fail(ErrorCode::kUnsupported, "layer " + printable(name) + " is no stack", "--from");
 }
 
-Result<GridStack> whole_stack(const MapArchive& map, const StackArguments& arguments) {
-  if (arguments.from) return stored_stack(map, *arguments.from);
-  return stack_of_map(map, arguments.request);
+/// What must be read of a map for the area, with all that a cell of it may be made from.
+Result<std::optional<Rect>> rect_around_area(const StackArguments& arguments) {
+  constexpr double kMargin = 10.0;  // in metres: the largest cells
+  HYPERMAP_ASSIGN_OR_RETURN(const auto corners, parse_area(arguments.area));
+  if (!corners) return std::optional<Rect>();
+  const Eigen::Vector2d corner((*corners)[0], (*corners)[1]);
+  const Eigen::Vector2d size(Eigen::Vector2d((*corners)[2], (*corners)[3]) - corner);
+  const Eigen::Rotation2Dd turn(arguments.yaw_deg * std::numbers::pi / 180.0);
+  Rect rect{corner, corner};
+  for (const Eigen::Vector2d& share : {Eigen::Vector2d(1, 0), {0, 1}, {1, 1}}) {
+    const Eigen::Vector2d point = corner + turn * share.cwiseProduct(size);
+    rect.min = rect.min.cwiseMin(point);
+    rect.max = rect.max.cwiseMax(point);
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
+  return std::optional(Rect{rect.min - margin, rect.max + margin});
 }
 
 }  // namespace
@@ -91,32 +106,40 @@ std::string full_layer_name(const GridStackOptions& options, const std::string& 
 void StackArguments::add_to(CLI::App& command) {
   const OptionTable& heights = option_table(LayerOptions{});
   const OptionTable& resampling = option_table(ResamplingOptions{});
-  command.add_option("file", file, "archive or configuration")->required();
+  command.add_option("file", file, "archive or configuration");
+  CLI::Option* tiles_option = command.add_option(
+      "--tiles", tiles, "folder of tiles to take instead of a file, ours or [sogm]'s");
   CLI::Option* from_option =
-      command.add_option("--from", from, "take this layer of the map, a stack, not its voxels");
+      command.add_option("--from", from, "take this layer of the map, a stack, not its voxels")
+          ->excludes(tiles_option);
   command
       .add_option("--archive", archive, "the map with what is made here as layers, as an archive")
       ->type_name("FILE");
   command.add_option("--min-height", request.of_classes.band.min_m, "of voxels that count")
       ->check(value_of_field(heights, "min_height_m"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command.add_option("--max-height", request.of_classes.band.max_m, "of voxels that count")
       ->check(value_of_field(heights, "max_height_m"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command
       .add_option(
           "--class", request.of_classes.classes, "only these, separated by commas; may be repeated")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(tiles_option);
   command
       .add_option(
           "--fuse",
           fused,
           "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; may be repeated")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(tiles_option);
   command
       .add_option(
           "--keep-share", request.of_classes.options.keep_share, "of evidence when new comes")
       ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
+      ->excludes(tiles_option)
       ->capture_default_str();
   command
       .add_option("--layer",
@@ -128,7 +151,8 @@ void StackArguments::add_to(CLI::App& command) {
   command.add_option("--yaw", yaw_deg, "degrees by which the area is turned about X0,Y0")
       ->check(number_in(-360.0, 360.0))
       ->needs(area_option);
-  command.add_option("--resolution", resolution_m, "edge of a cell (default: that of the voxels)")
+  command
+      .add_option("--resolution", resolution_m, "edge of a cell (default: that of voxels or tiles)")
       ->check(number_in(0.001, 10.0));
   command.add_option("--rule", rule, "how values between cells are had")
       ->transform(one_of(rule_names()))
@@ -148,6 +172,9 @@ void StackArguments::add_to(CLI::App& command) {
 }
 
 void StackArguments::finish() {
+  if (file.empty() == tiles.empty()) {
+    throw CLI::ValidationError("--tiles", "either a file or a folder of tiles must be named");
+  }
   const auto names = rule_names();
   request.resampling.rule =
       static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
@@ -165,13 +192,26 @@ void StackArguments::finish() {
   }
 }
 
-Result<StackOfFile> StackArguments::make() const {
+Result<MapArchive> StackArguments::map() const {
+  if (!tiles.empty()) return MapArchive{};
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded, load_archive(file, load.limits, archive_layer_types(), stop_when_interrupted()));
+  return std::move(loaded.value);
+}
+
+Result<GridStack> StackArguments::uncut_stack(const MapArchive& map) const {
+  if (from) return stored_stack(map, *from);
+  if (tiles.empty()) return stack_of_map(map, request);
+  HYPERMAP_ASSIGN_OR_RETURN(const auto around, rect_around_area(*this));
+  return read_tile_map(tiles, around, request.of_classes.options);
+}
+
+Result<StackOfFile> StackArguments::make() const {
+  HYPERMAP_ASSIGN_OR_RETURN(MapArchive whole_map, map());
   std::optional<SensedStackReport> report;
   auto cut = [&]() -> Result<GridStack> {
-    HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, whole_stack(loaded.value, *this));
-    HYPERMAP_ASSIGN_OR_RETURN(report, sensed.fuse_into(stack, loaded.value));
+    HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, uncut_stack(whole_map));
+    HYPERMAP_ASSIGN_OR_RETURN(report, sensed.fuse_into(stack, whole_map));
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
     for (const std::string& name : layers) {
@@ -179,9 +219,9 @@ Result<StackOfFile> StackArguments::make() const {
     }
     return cut_out(stack, asked);
   }();
-  if (!cut) return Unexpected(with_source(cut.error(), {file}));
+  if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
   return StackOfFile{
-      .map = std::move(loaded.value), .stack = std::move(*cut), .sensed = std::move(report)};
+      .map = std::move(whole_map), .stack = std::move(*cut), .sensed = std::move(report)};
 }
 
 Result<std::vector<std::filesystem::path>> StackArguments::save(StackOfFile made,

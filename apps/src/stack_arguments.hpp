@@ -27,7 +27,8 @@ struct StackOfFile {
 };
 
 struct StackArguments {
-  std::string file;
+  std::string file;                    ///< Empty where the stack comes from tiles.
+  std::string tiles;                   ///< Folder; empty where it comes from a map.
   std::optional<std::string> archive;  ///< Where the map with what was made is saved.
   std::optional<std::string> from;     ///< The stack is this layer of the map's.
   MapStackRequest request;
@@ -43,13 +44,17 @@ struct StackArguments {
   void add_to(CLI::App& command);
   /// Throws CLI::ValidationError for what is no number, area or layer. To be called before make.
   void finish();
-  /// The stack with the frames asked for, cut out as asked. Errors: those of loading, stack_of_map,
-  /// fuse_frames and cut_out; kUnsupported
+  /// The stack with the frames asked for, cut out as asked; of tiles the map has nothing else.
+  /// Errors: those of loading, stack_of_map or read_tile_map, fuse_frames and cut_out; kUnsupported
   /// when the layer to take it from is no stack.
   [[nodiscard]] Result<StackOfFile> make() const;
   /// Saves the map with the layers that were made, where an archive is asked for; gives its path.
   [[nodiscard]] Result<std::vector<std::filesystem::path>> save(StackOfFile made,
                                                                 std::vector<Layer> further) const;
+
+ private:
+  [[nodiscard]] Result<MapArchive> map() const;
+  [[nodiscard]] Result<GridStack> uncut_stack(const MapArchive& map) const;
 };
 
 /// The full name of a layer that may be named without its parent.

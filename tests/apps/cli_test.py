@@ -294,14 +294,14 @@ class Pipeline(unittest.TestCase):
         self.assertIn(".local.geojson", result.stderr)
 
     def test_exports_are_made_and_checked(self):
-        for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson"):
+        for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles"):
             with self.subTest(form):
                 suffix = {"octomap": ".ot", "color-octomap": ".ot", "ply": ".ply",
                           "geojson": ".local.geojson"}.get(form, "")
                 output = self.folder / f"export-{form}{suffix}"
                 result = run("export", self.archive, "--format", form, "--output", output)
                 self.assertEqual(result.returncode, 0, result.stderr)
-        for pattern in ("export-ros-map*.yaml", "export-octomap.ot", "export-color-octomap.ot"):
+        for pattern in ("export-tiles/*.tile", "export-ros-map*.yaml", "export-octomap.ot", "export-color-octomap.ot"):
             for made in self.folder.glob(pattern):
                 self.assertEqual(run("check", made).returncode, 0, made)
 

@@ -215,6 +215,11 @@ class Folders(FaultCase):
         self.check_faults(lambda: shutil.copytree(Inputs.simulation(1, seed=2), self.out / "lab"),
                           ["simulate", "--frames", 1, "--output", self.out / "lab"], count=2 * SAMPLE)
 
+    def test_tiles(self):
+        def export(resolution):
+            return ["export", Inputs.objects(resolution), "--format", "tiles", "--output", self.out / "tiles"]
+        self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
+
     def test_images_of_steps(self):
         found = self.folder / "found.jsonl"
         found.write_text('{"image": "depth/0.png", "detections": [{"label": "wall", "score": 1, '

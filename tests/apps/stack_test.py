@@ -70,6 +70,41 @@ class Stacks(unittest.TestCase):
         self.assertEqual([layer["name"] for layer in stack["layers"]], [f"/ism/{name}"])
         self.assertEqual(stack["combined"] | {"name": ""}, stack["layers"][0] | {"name": ""})
 
+    def test_tiles_are_the_map_that_they_were_made_of(self):
+        tiles = self.folder / "tiles"
+        made = run("export", self.archive, "--format", "tiles", "--output", tiles)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(sorted(made.stdout.splitlines()), sorted(map(str, tiles.iterdir())))
+        stack = self.answer("stack")
+        x, y = stack["origin"][:2]
+        area = f"--area={x},{y},{x + stack['cols'] * 0.1},{y + stack['rows'] * 0.1}"
+        for command in ("stack", "cells"):
+            ours = run(command, "--tiles", tiles, area, "--output", self.folder / "from-tiles", "--json")
+            self.assertEqual(ours.returncode, 0, ours.stderr)
+            self.assertEqual(json.loads(ours.stdout) | {"files": []}, self.answer(command) | {"files": []})
+        whole = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "whole", "--json").stdout)
+        self.assertEqual((whole["cols"] % 256, whole["rows"] % 256), (0, 0))
+        self.assertEqual([layer["occupied"] for layer in whole["layers"]], [layer["occupied"] for layer in stack["layers"]])
+        self.assertEqual(run("check", *tiles.iterdir()).returncode, 0)
+
+    def test_tiles_of_the_public_implementation_are_read(self):
+        tiles = self.folder / "tiles"
+        tiles.mkdir()
+        for second, x, cells in ((1, 0, b"\x10\xf0\x00\x20"), (2, 2, b"\x10\x10\x10\x10")):
+            name = (f"What_OGM_T_{second}.000000000s.ns_Format_INT8_Unit_logodds_Layer_-amiro6-ism-cam_Res_1000mm_X_{x}m_Y_0m_"
+                    "Z_0m_rows_2_cols_2_lat_nan_lon_nan_alt_nan_.bin")
+            (tiles / name).write_bytes(cells)
+            self.assertIn("2 x 2 cells", run("check", tiles / name).stdout)
+        stack = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "out", "--json").stdout)
+        self.assertEqual((stack["cols"], stack["rows"], stack["resolution_m"]), (4, 2, 1))
+        self.assertEqual(stack["layers"], [{"name": "/ism/amiro6/ism/cam", "occupied": 6, "free": 1, "unknown": 1}])
+        (tiles / name).write_bytes(b"\x10")
+        for command in (["stack", "--tiles", tiles, "--output", self.folder / "out2"], ["check", tiles / name]):
+            result = run(*command)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("has 1 bytes, expected 2 x 2 x 1 = 4", result.stdout + result.stderr)
+        self.assertFalse((self.folder / "out2").exists())
+
     def test_an_occupancy_layer_is_fused_by_its_weight(self):
         stack = self.answer("stack", "--fuse", "occupancy=0.5", "--keep-share", 0.9)
         self.assertIn("/ism/occupancy", [layer["name"] for layer in stack["layers"]])
@@ -189,6 +224,23 @@ class Stacks(unittest.TestCase):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 digests.add(tree_digest(self.folder / turn / command))
             self.assertEqual(len(digests), 1, command)
+
+    def test_either_a_map_or_tiles_are_asked_for(self):
+        tiles = self.folder / "tiles"
+        tiles.mkdir()
+        output = ["--output", self.folder / "x"]
+        for arguments, status, told in (([], 4, "either a file or a folder"), ([self.archive, "--tiles", tiles], 4, "either a file"),
+                                        (["--tiles", tiles, "--class", "chair"], 4, "--class"),
+                                        (["--tiles", tiles, "--fuse", "occupancy"], 4, "--fuse"),
+                                        (["--tiles", tiles, "--min-height", 1], 4, "--min-height"),
+                                        (["--tiles", tiles], 2, "has no tiles"), (["--tiles", tiles / "none"], 2, "none")):
+            with self.subTest(arguments):
+                result = run("stack", *arguments, *output)
+                self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+                self.assertIn(told, result.stderr)
+                self.assertFalse((self.folder / "x").exists())
+        result = run("stack", "--tiles", tiles, "--output", tiles)
+        self.assertEqual(result.returncode, 4, result.stderr)
 
     def test_what_is_not_there_is_said(self):
         output = ["--output", self.folder / "x"]

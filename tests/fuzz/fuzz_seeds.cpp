@@ -5,7 +5,9 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
+#include "hypermap/io/tiles/tile_file.hpp"
 #include "io/archive/sample_archive.hpp"
+#include "io/tiles/tile_builders.hpp"
 #include "targets.hpp"
 
 #include <filesystem>
@@ -74,7 +76,25 @@ MapArchive simulated_archive() {
   return archive;
 }
 
+/// One of ours, and two as the public implementation of [sogm] names them, of two cells each.
+void write_tiles(const fs::path& to) {
+  const auto tile = encode_tile(test::sample_tile({-2, 6}, 1), test::small_tiles());
+  if (tile) write_seed(to, "tile", "sample.tile", *tile);
+  write_seed(to,
+             "sogm",
+             "int8",
+             "What_OGM_T_12.345s.ns_Format_INT8_Unit_logodds_Layer_-a-b_Res_10mm_X_-1.5m_Y_2m_Z_0m_"
+             "yaw_0.5_rows_1_cols_2_lat_52.0_lon_8.5_alt_100_.bin\n\x10\xF0");
+  write_seed(
+      to,
+      "sogm",
+      "float",
+      "Timestamp_12345us_LayerIdx_3_Format_32F_Unit_probability_GridRes_50mm_X_1m_Y_2m_rows_1_"
+      "cols_2.bin\nabc>def?");
+}
+
 void write_seeds(const fs::path& from, const fs::path& to) {
+  write_tiles(to);
   const auto sample = write_archive(simulated_archive());
   if (sample) write_members(view_bytes(*sample), "sample", to);
   std::error_code ec;

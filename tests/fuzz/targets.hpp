@@ -29,7 +29,9 @@ void fuzz_png(std::string_view bytes);
 void fuzz_provenance(std::string_view bytes);
 void fuzz_scene(std::string_view bytes);
 void fuzz_semantic(std::string_view bytes);
+void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
+void fuzz_tile(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
@@ -67,7 +69,9 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"provenance", fuzz_provenance},
                                       {"scene", fuzz_scene},
                                       {"semantic", fuzz_semantic},
+                                      {"sogm", fuzz_sogm},
                                       {"surfaces", fuzz_surfaces},
+                                      {"tile", fuzz_tile},
                                       {"trajectory", fuzz_trajectory},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},

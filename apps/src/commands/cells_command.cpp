@@ -221,7 +221,10 @@ void add_cells_command(CLI::App& program, Action& action) {
   command.callback([arguments, &action] {
     keep_apart("--output",
                arguments->output,
-               {arguments->stack.file, arguments->palette, arguments->stack.sensed.dataset.input});
+               {arguments->stack.file,
+                arguments->stack.tiles,
+                arguments->palette,
+                arguments->stack.sensed.dataset.input});
     arguments->stack.finish();
     if (arguments->path) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");

@@ -50,7 +50,8 @@ void add_export_command(CLI::App& program, Action& action) {
       .add_option("--output",
                   arguments->request.output,
                   "file; for ros-map the stem or .yaml (the image beside it is named after its "
-                  "content), for class-grids a folder, for geojson a name in .local.geojson")
+                  "content), for class-grids and tiles a folder, for geojson a name in "
+                  ".local.geojson")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");

@@ -152,11 +152,13 @@ void add_stack_command(CLI::App& program, Action& action) {
       {"hypermap stack lab.hmap --output grids",
        "hypermap stack lab.hmap --class chair,table --fuse occupancy=0.5 --resolution 0.1 "
        "--pool bayesian --output grids",
-       "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids"});
+       "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids",
+       "hypermap stack --tiles drive --area 10,10,16,16 --output grids"});
   command.callback([arguments, &action] {
-    keep_apart("--output",
-               arguments->output,
-               {arguments->stack.file, arguments->stack.sensed.dataset.input});
+    keep_apart(
+        "--output",
+        arguments->output,
+        {arguments->stack.file, arguments->stack.tiles, arguments->stack.sensed.dataset.input});
     arguments->stack.finish();
     action = [arguments] { return run_stack(*arguments); };
   });

@@ -39,6 +39,8 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
       return check_dataset(path, options);
     case FileKind::kTruth:
       return check_truth(path);
+    case FileKind::kTile:
+      return check_tile(path);
     default:
       break;
   }

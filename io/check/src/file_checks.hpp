@@ -45,5 +45,7 @@ struct FileSummary {
 [[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path,
                                                 const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_truth(const std::filesystem::path& path);
+/// A `.tile` of ours, else one of [sogm]'s public implementation.
+[[nodiscard]] Result<FileSummary> check_tile(const std::filesystem::path& path);
 
 }  // namespace hypermap

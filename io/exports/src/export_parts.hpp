@@ -51,5 +51,7 @@ template <class Content>
                                               const ExportRequest& request);
 [[nodiscard]] Result<WrittenFiles> export_geojson(const MapArchive& archive,
                                                   const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_tiles(const MapArchive& archive,
+                                                const ExportRequest& request);
 
 }  // namespace hypermap

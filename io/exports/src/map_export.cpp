@@ -13,8 +13,8 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 6> kExportFormats{
-    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson"};
+constexpr std::array<std::string_view, 7> kExportFormats{
+    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles"};
 
 /// What a format does without.
 Result<void> check_request(const ExportRequest& request) {
@@ -109,6 +109,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_ply(archive, request);
     case ExportFormat::kGeojson:
       return export_geojson(archive, request);
+    case ExportFormat::kTiles:
+      return export_tiles(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

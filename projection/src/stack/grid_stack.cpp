@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -67,6 +68,19 @@ Result<void> check_num_layers(std::size_t num_layers, const GridGeometry& geomet
               "layer");
 }
 
+Result<void> check_saturation(const LogOddsGrid& grid, const GridStackOptions& options) {
+  const int max_steps = to_steps(options.max_log_odds);
+  const auto cells = grid.cells();
+  const auto beyond =
+      std::ranges::find_if(cells, [max_steps](int steps) { return std::abs(steps) > max_steps; });
+  if (beyond == cells.end()) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "log-odds must be at most " + number_text(options.max_log_odds.value()) +
+                  " either way, is " + number_text(from_steps(*beyond).value()) + " in cell " +
+                  std::to_string(beyond - cells.begin()),
+              "cells");
+}
+
 /// A layer that was fused before.
 Result<void> check_layer(const std::string& name,
                          const LogOddsGrid& grid,
@@ -75,14 +89,7 @@ Result<void> check_layer(const std::string& name,
   HYPERMAP_TRY(check_layer_name(name, options.parent));
   if (grid.geometry() != geometry)
     return fail(ErrorCode::kInvalidArgument, printable(name) + " has other cells", "layer");
-  const int max_steps = to_steps(options.max_log_odds);
-  const auto beyond = std::ranges::find_if(
-      grid.cells(), [max_steps](LogOddsSteps steps) { return std::abs(steps) > max_steps; });
-  if (beyond == grid.cells().end()) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              printable(name) + " has a cell of " + std::to_string(*beyond) +
-                  " steps, evidence saturates at " + std::to_string(max_steps),
-              "layer");
+  return check_saturation(grid, options);
 }
 
 /// Evidence that reaches a cell.
@@ -113,6 +120,21 @@ void add_evidence(LogOddsGrid& layer,
     const int kept = static_cast<int>(options.keep_share * layer.at(reached.cell));
     const int sum = std::clamp(kept + reached.steps, -max_steps, max_steps);
     layer.set(reached.cell, static_cast<LogOddsSteps>(sum));
+  }
+}
+
+/// Does not throw. What reaches beyond `to` is left out.
+void copy_cells(const LogOddsGrid& from, Cell first, LogOddsGrid& to) {
+  const auto end_of = [](int begin, int length, int size) {
+    return static_cast<int>(
+        std::clamp(std::int64_t{begin} + length, std::int64_t{0}, std::int64_t{size}));
+  };
+  const Cell end{end_of(first.col, from.geometry().cols, to.geometry().cols),
+                 end_of(first.row, from.geometry().rows, to.geometry().rows)};
+  for (int row = std::max(first.row, 0); row < end.row; ++row) {
+    for (int col = std::max(first.col, 0); col < end.col; ++col) {
+      to.set({col, row}, from.at({col - first.col, row - first.row}));
+    }
   }
 }
 
@@ -161,12 +183,17 @@ Result<GridStack> GridStack::create(const GridGeometry& geometry,
   return stack;
 }
 
+Result<void> GridStack::check_new_layer(const std::string& layer) const {
+  if (layers_.contains(layer)) return {};
+  return check_num_layers(layers_.size() + 1, geometry_);
+}
+
 Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
                                     const Eigen::Matrix3d& stack_from_sensor,
                                     const ResamplingOptions& resampling) {
   HYPERMAP_TRY(check_sensor(sensor, options_));
+  HYPERMAP_TRY(check_new_layer(sensor.layer));
   const bool is_new = !layers_.contains(sensor.layer);
-  if (is_new) HYPERMAP_TRY(check_num_layers(layers_.size() + 1, geometry_));
   HYPERMAP_ASSIGN_OR_RETURN(
       const Resampler resampler,
       Resampler::create(sensor.grid, geometry_, stack_from_sensor, resampling));
@@ -187,6 +214,22 @@ Result<std::size_t> GridStack::fuse(const SensorGrid& sensor,
   HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Isometry2d stack_from_sensor,
                             frames.to_from(options_.frame_id, sensor.frame_id));
   return fuse(sensor, Eigen::Matrix3d(stack_from_sensor.matrix()), resampling);
+}
+
+Result<void> GridStack::replace_cells(const std::string& layer,
+                                      const LogOddsGrid& grid,
+                                      Cell first) {
+  HYPERMAP_TRY(check_layer_name(layer, options_.parent));
+  HYPERMAP_TRY(check_new_layer(layer));
+  HYPERMAP_TRY(check_saturation(grid, options_));
+  return guarded(ErrorCode::kInvalidArgument, "the layer", [&]() -> Result<void> {
+    if (!layers_.contains(layer)) {
+      HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid unknown, LogOddsGrid::create(geometry_));
+      layers_.emplace(layer, std::move(unknown));
+    }
+    copy_cells(grid, first, layers_.find(layer)->second);
+    return {};
+  });
 }
 
 }  // namespace hypermap

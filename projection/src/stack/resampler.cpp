@@ -16,8 +16,12 @@ namespace {
 
 /// A source is seen up to so far beyond its edge: half a cell, by interpolation.
 constexpr double kReachCells = 0.5;
-/// Cells of one size stay so in spite of rounding.
-constexpr double kSameArea = 1.0 + 1e-9;
+/// Cells of one size stay so in spite of rounding, also a thousand kilometres from the origin.
+constexpr double kSameArea = 1.0 + 1e-6;
+/// A corner that lies so near to one of the lattice, in cells, is that one.
+constexpr double kWholeCells = 1e-6;
+/// Cells of the lattice are counted so far.
+constexpr double kFarthestOfLattice = 1e9;
 /// Third coordinates smaller than this part of that of the middle lie at the horizon.
 constexpr double kHorizon = 1e-9;
 /// What is farther away, in cells, lies there too.
@@ -32,6 +36,25 @@ Eigen::Matrix3d frame_from_cells(const GridGeometry& geometry) {
   matrix.col(1).head<2>() = Eigen::Vector2d(-x.y(), x.x());
   matrix.col(2).head<2>() = geometry.origin;
   return matrix;
+}
+
+/// The cells of a grid among those of the lattice of its resolution and yaw that begins at the
+/// frame's origin: what a cell takes from a source then depends on the lattice alone, and not, by
+/// rounding, on the grid that it is a part of.
+struct OnLattice {
+  GridGeometry geometry;  ///< Of its cells the first one is `first` of the grid, if that fits.
+  Cell first;
+};
+
+OnLattice on_lattice(const GridGeometry& target) {
+  GridGeometry lattice = target;
+  lattice.origin = Eigen::Vector2d::Zero();
+  const Eigen::Vector2d cells = to_cells(lattice, target.origin);
+  const Eigen::Vector2d whole = cells.array().round();
+  const bool fits = (cells - whole).cwiseAbs().maxCoeff() <= kWholeCells &&
+                    whole.cwiseAbs().maxCoeff() <= kFarthestOfLattice;
+  if (!fits) return {target, {}};
+  return {lattice, {static_cast<int>(whole.x()), static_cast<int>(whole.y())}};
 }
 
 Eigen::Vector3d middle_of(const GridGeometry& geometry) {
@@ -61,22 +84,24 @@ Result<Eigen::Matrix3d> cells_from_cells(const GridGeometry& target,
 }
 
 /// Cells of `target` that may see something of the source; all when its horizon crosses that.
-CellWindow window_of(const GridGeometry& target,
+CellWindow window_of(const OnLattice& target,
                      const GridGeometry& source,
-                     const Eigen::Matrix3d& target_from_source) {
+                     const Eigen::Matrix3d& lattice_from_source) {
+  const Eigen::Vector2d size(target.geometry.cols, target.geometry.rows);
+  const Eigen::Vector2d before(target.first.col, target.first.row);
   Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300);
   Eigen::Vector2d high = -low;
   for (const double x : {-kReachCells, source.cols + kReachCells}) {
     for (const double y : {-kReachCells, source.rows + kReachCells}) {
-      const Eigen::Vector3d corner = target_from_source * Eigen::Vector3d(x, y, 1.0);
-      if (corner.z() <= kHorizon) return {{0, 0}, {target.cols, target.rows}};
+      const Eigen::Vector3d corner = lattice_from_source * Eigen::Vector3d(x, y, 1.0);
+      if (corner.z() <= kHorizon) return {{0, 0}, {target.geometry.cols, target.geometry.rows}};
       low = low.cwiseMin(corner.hnormalized());
       high = high.cwiseMax(corner.hnormalized());
     }
   }
-  const Eigen::Vector2d size(target.cols, target.rows);
-  const Eigen::Vector2d first = low.array().floor().matrix().cwiseMax(0.0).cwiseMin(size);
-  const Eigen::Vector2d end = high.array().ceil().matrix().cwiseMax(0.0).cwiseMin(size);
+  const Eigen::Vector2d first =
+      (low.array().floor().matrix() - before).cwiseMax(0.0).cwiseMin(size);
+  const Eigen::Vector2d end = (high.array().ceil().matrix() - before).cwiseMax(0.0).cwiseMin(size);
   return {{static_cast<int>(first.x()), static_cast<int>(first.y())},
           {static_cast<int>(end.x()), static_cast<int>(end.y())}};
 }
@@ -105,16 +130,20 @@ Result<Resampler> Resampler::create(const LogOddsGrid& source,
   HYPERMAP_TRY(validate(options));
   HYPERMAP_TRY(check_cells(source.geometry(), "grid"));
   HYPERMAP_TRY(check_cells(target, "target"));
-  HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Matrix3d target_cells_from_source_cells,
-                            cells_from_cells(target, source.geometry(), target_from_source));
+  const OnLattice lattice = on_lattice(target);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const Eigen::Matrix3d lattice_from_source,
+      cells_from_cells(lattice.geometry, source.geometry(), target_from_source));
   Resampler resampler(source, options);
-  resampler.source_from_target_ = target_cells_from_source_cells.inverse();
-  resampler.window_ = window_of(target, source.geometry(), target_cells_from_source_cells);
+  resampler.source_from_lattice_ = lattice_from_source.inverse();
+  resampler.first_ = lattice.first;
+  resampler.window_ = window_of(lattice, source.geometry(), lattice_from_source);
   if (resampler.window_.is_empty()) {
-    const Eigen::Vector3d at = target_cells_from_source_cells * middle_of(source.geometry());
+    const Eigen::Vector3d at = lattice_from_source * middle_of(source.geometry());
     return fail(ErrorCode::kInvalidArgument,
-                "lies outside: its middle is at column " + number_text(std::round(at.x())) +
-                    ", row " + number_text(std::round(at.y())) + " of " +
+                "lies outside: its middle is at column " +
+                    number_text(std::round(at.x()) - lattice.first.col) + ", row " +
+                    number_text(std::round(at.y()) - lattice.first.row) + " of " +
                     std::to_string(target.cols) + " x " + std::to_string(target.rows),
                 "grid");
   }
@@ -122,7 +151,8 @@ Result<Resampler> Resampler::create(const LogOddsGrid& source,
 }
 
 std::optional<Eigen::Vector2d> Resampler::in_source(double col, double row) const {
-  const Eigen::Vector3d point = source_from_target_ * Eigen::Vector3d(col, row, 1.0);
+  const Eigen::Vector3d point =
+      source_from_lattice_ * Eigen::Vector3d(first_.col + col, first_.row + row, 1.0);
   if (!(point.z() > kHorizon)) return std::nullopt;
   const Eigen::Vector2d cells = point.hnormalized();
   if (cells.cwiseAbs().maxCoeff() > kFarthest) return std::nullopt;

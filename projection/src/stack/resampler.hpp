@@ -48,7 +48,8 @@ class Resampler {
   const LogOddsGrid* source_;
   ResamplingOptions options_;
   LogOdds bound_;
-  Eigen::Matrix3d source_from_target_ = Eigen::Matrix3d::Identity();  ///< Both in cells.
+  Eigen::Matrix3d source_from_lattice_ = Eigen::Matrix3d::Identity();  ///< Both in cells.
+  Cell first_;  ///< Of the target, on that lattice.
   CellWindow window_;
 };
 

@@ -133,7 +133,8 @@ TEST(GridStackLayer, WhatBreaksItIsNamed) {
   EXPECT_THAT(refusal("resolution: 0.1", "resolution: .nan"), HasSubstr("resolution"));
   EXPECT_THAT(refusal("/sensors/cup", "/other/cup"), HasSubstr("below /sensors/"));
   EXPECT_THAT(refusal("/sensors/cup", "/sensors/x/chair"), HasSubstr("two layers"));
-  EXPECT_THAT(refusal("max_log_odds: 13.815", "max_log_odds: 13.8"), HasSubstr("saturates"));
+  EXPECT_THAT(refusal("max_log_odds: 13.815", "max_log_odds: 13.8"),
+              HasSubstr("at most 13.8 either way"));
   EXPECT_THAT(refusal("keep_share: 0.75", "keep_share: 1.5"), HasSubstr("keep_share"));
   EXPECT_THAT(load_error(changed(bytes, {{"stack.1", ""}})), HasSubstr("stack.1"));
   EXPECT_THAT(load_error(changed(bytes, {{"stack.1", std::string(12, '\x7f')}})),

@@ -66,7 +66,7 @@ TEST(GridStack, IsMadeOfLayersThatWereFusedBefore) {
   EXPECT_THAT(refusal("/ism", layer_of(stack, "/ism/a")), HasSubstr("below /ism/"));
   EXPECT_THAT(refusal("/ism/a", random_grid(sized(4, 5), 1, 9)), HasSubstr("other cells"));
   EXPECT_THAT(refusal("/ism/a", grid_of(sized(5, 4), std::vector<LogOddsSteps>(20, -9001))),
-              HasSubstr("-9001 steps, evidence saturates at 9000"));
+              HasSubstr("at most 9 either way, is -9.001 in cell 0"));
 }
 
 TEST(GridStack, TheOrderOfReadingsDoesNotCount) {
@@ -203,6 +203,32 @@ TEST(GridStack, WhatCannotBeFusedLeavesTheStackAsItWas) {
     ASSERT_FALSE(failed) << weight;
     EXPECT_EQ(failed.error().field, "weight");
   }
+  EXPECT_EQ(stack, before);
+}
+
+TEST(GridStack, CellsAreReplacedAsTheyAre) {
+  GridStack stack = stack_of(sized(4, 2), {.max_log_odds = LogOdds(9.0), .keep_share = 0.5});
+  const LogOddsGrid part = grid_of(sized(2, 2, 7.0), {1, 2, 0, 9000});
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {1, 0}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 2, 0, 0, 0, 9000, 0));
+  EXPECT_EQ(layer_of(stack, "/ism/a").geometry(), sized(4, 2));
+  // Unknown cells take the place of known ones, too; what reaches beyond the stack is left out.
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {2, -1}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 0, 9000, 0, 0, 9000, 0));
+  ASSERT_TRUE(stack.replace_cells("/ism/a", part, {-1, 1}));
+  EXPECT_THAT(layer_of(stack, "/ism/a").cells(), ElementsAre(0, 1, 0, 9000, 2, 0, 9000, 0));
+  constexpr int kFar = std::numeric_limits<int>::max();
+  for (const Cell outside : {Cell{kFar, kFar}, Cell{-kFar - 1, 0}, Cell{4, 0}, Cell{0, -2}}) {
+    const GridStack before = stack;
+    ASSERT_TRUE(stack.replace_cells("/ism/a", part, outside));
+    EXPECT_EQ(stack, before);
+  }
+  const GridStack before = stack;
+  const auto too_sure = stack.replace_cells("/ism/b", grid_of(sized(2, 1), {1, -9001}));
+  ASSERT_FALSE(too_sure);
+  EXPECT_EQ(too_sure.error().field, "cells");
+  EXPECT_THAT(to_string(too_sure.error()), HasSubstr("is -9.001 in cell 1"));
+  EXPECT_EQ(stack.replace_cells("/other/b", part).error().field, "layer");
   EXPECT_EQ(stack, before);
 }
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <numbers>
@@ -212,6 +213,44 @@ TEST(Resampling, WhatCannotBeDoneIsSaid) {
     ASSERT_FALSE(failed) << epsilon;
     EXPECT_EQ(failed.error().field, "epsilon");
   }
+}
+
+TEST(Resampling, ACellTakesTheSameWhicheverGridItIsPartOf) {
+  // Grids of one lattice, here and there in one large grid, at poses that are no whole cells: to
+  // the bit, whatever the origins do to rounding.
+  const GridGeometry large{
+      .resolution_m = 0.01, .origin = {-35.07, 19.93}, .cols = 500, .rows = 400};
+  for (const auto rule :
+       {ResamplingRule::kNearest, ResamplingRule::kBilinear, ResamplingRule::kBiodds}) {
+    for (unsigned i = 0; i < 20; ++i) {
+      const double resolution_m = i % 4 == 0 ? 0.004 : 0.01 + 0.001 * i;
+      const LogOddsGrid source = random_grid(sized(30, 20, resolution_m), i, 9000);
+      const Eigen::Matrix3d at = pose(-34.9 + 0.213 * i, 20.11 + 0.153 * i, 0.37 * i);
+      const LogOddsGrid whole = resampled(source, large, at, {.rule = rule}).value();
+      ASSERT_GT(whole.num_known(), 20U);
+      const Cell first{15 * static_cast<int>(i), 10 * static_cast<int>(i)};
+      GridGeometry part = large;
+      part.origin = Eigen::Vector2d(-3507 + first.col, 1993 + first.row) * 0.01;
+      part.cols = 200;
+      part.rows = 200;
+      const LogOddsGrid seen = resampled(source, part, at, {.rule = rule}).value();
+      for (int row = 0; row < part.rows; ++row) {
+        for (int col = 0; col < part.cols; ++col) {
+          const Cell in_whole{first.col + col, first.row + row};
+          ASSERT_EQ(seen.at({col, row}), whole.at(in_whole));
+        }
+      }
+    }
+  }
+}
+
+TEST(Resampling, FarFromTheOriginCellsOfOneSizeAreNotAveraged) {
+  // 900 km away coordinates are exact to 1e-10 m, 1e-8 cells.
+  const GridGeometry target{
+      .resolution_m = 0.01, .origin = {900'000, -900'000}, .cols = 9, .rows = 9};
+  const LogOddsGrid source = random_grid(sized(9, 9, 0.01), 3, 9000);
+  const LogOddsGrid shifted = resampled(source, target, pose(900'000, -900'000)).value();
+  EXPECT_TRUE(std::ranges::equal(shifted.cells(), source.cells()));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kFileKindNames{"archive",
+constexpr std::array<std::string_view, 13> kFileKindNames{"archive",
                                                           "octree",
                                                           "map",
                                                           "image",
@@ -29,14 +29,16 @@ constexpr std::array<std::string_view, 12> kFileKindNames{"archive",
                                                           "detections",
                                                           "config",
                                                           "dataset",
-                                                          "truth"};
+                                                          "truth",
+                                                          "tile"};
 
 struct Hint {
   std::string_view text;
   FileKind kind;
 };
 
-constexpr std::array<Hint, 16> kExtensions{{{".hmap", FileKind::kArchive},
+constexpr std::array<Hint, 17> kExtensions{{{".hmap", FileKind::kArchive},
+                                            {".tile", FileKind::kTile},
                                             {".ot", FileKind::kOctree},
                                             {".bt", FileKind::kOctree},
                                             {".png", FileKind::kImage},
@@ -80,7 +82,13 @@ constexpr std::array<Hint, 16> kYamlHints{{{"format: hypermap-sequence-truth", F
                                            {"- {shape:", FileKind::kSemantic},
                                            {"- tags:", FileKind::kSemantic}}};
 
+/// Tiles of [sogm]'s public implementation have no header: their names tell what they are.
+bool is_headerless_tile(const fs::path& path) {
+  return path.extension() == ".bin" && path.stem().string().find("_Format_") != std::string::npos;
+}
+
 std::optional<FileKind> by_extension(const fs::path& path) {
+  if (is_headerless_tile(path)) return FileKind::kTile;
   const std::string extension = path.extension().string();
   const auto found = std::find_if(kExtensions.begin(), kExtensions.end(), [&](const Hint& hint) {
     return hint.text == extension;
@@ -195,7 +203,8 @@ Result<FileKind> find_file_kind(const fs::path& path) {
   std::error_code ec;
   if (fs::is_directory(path, ec)) return FileKind::kDataset;
   const auto named = by_extension(path);
-  if (named == FileKind::kArchive || named == FileKind::kOctree) return *named;
+  const bool is_said = named == FileKind::kArchive || named == FileKind::kOctree;
+  if (is_said || named == FileKind::kTile) return *named;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, first_bytes(path));
   if (const auto kind = by_content(bytes)) return *kind;
   if (named) return *named;

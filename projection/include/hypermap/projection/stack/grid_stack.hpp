@@ -75,7 +75,7 @@ class GridStack {
   /// Source: [sogm] Eq. (1) in log-odds: l += weight * l(sensor). Cells that it does not know, and
   /// those whose share comes to less than half a step, stay as they are.
   /// Frame: `stack_from_sensor` as target_from_source of `resampled`; `sensor.frame_id` is not
-  /// asked. Errors: kInvalidArgument for a name that is not below `parent`, is longer than 256
+  /// asked. Errors: kInvalidArgument for a name that is not below `parent`, is longer than 512
   /// bytes or has an empty part, for a weight that is not in (0, 1000], and as `resampled`; kLimit
   /// when all layers together would have more than 2^30 cells; kOutOfMemory. Then the stack is as
   /// it was. Cost: as `resampled`, for the cells that the sensor's grid covers.
@@ -88,9 +88,19 @@ class GridStack {
                                          const FrameTree& frames,
                                          const ResamplingOptions& resampling = {});
 
+  /// Puts the cells of `grid` in the place of those that a layer has from `first` on; the layer is
+  /// made when it is not there. Exact: nothing is resampled, and where `grid` says that it lies is
+  /// not asked. Boundary: what reaches beyond the stack is left out. Errors: kInvalidArgument for
+  /// the name as `fuse`, and for a cell beyond max_log_odds; kLimit as `fuse`; kOutOfMemory. Then
+  /// the stack is as it was.
+  [[nodiscard]] Result<void> replace_cells(const std::string& layer,
+                                           const LogOddsGrid& grid,
+                                           Cell first = {});
+
   friend bool operator==(const GridStack&, const GridStack&) = default;
 
  private:
+  [[nodiscard]] Result<void> check_new_layer(const std::string& layer) const;
   GridStack(const GridGeometry& geometry, GridStackOptions options)
       : geometry_(geometry), options_(std::move(options)) {}
 

@@ -26,6 +26,7 @@ enum class FileKind : std::uint8_t {
   kConfig,  ///< A bare map configuration, or a file of options.
   kDataset,
   kTruth,  ///< A list of what stands in a recorded sequence.
+  kTile,   ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
 };
 
 /// The names of the command line, in the order of the enumerators.
@@ -34,7 +35,8 @@ enum class FileKind : std::uint8_t {
 /// Errors: kInvalidArgument with the names there are.
 [[nodiscard]] Result<FileKind> file_kind(std::string_view name);
 
-/// What a file most likely is: a folder is a dataset; `.hmap`, `.ot` and `.bt` are what they say;
+/// What a file most likely is: a folder is a dataset; `.hmap`, `.ot`, `.bt` and tiles are what they
+/// say;
 /// else its first 64 KiB decide, and where they do not (empty, comments only) its extension.
 ///
 /// Boundary: a 16-bit image of one channel is taken for depth. A broken file is given the kind

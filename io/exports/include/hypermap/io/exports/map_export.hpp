@@ -24,9 +24,11 @@ enum class ExportFormat {
   kPly,           ///< Occupied voxels as points with scalar_label, _instance, _confidence.
   kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`, with the
                   ///< height, box and seen share of the objects that they stand for.
+  kTiles,         ///< A folder of tiles (TileFolder) of the stack that `stack_of_map` makes; an
+                  ///< older one is replaced as a whole.
 };
 
-/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson".
+/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
@@ -53,7 +55,7 @@ struct ExportRequest {
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
 /// is not known; kInvalidArgument for an output name that the format does not allow, and for a
-/// layer or classes that it does not have; kIo.
+/// layer or classes that it does not have, or, as kTiles, a folder with other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 
