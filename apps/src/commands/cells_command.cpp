@@ -170,8 +170,8 @@ void add_supercell_options(CLI::App& command, SupercellOptions& options) {
                    "both supercells together must gain by a move, not the growing one alone");
   command.add_flag("--cell-weighted",
                    options.cell_weighted,
-                   "variances count by cells, both sides gain, single cells move: outlines keep to "
-                   "those of things");
+                   "variances count by cells, both sides gain, small blocks move: outlines keep to "
+                   "those of objects");
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ class SupercellMoves {
   /// Requires: as energy_change.
   void move(Block block, int to);
 
-  /// H = sum of D' - gamma G, kept up to date by each move. D' times the number of cells when that
-  /// is asked.
+  /// H = sum of D' - gamma G, kept up to date by each move. When
+  /// cells count, D' is weighted by the size of the supercell.
   [[nodiscard]] double energy() const noexcept { return energy_; }
   [[nodiscard]] int count() const noexcept { return static_cast<int>(terms_.size()); }
   [[nodiscard]] const std::vector<std::int32_t>& labels() const noexcept { return labels_; }
@@ -56,9 +56,7 @@ class SupercellMoves {
   [[nodiscard]] double cost_of_leaving(Block block, SetSums set) const;
   [[nodiscard]] double cost_of_joining(Block block, SetSums set, int to) const;
   /// What a variance over so many cells counts in the energy.
-  [[nodiscard]] double weighted(double variance, std::int64_t num_cells) const noexcept {
-    return options_.cell_weighted ? variance * static_cast<double>(num_cells) : variance;
-  }
+  [[nodiscard]] double weighted(double variance, std::int64_t num_cells) const;
   /// By how much the supercell's term changes with `sign` times the cells.
   [[nodiscard]] double term_change(int label, SetSums set, int sign) const;
   [[nodiscard]] bool stays_connected(Block block, const std::array<int, 4>& beside) const;
@@ -78,6 +76,7 @@ class SupercellMoves {
 
   const BinnedCells* cells_;
   SupercellOptions options_;
+  std::vector<double> weights_;  ///< Of a supercell of so many cells, the small ones; by cells.
   std::vector<std::int32_t> labels_;
   CellSums supercells_;
   std::vector<double> terms_;              ///< Of each supercell: D', weighted if that is asked.

@@ -5,8 +5,13 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "supercell_moves.hpp"
 
+#include <algorithm>
+
 namespace hypermap {
 namespace {
+
+/// With cells counted, blocks are of two cells a side at most. Measured: docs/RESULTS.md.
+constexpr int kLargestLevelByCells = 1;
 
 constexpr OptionRow kSupercellRows[] = {
     option::count<&SupercellOptions::num_levels>(
@@ -25,7 +30,7 @@ constexpr OptionRow kSupercellRows[] = {
         "total", {.effect = "Both supercells together must gain by a move, not the growing one."}),
     option::flag<&SupercellOptions::cell_weighted>(
         "cell_weighted",
-        {.effect = "Variances count by cells; both supercells must gain; single cells move."}),
+        {.effect = "Variances count by cells; both supercells must gain; small blocks move."}),
     option::count<&SupercellOptions::max_passes>(
         "max_passes", {1, 1000}, {.effect = "Most passes over all blocks of one size."}),
 };
@@ -66,7 +71,8 @@ Result<Supercells> extract_supercells(const GridStack& stack, const SupercellOpt
     SupercellMoves moves(cells, options);
     Supercells found{.geometry = stack.geometry(), .labels = {}, .count = moves.count()};
     found.first_energy = moves.energy();
-    const int first_level = options.cell_weighted ? 0 : options.num_levels - 1;
+    const int largest_level = options.cell_weighted ? kLargestLevelByCells : options.num_levels;
+    const int first_level = std::min(largest_level, options.num_levels - 1);
     for (int level = first_level; level >= 0; --level) {
       moves.set_level(level);
       for (int pass = 0; pass < options.max_passes; ++pass) {

@@ -133,8 +133,8 @@ TEST(Supercells, WithBothSidesCountedNoMoveRaisesTheEnergy) {
 TEST(Supercells, CountedByCellsAnOddCellIsLeftAlone) {
   // 8 x 2 cells, squares of 2 x 2, K = 2, one odd cell in the second square; all times 1/4, for bin
   // centres 1/2 apart. By D' the odd cell goes where it is outnumbered most: from 3/16 of its
-  // square to 4/25 of the next. By cells that would raise 3/4 to 4/5; instead the others go: 3/4,
-  // 2/3, 1/2 and 0. (D' would rise first: 3/16, 2/9, 1/4.)
+  // square to 4/25 of the next. Times n^0.8 that would be a rise, from 0.568 to 0.580; instead the
+  // others go: 0.568, 0.535, 0.435 and 0. (D' would rise first: 3/16, 2/9, 1/4.)
   const GridStack stack = stack_from(cells_of(8, 2), 1, [](int /*layer*/, Cell cell) {
     return cell == Cell{3, 1} ? 0.9 : 0.1;
   });
@@ -144,7 +144,7 @@ TEST(Supercells, CountedByCellsAnOddCellIsLeftAlone) {
   EXPECT_EQ(std::ranges::count(mixed.labels, mixed.labels[11]), 5);
   options.cell_weighted = true;
   const auto apart = extract_supercells(stack, options).value();
-  EXPECT_DOUBLE_EQ(apart.first_energy, (3.0 / 4.0) / 4.0);
+  EXPECT_DOUBLE_EQ(apart.first_energy, std::pow(4.0, 0.8) * (3.0 / 16.0) / 4.0);
   EXPECT_EQ(apart.energy, 0.0);
   EXPECT_EQ(apart.num_moves, 3U);
   EXPECT_EQ(std::ranges::count(apart.labels, apart.labels[11]), 1);
