@@ -11,9 +11,9 @@ namespace {
 /// Less is rounding.
 constexpr double kLeastFall = 1e-12;
 
-/// With cells counted, D' of n cells counts n to this power. Measured: docs/RESULTS.md,
-/// "Supercells against superpixels".
-constexpr double kSizeExponent = 0.8;
+/// With cells counted, the standard deviation sqrt(D') of n cells counts n to this power. Measured:
+/// docs/RESULTS.md, "Supercells against superpixels".
+constexpr double kSizeExponent = 0.75;
 constexpr std::int64_t kNumTabledWeights = 4096;
 
 double size_weight(std::int64_t num_cells) {
@@ -127,8 +127,9 @@ bool SupercellMoves::may_leave(Block block) const {
 double SupercellMoves::weighted(double variance, std::int64_t num_cells) const {
   if (!options_.cell_weighted) return variance;
   const bool is_tabled = num_cells < kNumTabledWeights;
-  return variance *
-         (is_tabled ? weights_[static_cast<std::size_t>(num_cells)] : size_weight(num_cells));
+  const double weight =
+      is_tabled ? weights_[static_cast<std::size_t>(num_cells)] : size_weight(num_cells);
+  return weight * std::sqrt(std::max(variance, 0.0));
 }
 
 double SupercellMoves::term_change(int label, SetSums set, int sign) const {

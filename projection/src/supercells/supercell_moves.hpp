@@ -45,8 +45,8 @@ class SupercellMoves {
   /// Requires: as energy_change.
   void move(Block block, int to);
 
-  /// H = sum of D' - gamma G, kept up to date by each move. When
-  /// cells count, D' is weighted by the size of the supercell.
+  /// H = sum of D' - gamma G, kept up to date by each move. With
+  /// cells counted, n^(3/4) sqrt(D') instead of D'.
   [[nodiscard]] double energy() const noexcept { return energy_; }
   [[nodiscard]] int count() const noexcept { return static_cast<int>(terms_.size()); }
   [[nodiscard]] const std::vector<std::int32_t>& labels() const noexcept { return labels_; }

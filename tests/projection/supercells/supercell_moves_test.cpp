@@ -22,8 +22,8 @@ using test::stack_from;
 
 using Labels = std::vector<std::int32_t>;
 
-/// D' of each supercell anew, times n^0.8 for n cells if they are weighted: in two passes over
-/// them.
+/// D' of each supercell anew, or n^(3/4) sqrt(D') of n cells if they are weighted: in two passes
+/// over them.
 std::map<int, double> terms(const BinnedCells& cells, const Labels& labels, bool cell_weighted) {
   std::map<int, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < labels.size(); ++i) members[labels[i]].push_back(i);
@@ -38,9 +38,10 @@ std::map<int, double> terms(const BinnedCells& cells, const Labels& labels, bool
       mean /= static_cast<double>(of_label.size());
       double square = 0.0;
       for (const std::size_t i : of_label) square += (centre(i) - mean) * (centre(i) - mean);
-      const auto size = static_cast<double>(of_label.size());
-      sums[label] += square / size * (cell_weighted ? std::pow(size, 0.8) : 1.0);
+      sums[label] += square / static_cast<double>(of_label.size());
     }
+    const auto size = static_cast<double>(of_label.size());
+    if (cell_weighted) sums[label] = std::pow(size, 0.75) * std::sqrt(sums[label]);
   }
   return sums;
 }

@@ -131,10 +131,10 @@ TEST(Supercells, WithBothSidesCountedNoMoveRaisesTheEnergy) {
 }
 
 TEST(Supercells, CountedByCellsAnOddCellIsLeftAlone) {
-  // 8 x 2 cells, squares of 2 x 2, K = 2, one odd cell in the second square; all times 1/4, for bin
-  // centres 1/2 apart. By D' the odd cell goes where it is outnumbered most: from 3/16 of its
-  // square to 4/25 of the next. Times n^0.8 that would be a rise, from 0.568 to 0.580; instead the
-  // others go: 0.568, 0.535, 0.435 and 0. (D' would rise first: 3/16, 2/9, 1/4.)
+  // 8 x 2 cells, squares of 2 x 2, K = 2, one odd cell in the second square; bin centres are 1/2
+  // apart. By D' the odd cell goes where it is outnumbered most: from 3/64 of its square to 4/100
+  // of the next. n^(3/4) sqrt(D') would rise by that, from 0.612 to 0.669; instead the others go:
+  // 0.612, 0.537, 0.420 and 0. (D' would rise first: 3/64, 2/36, 1/16.)
   const GridStack stack = stack_from(cells_of(8, 2), 1, [](int /*layer*/, Cell cell) {
     return cell == Cell{3, 1} ? 0.9 : 0.1;
   });
@@ -144,7 +144,7 @@ TEST(Supercells, CountedByCellsAnOddCellIsLeftAlone) {
   EXPECT_EQ(std::ranges::count(mixed.labels, mixed.labels[11]), 5);
   options.cell_weighted = true;
   const auto apart = extract_supercells(stack, options).value();
-  EXPECT_DOUBLE_EQ(apart.first_energy, std::pow(4.0, 0.8) * (3.0 / 16.0) / 4.0);
+  EXPECT_DOUBLE_EQ(apart.first_energy, std::pow(4.0, 0.75) * std::sqrt(3.0 / 64.0));
   EXPECT_EQ(apart.energy, 0.0);
   EXPECT_EQ(apart.num_moves, 3U);
   EXPECT_EQ(std::ranges::count(apart.labels, apart.labels[11]), 1);
