@@ -16,6 +16,7 @@ METHODS = ("SEVDS", "SEVDS, any K", "cell-weighted", "SEEDS", "SLIC", "SLICO", "
 SCENES = ("one table", "corner table", "two tables", "crowded")
 THEIRS = ("SEEDS", "SLIC", "SLICO", "LSC")
 SMALLEST_LEVEL = 3
+CURVE_SEED = 101
 #         key, title, whether larger is better, format
 METRICS = (("icv", "intra-cluster variation", False, ".4f"), ("ev", "explained variation", True, ".4f"),
            ("ue", "undersegmentation error", False, ".5f"), ("br", "boundary recall", True, ".5f"),
@@ -158,7 +159,7 @@ def plot(rows, path):
         for method in METHODS:
             points = collections.defaultdict(list)
             for row in rows:
-                if row["method"] == method and "count" in row and row["seed"] in (101, 102, 103):
+                if row["method"] == method and "count" in row and row["seed"] == CURVE_SEED:
                     points[row["level"]].append(row)
             levels = sorted(points)
             curves.plot([statistics.fmean(r["count"] for r in points[level]) for level in levels],

@@ -138,9 +138,9 @@ void write_scenes(std::span<const TableTopScene> scenes, const std::string& path
 
 void write_layers(const TableTopScene& scene, const std::string& path) {
   std::vector<cv::Mat> images;
-  for (const auto& [name, grid] : scene.stack.layers()) {
+  for (const auto& entry : scene.stack.layers()) {
     images.push_back(half_size(image_of(scene.stack.geometry(), [&](Cell cell) {
-      const std::uint8_t level = grey_level(grid, cell);
+      const std::uint8_t level = grey_level(entry.second, cell);
       return Pixel{level, level, level};
     })));
   }

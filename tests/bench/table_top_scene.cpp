@@ -70,7 +70,7 @@ struct World {
 
 /// The true class and obstacle of each cell: what rays ask.
 struct TrueCells {
-  std::vector<std::int8_t> obstacle;
+  std::vector<std::int16_t> obstacle;
   std::vector<bool> is_table;
 
   [[nodiscard]] static std::optional<std::size_t> place(const Vector2d& point) {
@@ -90,7 +90,7 @@ TrueCells true_cells(const World& world) {
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
       const Vector2d point = centre_of_cell(col, row);
-      cells.obstacle.push_back(static_cast<std::int8_t>(world.obstacle_at(point)));
+      cells.obstacle.push_back(static_cast<std::int16_t>(world.obstacle_at(point)));
       cells.is_table.push_back(world.is_on_table(point));
     }
   }
