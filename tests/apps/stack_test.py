@@ -110,7 +110,7 @@ class Stacks(unittest.TestCase):
         self.assertIn("/ism/occupancy", [layer["name"] for layer in stack["layers"]])
 
     def test_cells_are_shown_listed_and_connected(self):
-        cells = self.answer("cells", "--total", "--levels", 2, "--of", self.classes_with_a_grid()[0])
+        cells = self.answer("cells", "--cell-weighted", "--levels", 2, "--of", self.classes_with_a_grid()[0])
         self.assertLess(cells["energy"], cells["first_energy"])
         self.assertGreater(cells["moves"], 0)
         image, dot, geojson = map(pathlib.Path, cells["files"])

@@ -190,6 +190,10 @@ void add_supercell_options(CLI::App& command, SupercellOptions& options) {
   command.add_flag("--total",
                    options.total,
                    "both supercells together must gain by a move, not the growing one alone");
+  command.add_flag("--cell-weighted",
+                   options.cell_weighted,
+                   "variances count by cells, both sides gain, small blocks move: outlines keep to "
+                   "those of objects");
 }
 
 }  // namespace

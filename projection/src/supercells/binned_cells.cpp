@@ -2,7 +2,6 @@
 #include "binned_cells.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 namespace hypermap {
@@ -26,17 +25,14 @@ std::vector<std::uint16_t> bin_value_table(int num_bins) {
   return table;
 }
 
-HistogramSums with(const HistogramSums& a, const HistogramSums& b, int sign) {
-  return {a.sum + sign * b.sum, a.sum_of_squares + sign * b.sum_of_squares};
-}
-
-double variance_of_layer(const HistogramSums& sums, double num_cells) {
-  const double mean = static_cast<double>(sums.sum) / num_cells;
-  return static_cast<double>(sums.sum_of_squares) / num_cells - mean * mean;
+/// n^2 times the sum of the layers' variances of values, from n, the sum of squares and, on each
+/// layer, the sum. Whole numbers below 2^53 are exact.
+double scatter_of_values(double num_cells, double sum_of_squares, double square_of_sums) {
+  return num_cells * sum_of_squares - square_of_sums;
 }
 
 /// From values 2 k + 1 to bin centres (2 k + 1) / (2 K).
-double scaled(double variance_of_values, int num_bins) {
+double to_centres(double variance_of_values, int num_bins) {
   return variance_of_values / (4.0 * num_bins * num_bins);
 }
 
@@ -62,52 +58,61 @@ BinnedCells binned(const GridStack& stack, int num_bins) {
   return cells;
 }
 
-void add_cells(CellSums& set, const CellSums& more) {
-  set.num_cells += more.num_cells;
-  for (std::size_t i = 0; i < set.layers.size(); ++i) {
-    set.layers[i] = with(set.layers[i], more.layers[i], 1);
-  }
+void CellSums::clear(std::size_t set) {
+  std::ranges::fill(std::span(sums_).subspan(set * stride_, stride_), 0);
 }
 
-void remove_cells(CellSums& set, const CellSums& less) {
-  set.num_cells -= less.num_cells;
-  for (std::size_t i = 0; i < set.layers.size(); ++i) {
-    set.layers[i] = with(set.layers[i], less.layers[i], -1);
-  }
-}
-
-void add_cell(CellSums& set, std::span<const std::uint16_t> values) {
-  ++set.num_cells;
-  for (std::size_t i = 0; i < set.layers.size(); ++i) {
+void CellSums::add_cell(std::size_t set, std::span<const std::uint16_t> values) {
+  std::int64_t* sums = &sums_[set * stride_];
+  ++sums[0];
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const std::int64_t value = values[i];
-    set.layers[i] = with(set.layers[i], {value, value * value}, 1);
+    sums[1] += value * value;
+    sums[i + 2] += value;
   }
 }
 
-double variance_with(const CellSums& set, const CellSums& other, int sign, int num_bins) {
-  const std::int64_t count = set.num_cells + sign * other.num_cells;
-  assert(count > 0);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < set.layers.size(); ++i) {
-    const HistogramSums layer = with(set.layers[i], other.layers[i], sign);
-    sum += variance_of_layer(layer, static_cast<double>(count));
-  }
-  return scaled(sum, num_bins);
+void CellSums::add(std::size_t set, SetSums more) {
+  for (std::size_t i = 0; i < stride_; ++i) sums_[set * stride_ + i] += more[i];
 }
 
-double variance_of(const CellSums& set, int num_bins) {
-  double sum = 0.0;
-  for (const HistogramSums& layer : set.layers) {
-    sum += variance_of_layer(layer, static_cast<double>(set.num_cells));
-  }
-  return scaled(sum, num_bins);
+void CellSums::remove(std::size_t set, SetSums less) {
+  for (std::size_t i = 0; i < stride_; ++i) sums_[set * stride_ + i] -= less[i];
 }
 
-bool has_no_variance(const CellSums& set) {
-  return std::ranges::all_of(set.layers, [&](const HistogramSums& layer) {
-    const std::int64_t mean = layer.sum / set.num_cells;
-    return mean * set.num_cells == layer.sum && mean * layer.sum == layer.sum_of_squares;
-  });
+double variance_of(SetSums set, int num_bins) {
+  double square_of_sums = 0.0;
+  for (const std::int64_t sum : set.subspan(2)) {
+    square_of_sums += static_cast<double>(sum) * static_cast<double>(sum);
+  }
+  const auto count = static_cast<double>(set[0]);
+  assert(count > 0.0);
+  const double scatter = scatter_of_values(count, static_cast<double>(set[1]), square_of_sums);
+  return to_centres(scatter / (count * count), num_bins);
+}
+
+double variance_with(SetSums set, SetSums other, int sign, int num_bins) {
+  double square_of_sums = 0.0;
+  for (std::size_t i = 2; i < set.size(); ++i) {
+    const auto sum = static_cast<double>(set[i] + sign * other[i]);
+    square_of_sums += sum * sum;
+  }
+  const auto count = static_cast<double>(set[0] + sign * other[0]);
+  assert(count > 0.0);
+  const auto squares = static_cast<double>(set[1] + sign * other[1]);
+  const double scatter = scatter_of_values(count, squares, square_of_sums);
+  return to_centres(scatter / (count * count), num_bins);
+}
+
+bool has_no_variance(SetSums set) {
+  // On each layer the sum of squares is at least n times the squared mean, and only then as much.
+  std::int64_t least_squares = 0;
+  for (const std::int64_t sum : set.subspan(2)) {
+    const std::int64_t mean = sum / set[0];
+    if (mean * set[0] != sum) return false;
+    least_squares += mean * sum;
+  }
+  return least_squares == set[1];
 }
 
 }  // namespace hypermap

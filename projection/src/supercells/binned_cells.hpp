@@ -14,22 +14,8 @@
 
 namespace hypermap {
 
-/// Count and sums of the cells in a histogram of one layer. A bin k has its centre at
-/// (2 k + 1) / (2 K): sums are those of 2 k + 1, which are whole.
-struct HistogramSums {
-  std::int64_t sum = 0;
-  std::int64_t sum_of_squares = 0;
-  friend bool operator==(const HistogramSums&, const HistogramSums&) = default;
-};
-
-/// The marginal histograms of one set of cells, as far as their variances need them.
-struct CellSums {
-  std::int64_t num_cells = 0;
-  std::vector<HistogramSums> layers;
-  friend bool operator==(const CellSums&, const CellSums&) = default;
-};
-
-/// 2 k + 1 of the bin of each cell on each layer.
+/// 2 k + 1 of the bin of each cell on each layer: a bin k has its centre at (2 k + 1) / (2 K), and
+/// sums of these are whole.
 struct BinnedCells {
   int cols = 0;
   int rows = 0;
@@ -46,19 +32,37 @@ struct BinnedCells {
 /// Layers in the order of their names. Bin k is [k/K, (k+1)/K), the last one closed.
 [[nodiscard]] BinnedCells binned(const GridStack& stack, int num_bins);
 
-/// With the cells of `more`; without those of `less`, which it has. Requires: equal layers.
-void add_cells(CellSums& set, const CellSums& more);
-void remove_cells(CellSums& set, const CellSums& less);
-void add_cell(CellSums& set, std::span<const std::uint16_t> values);
+/// The marginal histograms of a set of cells, as far as their variances need them: how many cells;
+/// the sum of squares of their values, over all layers; the sum of values on each layer.
+using SetSums = std::span<const std::int64_t>;
 
-/// D' of Eq. (10) of the set with `sign` times the cells of `other` (0, 1 or -1), whose layers may
-/// be none when the sign is 0. Requires: some cells are left.
-[[nodiscard]] double variance_with(const CellSums& set,
-                                   const CellSums& other,
-                                   int sign,
-                                   int num_bins);
-[[nodiscard]] double variance_of(const CellSums& set, int num_bins);
-/// Exactly: whether all cells lie in one bin of each layer.
-[[nodiscard]] bool has_no_variance(const CellSums& set);
+/// Sums of many sets, side by side in memory; all empty at first.
+class CellSums {
+ public:
+  CellSums() = default;
+  CellSums(std::size_t num_sets, int num_layers)
+      : stride_(static_cast<std::size_t>(num_layers) + 2), sums_(num_sets * stride_, 0) {}
+
+  [[nodiscard]] SetSums of(std::size_t set) const {
+    return std::span(sums_).subspan(set * stride_, stride_);
+  }
+  [[nodiscard]] std::int64_t num_cells(std::size_t set) const { return sums_[set * stride_]; }
+  void clear(std::size_t set);
+  void add_cell(std::size_t set, std::span<const std::uint16_t> values);
+  /// With the cells of `more`; without those of `less`, which it has. Requires: equal layers.
+  void add(std::size_t set, SetSums more);
+  void remove(std::size_t set, SetSums less);
+
+ private:
+  std::size_t stride_ = 0;
+  std::vector<std::int64_t> sums_;
+};
+
+/// D' of Eq. (10). Requires: some cells.
+[[nodiscard]] double variance_of(SetSums set, int num_bins);
+/// Of the set with `sign` times the cells of `other` (1 or -1). Requires: some cells are left.
+[[nodiscard]] double variance_with(SetSums set, SetSums other, int sign, int num_bins);
+/// Exactly: whether all cells lie in one bin of each layer. Requires: some cells.
+[[nodiscard]] bool has_no_variance(SetSums set);
 
 }  // namespace hypermap

@@ -5,11 +5,13 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "supercell_moves.hpp"
 
+#include <algorithm>
+
 namespace hypermap {
 namespace {
 
-/// Less is rounding.
-constexpr double kLeastFall = 1e-12;
+/// With cells counted, blocks are of two cells a side at most. Measured: docs/RESULTS.md.
+constexpr int kLargestLevelByCells = 1;
 
 constexpr OptionRow kSupercellRows[] = {
     option::count<&SupercellOptions::num_levels>(
@@ -26,33 +28,12 @@ constexpr OptionRow kSupercellRows[] = {
         {.source = "[sogm] Eq. (7), gamma", .effect = "Larger makes outlines smoother."}),
     option::flag<&SupercellOptions::total>(
         "total", {.effect = "Both supercells together must gain by a move, not the growing one."}),
+    option::flag<&SupercellOptions::cell_weighted>(
+        "cell_weighted",
+        {.effect = "Variances count by cells; both supercells must gain; small blocks move."}),
     option::count<&SupercellOptions::max_passes>(
         "max_passes", {1, 1000}, {.effect = "Most passes over all blocks of one size."}),
 };
-
-/// The neighbour by whose taking the block the energy falls most; none when it falls by none.
-std::optional<int> best_taker(SupercellMoves& moves, Block block) {
-  const int own = moves.label(block);
-  std::optional<int> best;
-  double best_change = -kLeastFall;
-  for (const int to : moves.labels_beside(block)) {
-    if (to < 0 || to == own || to == best) continue;
-    const double change = moves.energy_change(block, to);
-    const bool is_better = change < best_change || (best && change == best_change && to < *best);
-    if (!is_better) continue;
-    best = to;
-    best_change = change;
-  }
-  return best;
-}
-
-bool has_other_beside(const SupercellMoves& moves, Block block) {
-  const int own = moves.label(block);
-  for (const int label : moves.labels_beside(block)) {
-    if (label >= 0 && label != own) return true;
-  }
-  return false;
-}
 
 /// Tries each block once; gives how many changed sides.
 std::size_t pass_over_blocks(SupercellMoves& moves) {
@@ -60,8 +41,7 @@ std::size_t pass_over_blocks(SupercellMoves& moves) {
   for (int row = 0; row < moves.block_rows(); ++row) {
     for (int col = 0; col < moves.block_cols(); ++col) {
       const Block block{col, row};
-      if (!has_other_beside(moves, block) || !moves.may_leave(block)) continue;
-      const auto to = best_taker(moves, block);
+      const auto to = moves.best_taker(block);
       if (!to) continue;
       moves.move(block, *to);
       ++num_moves;
@@ -91,7 +71,9 @@ Result<Supercells> extract_supercells(const GridStack& stack, const SupercellOpt
     SupercellMoves moves(cells, options);
     Supercells found{.geometry = stack.geometry(), .labels = {}, .count = moves.count()};
     found.first_energy = moves.energy();
-    for (int level = options.num_levels - 1; level >= 0; --level) {
+    const int largest_level = options.cell_weighted ? kLargestLevelByCells : options.num_levels;
+    const int first_level = std::min(largest_level, options.num_levels - 1);
+    for (int level = first_level; level >= 0; --level) {
       moves.set_level(level);
       for (int pass = 0; pass < options.max_passes; ++pass) {
         const std::size_t num_moves = pass_over_blocks(moves);

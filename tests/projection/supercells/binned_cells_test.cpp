@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -21,10 +22,9 @@ using test::stack_from;
 using testing::ElementsAre;
 
 CellSums all_of(const BinnedCells& cells) {
-  CellSums set;
-  set.layers.resize(static_cast<std::size_t>(cells.num_layers));
+  CellSums set(1, cells.num_layers);
   const auto count = static_cast<std::size_t>(cells.cols) * static_cast<std::size_t>(cells.rows);
-  for (std::size_t i = 0; i < count; ++i) add_cell(set, cells.of_cell(i));
+  for (std::size_t i = 0; i < count; ++i) set.add_cell(0, cells.of_cell(i));
   return set;
 }
 
@@ -45,7 +45,7 @@ TEST(BinnedCells, AHandWorkedVariance) {
   // [sogm] Eq. (10) with one layer, K = 2: p = 0.1, 0.1, 0.6 lie at bin centres 0.25, 0.25, 0.75.
   // Mean 5/12, mean of squares 11/48: 11/48 - 25/144 = 8/144.
   const BinnedCells cells = binned(row_of({0.1, 0.1, 0.6}), 2);
-  EXPECT_NEAR(variance_of(all_of(cells), 2), 8.0 / 144.0, 1e-15);
+  EXPECT_NEAR(variance_of(all_of(cells).of(0), 2), 8.0 / 144.0, 1e-15);
 }
 
 /// D' by the letter: the covariance matrix of the joint histogram of Eq. (9), its eigenvalues.
@@ -79,7 +79,7 @@ TEST(BinnedCells, MarginalVariancesAreTheEigenvaluesOfTheJointHistogram) {
       const auto seed =
           10U * static_cast<std::uint64_t>(num_layers) + static_cast<std::uint64_t>(num_bins);
       const BinnedCells cells = binned(random_stack(cells_of(9, 5), num_layers, seed), num_bins);
-      EXPECT_NEAR(variance_of(all_of(cells), num_bins), sum_of_eigenvalues(cells), 1e-12);
+      EXPECT_NEAR(variance_of(all_of(cells).of(0), num_bins), sum_of_eigenvalues(cells), 1e-12);
     }
   }
 }
@@ -87,25 +87,26 @@ TEST(BinnedCells, MarginalVariancesAreTheEigenvaluesOfTheJointHistogram) {
 TEST(BinnedCells, CellsCanBeAddedAndTakenAway) {
   const BinnedCells cells = binned(random_stack(cells_of(6, 4), 3, 1), 16);
   CellSums first = all_of(cells);
-  CellSums part;
-  part.layers.resize(3);
-  for (const std::size_t i : {2U, 5U, 11U}) add_cell(part, cells.of_cell(i));
+  CellSums part(1, 3);
+  for (const std::size_t i : {2U, 5U, 11U}) part.add_cell(0, cells.of_cell(i));
   const CellSums before = first;
-  const double without = variance_with(first, part, -1, 16);
-  remove_cells(first, part);
-  EXPECT_EQ(first.num_cells, 21);
-  EXPECT_DOUBLE_EQ(variance_of(first, 16), without);
-  EXPECT_DOUBLE_EQ(variance_with(first, part, 1, 16), variance_of(before, 16));
-  add_cells(first, part);
-  EXPECT_EQ(first, before);
+  const double without = variance_with(first.of(0), part.of(0), -1, 16);
+  first.remove(0, part.of(0));
+  EXPECT_EQ(first.num_cells(0), 21);
+  EXPECT_DOUBLE_EQ(variance_of(first.of(0), 16), without);
+  EXPECT_DOUBLE_EQ(variance_with(first.of(0), part.of(0), 1, 16), variance_of(before.of(0), 16));
+  first.add(0, part.of(0));
+  EXPECT_TRUE(std::ranges::equal(first.of(0), before.of(0)));
+  first.clear(0);
+  EXPECT_TRUE(std::ranges::equal(first.of(0), CellSums(1, 3).of(0)));
 }
 
 TEST(BinnedCells, NoVarianceIsToldExactly) {
-  EXPECT_TRUE(has_no_variance(all_of(binned(row_of({0.51, 0.55, 0.5}), 4))));
-  EXPECT_FALSE(has_no_variance(all_of(binned(row_of({0.51, 0.55, 0.76}), 4))));
+  EXPECT_TRUE(has_no_variance(all_of(binned(row_of({0.51, 0.55, 0.5}), 4)).of(0)));
+  EXPECT_FALSE(has_no_variance(all_of(binned(row_of({0.51, 0.55, 0.76}), 4)).of(0)));
   // Mean 3 of values 1, 5: a sum that divides does not suffice.
-  EXPECT_FALSE(has_no_variance(all_of(binned(row_of({0.1, 0.6}), 4))));
-  EXPECT_TRUE(has_no_variance(all_of(binned(row_of({0.5}), 2))));
+  EXPECT_FALSE(has_no_variance(all_of(binned(row_of({0.1, 0.6}), 4)).of(0)));
+  EXPECT_TRUE(has_no_variance(all_of(binned(row_of({0.5}), 2)).of(0)));
 }
 
 }  // namespace
