@@ -82,7 +82,10 @@ class Stacks(unittest.TestCase):
             ours = run(command, "--tiles", tiles, area, "--output", self.folder / "from-tiles", "--json")
             self.assertEqual(ours.returncode, 0, ours.stderr)
             self.assertEqual(json.loads(ours.stdout) | {"files": []}, self.answer(command) | {"files": []})
-        whole = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "whole", "--json").stdout)
+        kept = self.folder / "kept.hmap"
+        whole = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "whole", "--archive", kept, "--json").stdout)
+        again = run("stack", kept, "--from", "stack", "--output", self.folder / "again", "--json")
+        self.assertEqual(json.loads(again.stdout)["layers"], whole["layers"], again.stderr)
         self.assertEqual((whole["cols"] % 256, whole["rows"] % 256), (0, 0))
         self.assertEqual([layer["occupied"] for layer in whole["layers"]], [layer["occupied"] for layer in stack["layers"]])
         self.assertEqual(run("check", *tiles.iterdir()).returncode, 0)

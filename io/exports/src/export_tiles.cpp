@@ -70,7 +70,7 @@ class StagedTiles final : public TileStore {
 Result<WrittenFiles> export_tiles(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(require_replaceable_tiles(request.output));
   HYPERMAP_ASSIGN_OR_RETURN(const GridStack stack,
-                            stack_of_map(archive, {.classes = request.classes}));
+                            stack_of_map(archive, {.of_classes = {.classes = request.classes}}));
   HYPERMAP_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::create(request.output));
   StagedTiles tiles(staged,
                     {.frame_id = stack.options().frame_id,

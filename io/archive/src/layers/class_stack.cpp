@@ -35,7 +35,8 @@ Result<GridStack> class_stack(const LeafSource& leaves,
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, classes_asked_for(classes, request.classes));
   HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, geometry_of_band(leaves, request.band));
   HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, GridStack::create(geometry, request.options));
-  HYPERMAP_ASSIGN_OR_RETURN(auto grids, project_class_evidence(leaves, request.band, {}, classes.size()));
+  HYPERMAP_ASSIGN_OR_RETURN(auto grids,
+                            project_class_evidence(leaves, request.band, {}, classes.size()));
   for (ClassEvidenceGrid& evidence : grids) {
     const bool is_wanted = request.classes.empty() || wanted.contains(evidence.id);
     if (!is_wanted || !classes.contains(evidence.id)) continue;
