@@ -185,6 +185,7 @@ TEST(OccupancyVotes, WhatIsSeenLastOfALargeThingIsOfItToo) {
   CounterRng random(1, 2);
   const auto observe = [&](double from_m, double to_m) {
     std::vector<Eigen::Vector3f> seen;
+    seen.reserve(2000);
     for (int i = 0; i < 2000; ++i) {
       seen.emplace_back(static_cast<float>(random.uniform(from_m, to_m)),
                         0.005F,

@@ -44,10 +44,10 @@ void write_wall(const std::filesystem::path& folder) {
     const std::string second = std::to_string(100 + i);
     test::write_text(folder / ("depth/" + second + ".pgm"), depth_pgm(frame.depth_m));
     test::write_text(folder / ("rgb/" + second + ".pgm"),
-                     "P5\n160 120\n255\n" + std::string(160 * 120, '\x40'));
-    depth += second + ".000 depth/" + second + ".pgm\n";
-    rgb += second + ".000 rgb/" + second + ".pgm\n";
-    poses += second + ".000" + pose + "\n";
+                     "P5\n160 120\n255\n" + std::string(std::size_t{160} * 120, '\x40'));
+    depth.append(second).append(".000 depth/").append(second).append(".pgm\n");
+    rgb.append(second).append(".000 rgb/").append(second).append(".pgm\n");
+    poses.append(second).append(".000").append(pose).append("\n");
   }
   test::write_text(folder / "depth.txt", depth);
   test::write_text(folder / "rgb.txt", rgb);

@@ -34,10 +34,10 @@ struct SogmFile {
 };
 
 std::string write_file(const TempDir& dir, const SogmFile& file) {
-  const std::string name = "What_OGM_T_" + std::to_string(file.second) +
-                           ".000000000s.ns_Format_INT8_Unit_logodds_Layer_" + file.layer + "_Res_" +
-                           file.resolution + "_X_" + file.x + "m_Y_" + file.y + "m_Z_0m_" +
-                           file.more + "rows_2_cols_3_lat_1_lon_2_alt_3_.bin";
+  std::string name = "What_OGM_T_" + std::to_string(file.second) +
+                     ".000000000s.ns_Format_INT8_Unit_logodds_Layer_" + file.layer + "_Res_" +
+                     file.resolution + "_X_" + file.x + "m_Y_" + file.y + "m_Z_0m_" + file.more +
+                     "rows_2_cols_3_lat_1_lon_2_alt_3_.bin";
   std::ofstream out(dir / name, std::ios::binary);
   for (const std::int8_t cell : file.cells) out.put(static_cast<char>(cell));
   return name;

@@ -20,12 +20,15 @@ TEST(ContourReward, ByHand) {
 
 TEST(ContourReward, ThePullsOfTwoLabelsAreTheChange) {
   // On grids that blocks cut off at their edges, against G anew.
-  for (const auto& [cols, rows] : {std::pair{11, 7}, {1, 9}, {2, 2}, {16, 5}}) {
+  for (const auto& size : {std::pair{11, 7}, {1, 9}, {2, 2}, {16, 5}}) {
+    const int cols = size.first;
+    const int rows = size.second;
     for (int level = 0; level < 3; ++level) {
       const ContourPull pull(cols, rows, level);
       CounterRng random(static_cast<std::uint64_t>(cols), static_cast<std::uint64_t>(level));
       for (int trial = 0; trial < 30; ++trial) {
         std::vector<std::int32_t> labels;
+        labels.reserve(static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows));
         for (int i = 0; i < cols * rows; ++i) {
           labels.push_back(static_cast<std::int32_t>(random.below(3)));
         }
