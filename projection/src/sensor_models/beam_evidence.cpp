@@ -102,8 +102,10 @@ class BeamCanvas {
     std::vector<LogOddsSteps> cells;
     cells.reserve(sums_.size());
     for (const BeamSums& sums : sums_) {
-      const double has_end = std::clamp<double>(std::max(sums.largest_end, sums.width), 0.0, 1.0);
-      const double is_free = (1.0 - has_end) * std::clamp<double>(sums.free, 0.0, 1.0);
+      const double has_end =
+          static_cast<double>(std::clamp(std::max(sums.largest_end, sums.width), 0.0F, 1.0F));
+      const double is_free =
+          (1.0 - has_end) * static_cast<double>(std::clamp(sums.free, 0.0F, 1.0F));
       cells.push_back(to_steps(has_end * hit + is_free * free));
     }
     return cells;
