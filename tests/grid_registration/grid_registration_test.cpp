@@ -2,6 +2,7 @@
 #include "hypermap/grid_registration/grid_registration.hpp"
 
 #include "made_rooms.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ Eigen::Matrix3d somewhere(const PlanRoom& room, std::uint64_t seed, double yaw_r
 }
 
 TEST(GridRegistration, ShiftsAndTurnsAreRecoveredToHalfACell) {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(8); ++seed) {
     const PlanRoom room = furnished_room(seed);
     const LogOddsGrid fixed = seen_room(room, whole_room(), in_room());
     const double yaw = static_cast<double>(seed) * 0.8 - 3.0;
@@ -49,7 +50,7 @@ TEST(GridRegistration, ShiftsAndTurnsAreRecoveredToHalfACell) {
 }
 
 TEST(GridRegistration, NoiseIsBorne) {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(8); ++seed) {
     const PlanRoom room = furnished_room(seed + 20);
     const LogOddsGrid fixed =
         seen_room(room, whole_room(), in_room(), {.wrong_share = 0.03, .seed = seed});
@@ -63,7 +64,7 @@ TEST(GridRegistration, NoiseIsBorne) {
 }
 
 TEST(GridRegistration, ScaleAndTiltAreRecoveredOnRequest) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(4); ++seed) {
     const PlanRoom room = furnished_room(seed + 40);
     const LogOddsGrid fixed = seen_room(room, whole_room(), in_room());
     Eigen::Matrix3d truth = somewhere(room, seed, 0.4);
@@ -152,7 +153,7 @@ TEST(GridRegistration, GridsThatShowNothingAreRefused) {
 }
 
 TEST(GridRegistration, AnotherRoomIsRefused) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(4); ++seed) {
     const LogOddsGrid fixed = seen_room(furnished_room(seed), whole_room(), in_room());
     const PlanRoom other = furnished_room(seed + 60);
     const auto found =
