@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Our segmentation: what continues outside the box is background.
+#include "flat_top.hpp"
 #include "pixel_shares.hpp"
 #include "segmentation/background_planes.hpp"
 #include "segmentation/plane_growth.hpp"
@@ -25,6 +26,8 @@ constexpr double kPatchMinOutline = 0.7;
 constexpr int kLeastNeighbours = 3;
 /// Less of a box that is mostly unmeasured is not the object.
 constexpr double kLeastSpan = 0.15;
+/// Distance of the points of a top that was seen and not measured, along the line of sight.
+constexpr float kUnmeasuredSpacingM = 0.02F;
 
 /// A plane found outside may go on through the object: the seats of two chairs are of one height.
 /// What lies on it inside the box, and is not joined with the outside, is no background unless it
@@ -163,8 +166,10 @@ std::vector<std::uint32_t> pixels_of(const RgbdFrame& frame,
 /// One point per voxel, the voxels as small as wanted or as large as the number of points asks.
 std::vector<Eigen::Vector3f> points_of(const DepthWindow& window,
                                        const std::vector<std::uint8_t>& is_object,
+                                       const Eigen::Matrix3f& gravity_aligned_from_camera,
                                        const ForegroundOptions& options) {
-  std::vector<Eigen::Vector3f> all;
+  std::vector<Eigen::Vector3f> all =
+      unmeasured_top(window, is_object, gravity_aligned_from_camera, kUnmeasuredSpacingM);
   double area_m2 = 0.0;
   const double cell_slope =
       window.width() > 1 ? static_cast<double>(window.slope_x[1] - window.slope_x[0]) : 0.0;
@@ -261,7 +266,10 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_object);
   if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels))
     return nothing_left("object");
-  return describe(frame, std::move(pixels), points_of(window, is_object, foreground), options);
+  return describe(frame,
+                  std::move(pixels),
+                  points_of(window, is_object, gravity_aligned_from_camera, foreground),
+                  options);
 }
 
 }  // namespace hypermap

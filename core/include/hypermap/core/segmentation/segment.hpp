@@ -18,7 +18,8 @@ namespace hypermap {
 /// What one frame shows of one object. Frame: Map. Unit: metre.
 struct Segment {
   /// Surface points, thinned by a voxel grid; never empty. Ordered by the first pixel of each
-  /// voxel.
+  /// voxel. Where policy `kForeground` finds the top of a table that is seen too flat to be
+  /// measured, points of it are among them.
   std::vector<Eigen::Vector3f> points_in_map;
   /// The depth pixels that lie on the object, row-major positions in the image, ascending.
   std::vector<std::uint32_t> pixel_indices;
