@@ -15,7 +15,7 @@ import tempfile
 import unittest
 import zipfile
 
-from program import DATA, IS_SANITIZED, SOURCE, digest, run
+from program import DATA, IS_SANITIZED, SOURCE, digest, repetitions, run
 
 # One sequence takes every path of the program; what the others measure, no sanitizer changes.
 sees_the_same = unittest.skipIf(IS_SANITIZED, "maps another sequence by the same code")
@@ -115,6 +115,7 @@ class Appending(unittest.TestCase):
     """Two halves of a recorded kitchen, and other places, in one map."""
 
     KITCHEN = DATA / "rgbd/7scenes_redkitchen"
+    HALF = repetitions(100)  # frames
 
     @classmethod
     def setUpClass(cls):
@@ -123,7 +124,7 @@ class Appending(unittest.TestCase):
         shared = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-append-"))
         cls.addClassCleanup(shutil.rmtree, shared)
         cls.first_half = shared / "kitchen.hmap"
-        cls.mapped = run("map", "--input", cls.KITCHEN, "--max-frames", 100, "--output", cls.first_half)
+        cls.mapped = run("map", "--input", cls.KITCHEN, "--max-frames", cls.HALF, "--output", cls.first_half)
 
     def setUp(self):
         self.assertEqual(self.mapped.returncode, 0, self.mapped.stderr)
@@ -140,7 +141,7 @@ class Appending(unittest.TestCase):
         return [*newest.pop("earlier"), newest]
 
     def test_two_halves_lie_in_one_world(self):
-        second_half = ("--input", self.KITCHEN, "--first", 100)
+        second_half = ("--input", self.KITCHEN, "--first", self.HALF, "--max-frames", self.HALF)
         before = digest(self.archive)
         refused = self.appended(*second_half)
         self.assertEqual(refused.returncode, 2, refused.stderr)
@@ -152,7 +153,7 @@ class Appending(unittest.TestCase):
         first, second = self.runs()
         self.assertEqual(second["map_from_input"], first["map_from_input"])
         self.assertNotEqual(second["input_hash"], first["input_hash"])
-        self.assertEqual((first["next_frame_index"], second["next_frame_index"]), (100, 200))
+        self.assertEqual((first["next_frame_index"], second["next_frame_index"]), (self.HALF, 2 * self.HALF))
 
     def test_frames_of_the_map_are_refused(self):
         before = digest(self.archive)
