@@ -20,11 +20,10 @@ namespace {
 
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20U;
 
-/// The image that a YAML names, as written there; empty when there is no such YAML.
-std::string image_named_by(const std::filesystem::path& metadata) {
-  const auto yaml = read_file(metadata, kMaxYamlBytes);
-  if (!yaml) return {};
-  const auto parsed = parse_map_metadata(*yaml, {.file = metadata.string()});
+/// The image that a YAML names, as written there; empty when it is no such YAML.
+Result<std::string> image_named_by(const std::filesystem::path& metadata) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(metadata, kMaxYamlBytes));
+  const auto parsed = parse_map_metadata(yaml, {.file = metadata.string()});
   return parsed ? parsed->value.image : std::string();
 }
 
@@ -63,8 +62,8 @@ Result<MapFileSet> map_files(const OccupancyLayer& layer,
                     .world = {world_name(name), world_file(written.grid.geometry())}};
 }
 
-std::string image_of_pair(const std::filesystem::path& yaml) {
-  std::string image = image_named_by(yaml);
+Result<std::string> image_of_pair(const std::filesystem::path& yaml) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::string image, image_named_by(yaml));
   return stem_of_hashed_name(image) == yaml.stem().string() ? image : std::string();
 }
 
@@ -75,7 +74,7 @@ Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
   HYPERMAP_ASSIGN_OR_RETURN(const MapFileSet files,
                             map_files(layer, stem.filename().string(), keep_rotation));
   const std::filesystem::path metadata = folder / files.yaml.name;
-  const std::string old_image = image_of_pair(metadata);
+  const std::string old_image = image_of_pair(metadata).value_or(std::string());  // none: new
 
   // Until the YAML is renamed the old pair stands, from then on the new one.
   const std::filesystem::path image = folder / files.image.name;

@@ -27,7 +27,8 @@ struct MapFileSet {
                                            bool keep_rotation);
 
 /// The image that a YAML names where both are such a pair; empty where they are not.
-[[nodiscard]] std::string image_of_pair(const std::filesystem::path& yaml);
+/// Errors: kIo when the YAML cannot be read; kLimit when it is too large for one.
+[[nodiscard]] Result<std::string> image_of_pair(const std::filesystem::path& yaml);
 
 /// map_files of the stem's name in the stem's folder. The YAML is replaced last; then the image
 /// that the old one named is removed when an export to this stem wrote it. Errors: those of

@@ -56,21 +56,25 @@ Result<void> fuse_layer(GridStack& stack,
 
 constexpr std::string_view kCombinedName = "combined";
 
-/// The files of a folder that are maps of map_server as they are written here.
-std::set<std::string> files_of_maps(const std::filesystem::path& folder) {
+/// The files of a folder that are maps of map_server as they are written here; none of a folder
+/// that is not there. Errors: kIo.
+Result<std::set<std::string>> files_of_maps(const std::filesystem::path& folder) {
   std::set<std::string> names;
-  std::error_code unreadable;  // told by whoever needs to look
-  std::filesystem::directory_iterator entry(folder, unreadable);
-  for (; !unreadable && entry != std::filesystem::directory_iterator();
-       entry.increment(unreadable)) {
+  std::error_code failed;
+  if (!std::filesystem::is_directory(folder, failed)) return names;
+  std::filesystem::directory_iterator entry(folder, failed);
+  for (; !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
     if (entry->path().extension() != ".yaml") continue;
-    const std::filesystem::path image = image_of_pair(entry->path());
-    if (image.empty()) continue;
+    const auto named = image_of_pair(entry->path());
+    if (!named && named.error().code == ErrorCode::kIo) return Unexpected(named.error());
+    if (!named || named->empty()) continue;
     names.insert(entry->path().filename().string());
-    names.insert(image.string());
-    names.insert(std::filesystem::path(image).replace_extension(".pgw").string());
+    names.insert(*named);
+    names.insert(std::filesystem::path(*named).replace_extension(".pgw").string());
   }
-  return names;
+  if (!failed) return names;
+  return Unexpected(
+      Error{ErrorCode::kIo, "cannot be looked at: " + failed.message(), folder.string()});
 }
 
 /// As map_server tells cells apart.
@@ -101,7 +105,7 @@ Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest&
 }
 
 Result<void> check_stack_folder(const std::filesystem::path& folder) {
-  const std::set<std::string> maps = files_of_maps(folder);
+  HYPERMAP_ASSIGN_OR_RETURN(const std::set<std::string> maps, files_of_maps(folder));
   const bool is_stack = maps.contains(std::string(kCombinedName) + ".yaml");
   return require_replaceable(folder, "part of a stack's maps", [&](const std::string& name) {
     return is_stack && maps.contains(name);
