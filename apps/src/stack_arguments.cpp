@@ -271,9 +271,10 @@ Result<StackOfFile> StackArguments::make() const {
       asked.layers.push_back(full_layer_name(stack.options(), name));
     }
     auto part = cut_out(stack, asked);
-    if (!part && part.error().field == "layers")
-      return Unexpected(of_option(part.error(), "--layer"));
-    return part;
+    if (part) return part;
+    if (part.error().field == "layers") return Unexpected(of_option(part.error(), "--layer"));
+    if (part.error().code != ErrorCode::kLimit) return part;
+    return Unexpected(of_option(part.error(), "--area, --resolution"));
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
   return StackOfFile{

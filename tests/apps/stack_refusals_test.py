@@ -109,6 +109,8 @@ class Refusals(StackLab):
             refused = run(command[0], self.archive, *command[1:], "--output", dataset)
             self.assertEqual(refused.returncode, status, (command, refused.stderr))
             self.assertIn(str(dataset), refused.stderr)
+        refused = run("tune", "--input", self.shared / "lab", "--frame", 0, "--output", dataset)
+        self.assertEqual(refused.returncode, 4, refused.stderr)
         self.assertEqual(tree_digest(dataset), before)
 
     def test_what_was_written_before_an_error_is_said(self):

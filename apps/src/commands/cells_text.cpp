@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
-#include <set>
-#include <string_view>
 
 namespace hypermap::app {
 namespace {
@@ -25,14 +24,13 @@ std::string list_of(const std::vector<int>& numbers) {
 
 std::vector<std::string> layers_without_supercell(const GridStack& stack,
                                                   const TopometricGraph& graph) {
-  std::set<std::string_view> shown;
-  for (const SupercellNode& node : graph.nodes) {
-    if (const auto best = best_layer(node)) shown.insert(graph.layers[*best]);
-  }
   std::vector<std::string> names;
-  for (const auto& [name, grid] : stack.layers()) {
-    const bool says_yes = std::ranges::any_of(grid.cells(), [](auto steps) { return steps > 0; });
-    if (says_yes && !shown.contains(name)) names.push_back(name);
+  for (std::size_t place = 0; place < graph.layers.size(); ++place) {
+    const auto cells = stack.layers().at(graph.layers[place]).cells();
+    const bool says_yes = std::ranges::any_of(cells, [](auto steps) { return steps > 0; });
+    const bool is_shown = std::ranges::any_of(
+        graph.nodes, [place](const SupercellNode& node) { return node.mean[place] > LogOdds(); });
+    if (says_yes && !is_shown) names.push_back(graph.layers[place]);
   }
   return names;
 }
@@ -67,7 +65,7 @@ void print_cells_text(const CellsAnswer& answer) {
               answer.supercells.energy,
               answer.supercells.first_energy);
   for (const std::string& layer : answer.without_supercell) {
-    std::printf("no supercell is most of all of %s: too few cells for one, or outvoted\n",
+    std::printf("no supercell is more probably of %s than not: its cells are too few for one\n",
                 printable(layer).c_str());
   }
   if (answer.of_layer) std::printf("found: %s\n", list_of(*answer.of_layer).c_str());

@@ -35,7 +35,8 @@ struct CellsAnswer {
   std::vector<std::string> without_supercell = {};  ///< Names of layers.
 };
 
-/// Layers of which some cell says yes, but that are the best one of no supercell.
+/// Layers of which some cell says yes, but no supercell by its mean.
+/// Requires: the graph is of this stack.
 [[nodiscard]] std::vector<std::string> layers_without_supercell(const GridStack& stack,
                                                                 const TopometricGraph& graph);
 
