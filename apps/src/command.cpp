@@ -45,6 +45,11 @@ ExitCode exit_code_of(const Error& error) {
   return ExitCode::kRefused;
 }
 
+Error of_option(Error error, const char* option) {
+  error.field = option;
+  return error;
+}
+
 ExitCode report(const Error& error) {
   std::fprintf(stderr, "hypermap: %s\n", to_string(error).c_str());
   return exit_code_of(error);

@@ -37,6 +37,9 @@ struct ExitStatus {
 /// The exit code of `error`.
 [[nodiscard]] ExitCode exit_code_of(const Error& error);
 
+/// The error as that of a flag, whose value the library knows by another name.
+[[nodiscard]] Error of_option(Error error, const char* option);
+
 /// Prints `hypermap: <error>` to stderr. Returns its exit code.
 ExitCode report(const Error& error);
 

@@ -2,6 +2,7 @@
 #include "number_lists.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/projection/stack/grid_stack.hpp"
 #include "tables.hpp"
 
 #include <algorithm>
@@ -67,6 +68,20 @@ Result<std::vector<double>> parse_numbers(const std::string& text,
   return fail(ErrorCode::kInvalidArgument,
               "must be " + wanted + " numbers separated by commas, is '" + text + "'",
               field);
+}
+
+Result<WeightedName> parse_weighted(const std::string& text, const std::string& field) {
+  const std::size_t mark = text.rfind('=');
+  const std::string name = text.substr(0, mark);
+  const auto wrong = [&](const std::string& rule) {
+    return fail(ErrorCode::kInvalidArgument, rule + ", is '" + printable(text) + "'", field);
+  };
+  if (name.empty()) return wrong("must be NAME or NAME=WEIGHT");
+  if (mark == std::string::npos) return WeightedName{.name = name};
+  const auto weight = finite_number(text.substr(mark + 1));
+  if (!weight) return wrong("must be NAME or NAME=WEIGHT");
+  if (*weight > 0.0 && *weight <= kMaxSensorWeight) return WeightedName{name, *weight};
+  return wrong("WEIGHT must be above 0 and at most " + number_text(kMaxSensorWeight));
 }
 
 Result<ImageSize> parse_sides(const std::string& text, const std::string& field) {

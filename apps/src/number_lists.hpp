@@ -31,6 +31,17 @@ namespace hypermap::app {
                                                         std::size_t max_count,
                                                         const std::string& field);
 
+/// A name and how much it counts.
+struct WeightedName {
+  std::string name;
+  double weight = 1.0;
+};
+
+/// "depth=0.5" or "depth". Errors: kInvalidArgument naming `field`: no name, or what follows the
+/// last `=` is no number above 0 and at most kMaxSensorWeight.
+[[nodiscard]] Result<WeightedName> parse_weighted(const std::string& text,
+                                                  const std::string& field);
+
 /// "640x480" as the sides of an image, 1 .. 65535 each. Errors: kInvalidArgument naming `field`.
 [[nodiscard]] Result<ImageSize> parse_sides(const std::string& text, const std::string& field);
 

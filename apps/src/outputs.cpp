@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/dataset/dataset_description.hpp"
 
 #include <CLI/App.hpp>
 
@@ -43,6 +44,23 @@ void keep_apart(const std::string& option,
     throw CLI::ValidationError(option,
                                "would write over what is read: " + printable(output.string()));
   }
+}
+
+void keep_out_of_datasets(const std::string& option, const fs::path& output) {
+  std::error_code failed;
+  if (!fs::is_directory(output, failed)) return;
+  const bool is_described = fs::exists(output / "dataset.yaml", failed);
+  if (!is_described && !find_layout(output)) return;
+  throw CLI::ValidationError(
+      option,
+      "is the folder of a dataset, where nothing else belongs: " + printable(output.string()));
+}
+
+Error with_written(Error error, const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    error.what += "; written before that: " + printable(file.string(), 500);
+  }
+  return error;
 }
 
 void keep_suffix(const std::string& option, const fs::path& output, const std::string& suffix) {

@@ -3,6 +3,8 @@
 /// Command lines that would write over what they read are wrong.
 #pragma once
 
+#include "hypermap/core/base/result.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +17,12 @@ namespace hypermap::app {
 void keep_apart(const std::string& option,
                 const std::filesystem::path& output,
                 const std::vector<std::filesystem::path>& inputs);
+
+/// Throws CLI::ValidationError naming `option` when the folder `output` is that of a dataset.
+void keep_out_of_datasets(const std::string& option, const std::filesystem::path& output);
+
+/// The error of a later file, with the files that were written before it.
+[[nodiscard]] Error with_written(Error error, const std::vector<std::filesystem::path>& files);
 
 /// Throws CLI::ValidationError naming `option` when `output` has another suffix, upper and lower
 /// case alike. None at all is no promise.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sensed_arguments.hpp"
 
+#include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
@@ -14,17 +16,14 @@ namespace hypermap::app {
 namespace {
 
 FrameSensor parse_sensor(const std::string& text) {
-  const std::size_t mark = text.rfind('=');
+  const auto parsed = parse_weighted(text, "--sensor");
+  if (!parsed) throw CLI::ValidationError("--sensor", parsed.error().what);
   const auto names = frame_sensor_names();
-  const auto name = std::ranges::find(names, text.substr(0, mark));
-  const auto weight =
-      mark == std::string::npos ? std::optional(1.0) : finite_number(text.substr(mark + 1));
-  if (name != names.end() && weight) {
-    return {.kind = static_cast<FrameSensorKind>(name - names.begin()), .weight = *weight};
+  const auto name = std::ranges::find(names, parsed->name);
+  if (name == names.end()) {
+    throw CLI::ValidationError("--sensor", not_one_of(parsed->name, names));
   }
-  throw CLI::ValidationError(
-      "--sensor",
-      "must be depth or detections, or one of them with =WEIGHT, is '" + printable(text) + "'");
+  return {.kind = static_cast<FrameSensorKind>(name - names.begin()), .weight = parsed->weight};
 }
 
 }  // namespace
@@ -46,7 +45,8 @@ void SensedArguments::add_to(CLI::App& command) {
           .add_option("--register",
                       reference,
                       "layer of the stack that each frame's depth is registered to before it is "
-                      "fused")
+                      "fused; frames that cannot be are fused as posed and counted by the reason, "
+                      "unless none can be, which is an error")
           ->needs(input);
   command
       .add_option("--max-shift", job.registration.max_shift_m, "metres that a frame may be moved")
@@ -66,6 +66,13 @@ void SensedArguments::add_to(CLI::App& command) {
 void SensedArguments::finish() {
   job.sensors.clear();
   for (const std::string& text : sensors) job.sensors.push_back(parse_sensor(text));
+  if (dataset.input.empty()) return;
+  if (validate(job.heights)) return;
+  throw CLI::ValidationError("--max-height",
+                             "with --input it must be above " +
+                                 number_text(job.heights.ground_tolerance_m) +
+                                 ", what is lower is the ground, and at most 100, is " +
+                                 number_text(job.heights.max_obstacle_m));
 }
 
 Result<std::optional<SensedStackReport>> SensedArguments::fuse_into(GridStack& stack,

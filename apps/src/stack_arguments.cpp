@@ -2,6 +2,8 @@
 #include "stack_arguments.hpp"
 
 #include "choices.hpp"
+#include "command.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_table.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
@@ -11,6 +13,7 @@
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
+#include "tables.hpp"
 
 #include <CLI/Validators.hpp>
 #include <Eigen/Geometry>
@@ -37,19 +40,18 @@ int cells_along(double length_m, double resolution_m) {
 }
 
 FusedLayer parse_fused(const std::string& text) {
-  const std::size_t mark = text.rfind('=');
-  if (mark == std::string::npos) return {.name = text};
-  const auto weight = finite_number(text.substr(mark + 1));
-  if (mark > 0 && weight) return {.name = text.substr(0, mark), .weight = *weight};
-  throw CLI::ValidationError("--fuse", "must be NAME or NAME=WEIGHT, is '" + printable(text) + "'");
+  const auto parsed = parse_weighted(text, "--fuse");
+  if (!parsed) throw CLI::ValidationError("--fuse", parsed.error().what);
+  return {.name = parsed->name, .weight = parsed->weight};
 }
 
 Result<std::optional<std::vector<double>>> parse_area(const std::optional<std::string>& text) {
   if (!text) return std::optional<std::vector<double>>();
   HYPERMAP_ASSIGN_OR_RETURN(std::vector<double> corners, parse_numbers(*text, 4, 4, "--area"));
   if (corners[0] < corners[2] && corners[1] < corners[3]) return std::optional(std::move(corners));
-  return fail(
-      ErrorCode::kInvalidArgument, "must be X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1", "--area");
+  return fail(ErrorCode::kInvalidArgument,
+              "must be X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1, is '" + printable(*text) + "'",
+              "--area");
 }
 
 /// Where the stack is to be had: all of it, or the area, at the resolution asked for.
@@ -68,13 +70,30 @@ Result<GridGeometry> geometry_asked_for(const StackArguments& arguments,
   }
   geometry.cols = cells_along(width_m, geometry.resolution_m);
   geometry.rows = cells_along(height_m, geometry.resolution_m);
-  return geometry;
+  if (geometry.num_cells() > 0) return geometry;
+  return fail(ErrorCode::kInvalidArgument,
+              "has no cell of " + number_text(geometry.resolution_m) + " m",
+              "--area");
+}
+
+/// Errors: kNotFound for an area in which the stack has no cell.
+Result<void> check_overlap(const GridGeometry& asked, const GridGeometry& whole) {
+  const Rect there = bounds(whole);
+  const Rect part = bounds(asked);
+  const bool meets =
+      (part.min.array() < there.max.array()).all() && (there.min.array() < part.max.array()).all();
+  if (meets) return {};
+  return fail(ErrorCode::kNotFound,
+              "lies outside: there are cells in " + corners_text(there) + ", the area is " +
+                  corners_text(part),
+              "--area");
 }
 
 /// A layer of the map that is a stack.
 Result<GridStack> stored_stack(const MapArchive& map, const std::string& name) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, map.hypermap.at(name));
-  const auto* stack = layer->content.as<GridStackLayer>();
+  const auto layer = map.hypermap.at(name);
+  if (!layer) return Unexpected(of_option(layer.error(), "--from"));
+  const auto* stack = (*layer)->content.as<GridStackLayer>();
   if (stack != nullptr && stack->stack()) return *stack->stack();
   return fail(ErrorCode::kUnsupported, "layer " + printable(name) + " is no stack", "--from");
 }
@@ -101,6 +120,11 @@ Result<std::optional<Rect>> rect_around_area(const StackArguments& arguments) {
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
   return name.starts_with('/') ? name : stack_layer_name(options.parent, name);
+}
+
+std::string corners_text(const Rect& rect) {
+  return fixed(rect.min.x(), 3) + "," + fixed(rect.min.y(), 3) + "," + fixed(rect.max.x(), 3) +
+         "," + fixed(rect.max.y(), 3);
 }
 
 void StackArguments::add_to(CLI::App& command) {
@@ -142,13 +166,20 @@ void StackArguments::add_to(CLI::App& command) {
       ->excludes(tiles_option)
       ->capture_default_str();
   command
-      .add_option("--layer",
-                  layers,
-                  "only these layers and those below them, separated by commas; may be repeated")
+      .add_option(
+          "--layer",
+          layers,
+          "only these layers, with or without /ism/, separated by commas; one stands also for "
+          "layers whose names go on after it and a slash (detections: detections/chair); may be "
+          "repeated")
       ->delimiter(',');
   CLI::Option* area_option =
       command.add_option("--area", area, "X0,Y0,X1,Y1 in the map's frame (default: all)");
-  command.add_option("--yaw", yaw_deg, "degrees by which the area is turned about X0,Y0")
+  command
+      .add_option("--yaw",
+                  yaw_deg,
+                  "degrees by which the area is turned about X0,Y0; maps that are "
+                  "written to a folder are turned back and padded")
       ->check(number_in(-360.0, 360.0))
       ->needs(area_option);
   command
@@ -171,18 +202,35 @@ void StackArguments::add_to(CLI::App& command) {
   }
 }
 
-void StackArguments::finish() {
-  if (file.empty() == tiles.empty()) {
-    throw CLI::ValidationError("--tiles", "either a file or a folder of tiles must be named");
+void StackArguments::keep_to_one_source() const {
+  if (file.empty() && tiles.empty()) {
+    throw CLI::ValidationError("FILE", "a map, or --tiles FOLDER, must be named");
   }
+  if (file.empty() || tiles.empty()) return;
+  throw CLI::ValidationError("--tiles",
+                             "the stack is made of the file '" + printable(file) +
+                                 "' or of tiles, not of both: one of them must go");
+}
+
+void StackArguments::keep_heights_in_order() const {
+  const HeightBand& band = request.of_classes.band;
+  if (const auto checked = check_above("--min-height", band.min_m, "--max-height", band.max_m);
+      !checked) {
+    throw CLI::ValidationError("--max-height", checked.error().what);
+  }
+}
+
+void StackArguments::finish() {
+  keep_to_one_source();
+  keep_heights_in_order();
   const auto names = rule_names();
   request.resampling.rule =
       static_cast<ResamplingRule>(std::ranges::find(names, rule) - names.begin());
   request.fused.clear();
   for (const std::string& text : fused) request.fused.push_back(parse_fused(text));
-  sensed.finish();
   sensed.job.classes = request.of_classes.classes;
   sensed.job.heights.max_obstacle_m = request.of_classes.band.max_m;
+  sensed.finish();
   if (archive) {
     keep_apart("--archive", *archive, {file});
     keep_suffix("--archive", *archive, ".hmap");
@@ -203,7 +251,11 @@ Result<GridStack> StackArguments::uncut_stack(const MapArchive& map) const {
   if (from) return stored_stack(map, *from);
   if (tiles.empty()) return stack_of_map(map, request);
   HYPERMAP_ASSIGN_OR_RETURN(const auto around, rect_around_area(*this));
-  return read_tile_map(tiles, around, request.of_classes.options);
+  auto stack = read_tile_map(tiles, around, request.of_classes.options);
+  if (!stack && stack.error().code == ErrorCode::kLimit) {
+    stack.error().what += area ? "; a smaller --area takes less" : "; --area takes a part of it";
+  }
+  return stack;
 }
 
 Result<StackOfFile> StackArguments::make() const {
@@ -214,10 +266,15 @@ Result<StackOfFile> StackArguments::make() const {
     HYPERMAP_ASSIGN_OR_RETURN(report, sensed.fuse_into(stack, whole_map));
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
+    HYPERMAP_TRY(check_overlap(asked.geometry, stack.geometry()));
     for (const std::string& name : layers) {
       asked.layers.push_back(full_layer_name(stack.options(), name));
     }
-    return cut_out(stack, asked);
+    auto part = cut_out(stack, asked);
+    if (part) return part;
+    if (part.error().field == "layers") return Unexpected(of_option(part.error(), "--layer"));
+    if (part.error().code != ErrorCode::kLimit) return part;
+    return Unexpected(of_option(part.error(), "--area, --resolution"));
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
   return StackOfFile{

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
@@ -53,9 +54,14 @@ struct StackArguments {
                                                                 std::vector<Layer> further) const;
 
  private:
+  void keep_to_one_source() const;
+  void keep_heights_in_order() const;
   [[nodiscard]] Result<MapArchive> map() const;
   [[nodiscard]] Result<GridStack> uncut_stack(const MapArchive& map) const;
 };
+
+/// "X0,Y0,X1,Y1" to the millimetre.
+[[nodiscard]] std::string corners_text(const Rect& rect);
 
 /// The full name of a layer that may be named without its parent.
 [[nodiscard]] std::string full_layer_name(const GridStackOptions& options, const std::string& name);

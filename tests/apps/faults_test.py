@@ -192,12 +192,6 @@ class Pairs(FaultCase):
         self.check("class-grids", self.out, 2 * SAMPLE)
 
 
-    def test_a_stack(self):
-        stack = ["stack", "--output", self.out]
-        self.check_faults(lambda: Inputs.succeed("stack", Inputs.objects(0.1), "--output", self.out),
-                          [*stack, Inputs.objects(0.05)], 2 * SAMPLE)
-
-
 class Regions(FaultCase):
     """An image and two texts of one map, each a piece of its own."""
 
@@ -219,6 +213,11 @@ class Folders(FaultCase):
         def export(resolution):
             return ["export", Inputs.objects(resolution), "--format", "tiles", "--output", self.out / "tiles"]
         self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
+
+    def test_a_stack(self):
+        def stack(resolution):
+            return ["stack", Inputs.objects(resolution), "--output", self.out / "grids"]
+        self.check_faults(lambda: Inputs.succeed(*stack(0.1)), stack(0.05), count=2 * SAMPLE)
 
     def test_images_of_steps(self):
         found = self.folder / "found.jsonl"

@@ -6,46 +6,13 @@ import json
 import pathlib
 import re
 import shutil
-import tempfile
 import unittest
 
 from program import run, tree_digest
+from stack_lab import NUM_FRAMES, StackLab
 
-NUM_FRAMES = 12
 
-
-class Stacks(unittest.TestCase):
-    """One small simulation, mapped once."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-stack-"))
-        cls.archive = cls.shared / "lab.hmap"
-        dataset = cls.shared / "lab"
-        cls.made = [run("simulate", "--output", dataset, "--frames", NUM_FRAMES, "--seed", 1, "--size", "320x240",
-                     "--detector", "perfect"),
-                    run("map", "--input", dataset, "--resolution", 0.1, "--output", cls.archive)]
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.shared)
-
-    def setUp(self):
-        for result in self.made:
-            self.assertEqual(result.returncode, 0, result.stderr)
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-stack-"))
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def answer(self, command, *arguments, status=0):
-        result = run(command, self.archive, "--output", self.folder / command, "--json", *arguments)
-        self.assertEqual(result.returncode, status, result.stderr)
-        return json.loads(result.stdout)
-
-    def classes_with_a_grid(self):
-        info = json.loads(run("info", self.archive, "--json").stdout)
-        names = {entry["name"] for entry in info["classes"]}
-        return sorted(entry["name"] for entry in info["layers"] if entry["name"] in names)
-
+class Stacks(StackLab):
     def test_a_stack_has_a_layer_for_each_class_grid(self):
         stack = self.answer("stack")
         self.assertEqual([layer["name"] for layer in stack["layers"]],
@@ -89,6 +56,13 @@ class Stacks(unittest.TestCase):
         self.assertEqual((whole["cols"] % 256, whole["rows"] % 256), (0, 0))
         self.assertEqual([layer["occupied"] for layer in whole["layers"]], [layer["occupied"] for layer in stack["layers"]])
         self.assertEqual(run("check", *tiles.iterdir()).returncode, 0)
+        self.assertIn(f"folder of {len(list(tiles.iterdir()))} tiles", run("check", tiles).stdout)
+        first = min(tiles.iterdir())
+        first.rename(tiles / "room.tile")
+        renamed = run("check", tiles)
+        self.assertEqual(renamed.returncode, 1)
+        self.assertIn(f"room.tile: name: a folder of tiles with it is refused, by its content it must be called {first.name}",
+                      renamed.stdout)
 
     def test_tiles_of_the_public_implementation_are_read(self):
         tiles = self.folder / "tiles"
@@ -124,6 +98,9 @@ class Stacks(unittest.TestCase):
         points = [feature for feature in features if feature["geometry"]["type"] == "Point"]
         self.assertEqual(len(points), cells["supercells"])
         self.assertGreater(len(cells["of"]), 0)
+        shown = {name for point in points for name, says in point["properties"]["layers"].items() if says["mean"] > 0}
+        says_yes = {layer["name"] for layer in self.answer("stack")["layers"] if layer["occupied"] > 0}
+        self.assertEqual(set(cells["without_supercell"]), says_yes - shown)
         for number in cells["of"]:
             layer = points[number]["properties"]["layers"][f"/ism/{self.classes_with_a_grid()[0]}"]
             self.assertGreaterEqual(layer["probability"], 0.5)
@@ -164,6 +141,11 @@ class Stacks(unittest.TestCase):
         self.assertEqual(layers["stack"]["cells"]["occupied"], made["combined"]["occupied"])
         self.assertEqual((layers["supercells"]["class"], layers["supercells"]["objects"]),
                          ("SupercellLayer", cells["supercells"]))
+        names = [layer["name"] for layer in made["layers"]]
+        self.assertEqual((layers["stack"]["parts"], layers["supercells"]["parts"]), (names, names))
+        told = run("info", with_cells).stdout
+        self.assertIn(f"{cells['supercells']} supercells", told)
+        self.assertIn(f"stack on {len(names)} layers: {', '.join(names)}", told)
         name = self.classes_with_a_grid()[0]
         found = json.loads(run("query", with_cells, "--layer", "stack", "--string", name, "--json").stdout)
         self.assertEqual(len(found["results"]),
@@ -189,26 +171,12 @@ class Stacks(unittest.TestCase):
 
     def test_frames_are_registered_to_a_layer(self):
         stack = self.answer("stack", "--input", self.shared / "lab", "--fuse", "occupancy", "--register", "occupancy",
-                            "--max-shift", 0.3, "--stride", 4)
+                            "--max-shift", 0.3, "--first", 6, "--max-frames", 3)
         sensed = stack["sensed"]
-        self.assertEqual(sensed["frames"], NUM_FRAMES // 4)
+        self.assertEqual(sensed["frames"], 3)
+        self.assertGreater(sensed["registered"], 0)
         self.assertEqual(sensed["registered"] + sum(sensed["refused"].values()), sensed["frames"])
         self.assertLessEqual(sensed["max_shift_m"], 0.45)
-
-    def test_wrong_sensors_inputs_and_references_are_named(self):
-        dataset = self.shared / "lab"
-        for arguments, status, said in ((["--sensor", "depth"], 4, "--input"),
-                                        (["--input", dataset, "--sensor", "sonar"], 4, "--sensor"),
-                                        (["--input", dataset, "--max-shift", 1], 4, "--register"),
-                                        (["--input", dataset, "--register", "nothing"], 2, "nothing"),
-                                        (["--input", self.folder, "--stride", 2], 2, str(self.folder))):
-            result = run("stack", self.archive, "--output", self.folder / "out", *arguments)
-            self.assertEqual(result.returncode, status, (arguments, result.stderr))
-            self.assertIn(said, result.stderr)
-        moved = self.folder / "renamed"
-        shutil.copytree(dataset, moved)
-        result = run("stack", self.archive, "--output", self.folder / "out", "--input", moved)
-        self.assertIn(result.returncode, (0, 2))
 
     def test_a_map_keeps_a_stack_when_told_to(self):
         own = self.folder / "own.hmap"
@@ -227,46 +195,6 @@ class Stacks(unittest.TestCase):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 digests.add(tree_digest(self.folder / turn / command))
             self.assertEqual(len(digests), 1, command)
-
-    def test_either_a_map_or_tiles_are_asked_for(self):
-        tiles = self.folder / "tiles"
-        tiles.mkdir()
-        output = ["--output", self.folder / "x"]
-        for arguments, status, told in (([], 4, "either a file or a folder"), ([self.archive, "--tiles", tiles], 4, "either a file"),
-                                        (["--tiles", tiles, "--class", "chair"], 4, "--class"),
-                                        (["--tiles", tiles, "--fuse", "occupancy"], 4, "--fuse"),
-                                        (["--tiles", tiles, "--min-height", 1], 4, "--min-height"),
-                                        (["--tiles", tiles], 2, "has no tiles"), (["--tiles", tiles / "none"], 2, "none")):
-            with self.subTest(arguments):
-                result = run("stack", *arguments, *output)
-                self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-                self.assertIn(told, result.stderr)
-                self.assertFalse((self.folder / "x").exists())
-        result = run("stack", "--tiles", tiles, "--output", tiles)
-        self.assertEqual(result.returncode, 4, result.stderr)
-
-    def test_what_is_not_there_is_said(self):
-        output = ["--output", self.folder / "x"]
-        for arguments, status, told in ((["stack", "--class", "chiar"], 2, "chair"), (["stack", "--fuse", "ocupancy"], 2, "occupancy"),
-                                        (["stack", "--layer", "chiar"], 2, "/ism/chair"),
-                                        (["stack", "--min-height", 5, "--max-height", 6], 2, "heights of 5 and 6 m"),
-                                        (["stack", "--area", "500,500,501,501"], 2, "lies outside"),
-                                        (["stack", "--area", "0,0,0,1"], 4, "X0 < X1"), (["stack", "--area", "0,0,1"], 4, "--area"),
-                                        (["stack", "--yaw", 3], 4, "--area"), (["stack", "--rule", "cubic"], 4, "biodds"),
-                                        (["stack", "--epsilon", 0.5], 4, "0.5"), (["stack", "--fuse", "a=b"], 4, "NAME=WEIGHT"),
-                                        (["stack", "--fuse", "occupancy=-1"], 2, "weight"), (["stack", "--pool", "mean"], 4, "maximum"),
-                                        (["cells", "--levels", 0], 4, "1 .. 10"), (["cells", "--path", "0,0,1"], 4, "--path"),
-                                        (["cells", "--path", "0,0,500,0"], 2, "--path"), (["cells", "--of", "chiar"], 2, "/ism/chair"),
-                                        (["cells", "--avoid", "chair"], 4, "--path"),
-                                        (["stack", "--from", "semantic"], 2, "no stack"), (["stack", "--from", "stakc"], 2, "stakc"),
-                                        (["stack", "--from", "stack", "--class", "chair"], 4, "--class"),
-                                        (["stack", "--archive", self.archive], 4, "--archive"),
-                                        (["cells", "--archive", self.folder / "x.zip"], 4, ".hmap")):
-            with self.subTest(arguments):
-                result = run(arguments[0], self.archive, *arguments[1:], *output)
-                self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-                self.assertIn(told, result.stderr)
-                self.assertFalse((self.folder / "x").exists())
 
 
 if __name__ == "__main__":

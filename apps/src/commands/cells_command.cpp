@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cells_text.hpp"
 #include "command.hpp"
 #include "hypermap/core/base/count_text.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/io/exports/supercell_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
@@ -12,7 +14,6 @@
 #include "stack_arguments.hpp"
 
 #include <CLI/Validators.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -26,8 +27,6 @@
 namespace hypermap::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct CellsCommand {
   StackArguments stack;
   SupercellOptions options;
@@ -40,49 +39,61 @@ struct CellsCommand {
   bool json = false;
 };
 
-/// What was found, written and asked.
-struct CellsAnswer {
-  Supercells supercells;
-  TopometricGraph graph;
-  std::vector<std::filesystem::path> files;
-  std::optional<std::vector<int>> of_layer = {};
-  bool is_path_asked = false;
-  std::optional<GraphPath> path = {};
-  std::optional<SensedStackReport> sensed = {};
-};
+std::string place_text(double x, double y) {
+  return number_text(x) + "," + number_text(y);
+}
 
 /// The supercell at a place that was asked for. Errors: kNotFound outside the grid.
 Result<int> supercell_below(const Supercells& supercells, double x, double y) {
   if (const auto number = supercell_at(supercells, {x, y})) return *number;
   return fail(ErrorCode::kNotFound,
-              "no cell is at " + std::to_string(x) + ", " + std::to_string(y),
+              "no cell is at " + place_text(x, y) + ", there are cells in " +
+                  corners_text(bounds(supercells.geometry)),
               "--path");
+}
+
+std::string full_name(const CellsCommand& arguments, const std::string& layer) {
+  return full_layer_name(arguments.stack.request.of_classes.options, layer);
 }
 
 Result<std::vector<int>> found_of(const TopometricGraph& graph,
                                   const CellsCommand& arguments,
                                   const std::string& layer,
                                   double at_least) {
-  return supercells_of(graph,
-                       full_layer_name(arguments.stack.request.of_classes.options, layer),
-                       Probability(at_least));
+  auto found = supercells_of(graph, full_name(arguments, layer), Probability(at_least));
+  if (!found) return Unexpected(of_option(found.error(), "--of"));
+  return found;
 }
 
-/// A way that leads through no supercell that is more probably of the layer to avoid than not.
-Result<std::optional<GraphPath>> path_asked_for(const CellsAnswer& answer,
-                                                const CellsCommand& arguments) {
+/// The place of the layer to avoid among those of the graph. Errors: kNotFound.
+Result<std::size_t> avoided_layer(const TopometricGraph& graph, const CellsCommand& arguments) {
+  const std::string name = full_name(arguments, *arguments.avoid);
+  const auto known = supercells_of(graph, name);
+  if (!known) return Unexpected(of_option(known.error(), "--avoid"));
+  return static_cast<std::size_t>(std::ranges::find(graph.layers, name) - graph.layers.begin());
+}
+
+/// Adds a way that leads through no supercell that is more probably of the layer to avoid than not.
+/// Its ends are where they are: those in what is to be avoided are told.
+Result<void> find_path(CellsAnswer& answer, const CellsCommand& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto ends, parse_numbers(*arguments.path, 4, 4, "--path"));
   HYPERMAP_ASSIGN_OR_RETURN(const int from, supercell_below(answer.supercells, ends[0], ends[1]));
   HYPERMAP_ASSIGN_OR_RETURN(const int to, supercell_below(answer.supercells, ends[2], ends[3]));
-  if (!arguments.avoid) return shortest_path(answer.graph, from, to);
-  const std::string name =
-      full_layer_name(arguments.stack.request.of_classes.options, *arguments.avoid);
-  HYPERMAP_TRY(supercells_of(answer.graph, name));
-  const auto place = static_cast<std::size_t>(std::ranges::find(answer.graph.layers, name) -
-                                              answer.graph.layers.begin());
-  return shortest_path(answer.graph, from, to, [place](const SupercellNode& node) {
-    return node.mean[place] <= LogOdds();
-  });
+  if (!arguments.avoid) {
+    answer.path = shortest_path(answer.graph, from, to);
+    return {};
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const std::size_t avoided, avoided_layer(answer.graph, arguments));
+  const auto is_passable = [avoided](const SupercellNode& node) {
+    return node.mean[avoided] <= LogOdds();
+  };
+  for (const AvoidedEnd& end : {AvoidedEnd{"start", place_text(ends[0], ends[1]), from},
+                                AvoidedEnd{"end", place_text(ends[2], ends[3]), to}}) {
+    if (is_passable(answer.graph.nodes[static_cast<std::size_t>(end.supercell)])) continue;
+    answer.avoided_ends.push_back(end);
+  }
+  answer.path = shortest_path(answer.graph, from, to, is_passable);
+  return {};
 }
 
 Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
@@ -108,6 +119,7 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   answer.sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(made.stack, arguments.options));
   HYPERMAP_ASSIGN_OR_RETURN(answer.graph, topometric_graph(made.stack, answer.supercells));
+  answer.without_supercell = layers_without_supercell(made.stack, answer.graph);
   if (arguments.of_layer) {
     HYPERMAP_ASSIGN_OR_RETURN(
         answer.of_layer,
@@ -115,51 +127,29 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   }
   answer.is_path_asked = arguments.path.has_value();
   if (answer.is_path_asked) {
-    HYPERMAP_ASSIGN_OR_RETURN(answer.path, path_asked_for(answer, arguments));
+    HYPERMAP_TRY(find_path(answer, arguments));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(
-      answer.files, write_supercells(answer.supercells, answer.graph, arguments.output, palette));
   HYPERMAP_ASSIGN_OR_RETURN(const auto saved, save_cells(answer, std::move(made), arguments.stack));
+  auto files = write_supercells(answer.supercells, answer.graph, arguments.output, palette);
+  if (!files) return Unexpected(with_written(files.error(), saved));
+  answer.files = std::move(*files);
   answer.files.insert(answer.files.end(), saved.begin(), saved.end());
   return answer;
 }
 
-void print_cells_json(const CellsAnswer& answer) {
-  Json files = Json::array();
-  for (const auto& path : answer.files) files.push_back(path.string());
-  Json document{{"frame", answer.graph.frame_id},
-                {"supercells", answer.supercells.count},
-                {"layers", answer.graph.layers},
-                {"moves", answer.supercells.num_moves},
-                {"first_energy", answer.supercells.first_energy},
-                {"energy", answer.supercells.energy},
-                {"files", std::move(files)}};
-  if (answer.of_layer) document["of"] = *answer.of_layer;
-  if (answer.is_path_asked) {
-    document["path"] =
-        answer.path ? Json{{"supercells", answer.path->nodes}, {"length_m", answer.path->length_m}}
-                    : Json();
+ExitCode report_avoided_ends(const CellsAnswer& answer, const CellsCommand& arguments) {
+  ExitCode worst = ExitCode::kDone;
+  for (const AvoidedEnd& end : answer.avoided_ends) {
+    worst =
+        report({Severity::kWarning,
+                {.code = ErrorCode::kInvalidArgument,
+                 .what = std::string("its ") + end.name + " " + end.place + " lies in supercell " +
+                         std::to_string(end.supercell) + ", which is more probably of " +
+                         printable(full_name(arguments, *arguments.avoid)) +
+                         " than not: the way touches there what --avoid names",
+                 .field = "--path"}});
   }
-  std::printf("%s\n", document.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
-
-std::string list_of(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
-  return text.empty() ? "none" : text;
-}
-
-void print_cells_text(const CellsAnswer& answer) {
-  std::printf("%s, %s, energy %.6f, of the squares %.6f\n",
-              count_text(static_cast<std::size_t>(answer.supercells.count), "supercell").c_str(),
-              count_text(answer.supercells.num_moves, "move").c_str(),
-              answer.supercells.energy,
-              answer.supercells.first_energy);
-  if (answer.of_layer) std::printf("found: %s\n", list_of(*answer.of_layer).c_str());
-  if (answer.path) {
-    std::printf("path: %s; %.3f m\n", list_of(answer.path->nodes).c_str(), answer.path->length_m);
-  }
-  for (const auto& path : answer.files) std::printf("%s\n", path.c_str());
+  return worst;
 }
 
 ExitCode run_cells(const CellsCommand& arguments) {
@@ -168,7 +158,8 @@ ExitCode run_cells(const CellsCommand& arguments) {
   arguments.json ? print_cells_json(*answer) : print_cells_text(*answer);
   const bool is_path_missing = answer->is_path_asked && !answer->path;
   if (is_path_missing) std::fprintf(stderr, "cells: no way leads there\n");
-  const ExitCode worst = report_skipped(answer->sensed);
+  const ExitCode worst =
+      std::max(report_skipped(answer->sensed), report_avoided_ends(*answer, arguments));
   return is_path_missing ? std::max(worst, ExitCode::kFindings) : worst;
 }
 
@@ -187,13 +178,16 @@ void add_supercell_options(CLI::App& command, SupercellOptions& options) {
   command.add_option("--max-passes", options.max_passes, "over all blocks of one size")
       ->check(value_of_field(table, "max_passes"))
       ->capture_default_str();
-  command.add_flag("--total",
-                   options.total,
-                   "both supercells together must gain by a move, not the growing one alone");
-  command.add_flag("--cell-weighted",
-                   options.cell_weighted,
-                   "variances count by cells, both sides gain, small blocks move: outlines keep to "
-                   "those of objects");
+  CLI::Option* total =
+      command.add_flag("--total",
+                       options.total,
+                       "both supercells together must gain by a move, not the growing one alone");
+  command
+      .add_flag("--cell-weighted",
+                options.cell_weighted,
+                "variances count by cells, both sides gain, small blocks move: outlines keep to "
+                "those of objects")
+      ->excludes(total);
 }
 
 }  // namespace
@@ -213,14 +207,20 @@ void add_cells_command(CLI::App& program, Action& action) {
       ->needs(of_layer)
       ->capture_default_str();
   CLI::Option* path = command.add_option(
-      "--path", arguments->path, "X,Y,X,Y: the shortest way from supercell to supercell");
-  command.add_option("--avoid", arguments->avoid, "layer that the way must not lead through")
+      "--path",
+      arguments->path,
+      "X,Y,X,Y: the shortest way over supercells, from the first point to the second");
+  command
+      .add_option(
+          "--avoid",
+          arguments->avoid,
+          "layer that the way must not lead through; its two ends may lie in it, which is said")
       ->needs(path);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_flag("--json", arguments->json, "one JSON document");
   show_examples(command,
                 {"hypermap cells lab.hmap --output cells",
-                 "hypermap cells lab.hmap --fuse occupancy --path 0.5,0.5,3,2 --avoid occupancy "
+                 "hypermap cells lab.hmap --fuse occupancy --path 1,-2,-1,1.5 --avoid occupancy "
                  "--total --output cells"});
   command.callback([arguments, &action] {
     keep_apart("--output",
@@ -229,6 +229,7 @@ void add_cells_command(CLI::App& program, Action& action) {
                 arguments->stack.tiles,
                 arguments->palette,
                 arguments->stack.sensed.dataset.input});
+    keep_out_of_datasets("--output", arguments->output);
     arguments->stack.finish();
     if (arguments->path) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");

@@ -77,6 +77,7 @@ void add_export_command(CLI::App& program, Action& action) {
     keep_apart("--output",
                is_ros_map ? ros_map_yaml(output) : output,
                {arguments->file, arguments->palette});
+    if (format == ExportFormat::kClassGrids) keep_out_of_datasets("--output", output);
     if (format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",

@@ -3,6 +3,7 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
+#include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "load_arguments.hpp"
@@ -31,6 +32,14 @@ struct InfoArguments {
   LoadArguments load;
 };
 
+/// " on 2 layers: /ism/chair, /ism/sofa"; nothing of what has no layers in it.
+std::string parts_text(const LayerSummary& layer) {
+  std::string names;
+  for (const std::string& part : layer.parts)
+    names += (names.empty() ? "" : ", ") + printable(part);
+  return names.empty() ? names : " on " + count_text(layer.parts.size(), "layer") + ": " + names;
+}
+
 std::string size_text(const LayerSummary& layer) {
   if (layer.cells) {
     return std::to_string(layer.cells->occupied) + " occupied, " +
@@ -38,7 +47,8 @@ std::string size_text(const LayerSummary& layer) {
            " unknown cells";
   }
   if (layer.num_objects) {
-    std::string objects = count_text(*layer.num_objects, "object");
+    const bool is_graph = layer.class_name == kSupercellLayerClass;
+    std::string objects = count_text(*layer.num_objects, is_graph ? "supercell" : "object");
     if (layer.num_tentative.value_or(0) > 0) {
       objects += " (and " + std::to_string(*layer.num_tentative) + " tentative)";
     }
@@ -78,6 +88,10 @@ void print(const ArchiveInfo& info) {
               info.classes.size() == 1 ? "class" : "classes",
               count_text(info.transforms.size(), "transform").c_str(),
               static_cast<long long>(info.format_version));
+  for (const LayerSummary& layer : info.layers) {
+    if (layer.parts.empty()) continue;
+    std::printf("%s%s\n", printable(layer.name).c_str(), parts_text(layer).c_str());
+  }
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
                 printable(transform.child_frame_id).c_str(),

@@ -142,7 +142,10 @@ void add_query_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand("query", "What is where in a map, and where is what");
   command.add_option("file", arguments->file, "archive or configuration")->required();
   command.add_option("--layer", arguments->layer, "a layer as info lists it");
-  command.add_option("--at", arguments->at, "point X,Y; in 3D layers also X,Y,Z");
+  command.add_option(
+      "--at",
+      arguments->at,
+      "point X,Y; of octree, evidence and objects also X,Y,Z with a height in metres");
   command.add_option(
       "--area", arguments->area, "polygon \"x y,x y,x y,...\" or \"x,y x,y x,y ...\"");
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");

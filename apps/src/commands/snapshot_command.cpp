@@ -85,7 +85,9 @@ void add_snapshot_command(CLI::App& program, Action& action) {
   command.add_option(
       "--layers",
       arguments->layers,
-      "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view)");
+      "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view); overlay "
+      "draws "
+      "stacks and supercells in the colours of their classes, which the legend leaves out");
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--title", arguments->title, "text over the image (default: file name)");
   command

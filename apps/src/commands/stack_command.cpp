@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,14 +45,16 @@ Pooling pooling_of(const std::string& name) {
 }
 
 Result<WrittenStack> write_stack(const StackCommand& arguments) {
+  HYPERMAP_TRY(check_stack_folder(arguments.output));
   HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
   GridStack stack = made.stack;
   std::optional<SensedStackReport> sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(LogOddsGrid combined, pooled(stack, pooling_of(arguments.pooling)));
-  HYPERMAP_ASSIGN_OR_RETURN(auto files, write_stack_maps(stack, combined, arguments.output));
   HYPERMAP_ASSIGN_OR_RETURN(const auto saved, arguments.stack.save(std::move(made), {}));
-  files.insert(files.end(), saved.begin(), saved.end());
-  return WrittenStack{std::move(stack), std::move(combined), std::move(files), std::move(sensed)};
+  auto files = write_stack_maps(stack, combined, arguments.output);
+  if (!files) return Unexpected(with_written(files.error(), saved));
+  files->insert(files->end(), saved.begin(), saved.end());
+  return WrittenStack{std::move(stack), std::move(combined), std::move(*files), std::move(sensed)};
 }
 
 /// Cells of which more is said for, and more against.
@@ -104,9 +107,10 @@ void print_sensed(const SensedStackReport& sensed) {
   }
   std::printf("\n");
   for (const auto& [reason, count] : sensed.num_refused) {
-    std::printf("not registered for %s: %s, fused as posed\n",
-                reason.c_str(),
-                count_text(count, "frame").c_str());
+    std::printf("not registered, fused as posed: %s, %s (%s)\n",
+                count_text(count, "frame").c_str(),
+                std::string(refusal_text(reason)).c_str(),
+                reason.c_str());
   }
 }
 
@@ -131,6 +135,10 @@ ExitCode run_stack(const StackCommand& arguments) {
   if (written->sensed) print_sensed(*written->sensed);
   for (const auto& [name, grid] : written->stack.layers()) print_layer(name, grid);
   print_layer("combined (" + arguments.pooling + ")", written->combined);
+  if (written->stack.geometry().yaw_rad != 0.0) {
+    std::printf("the maps are turned back by %.3f degrees and padded with unknown cells\n",
+                written->stack.geometry().yaw_rad * 180.0 / std::numbers::pi);
+  }
   for (const auto& path : written->files) std::printf("%s\n", path.c_str());
   return worst;
 }
@@ -142,18 +150,23 @@ void add_stack_command(CLI::App& program, Action& action) {
   CLI::App& command = *program.add_subcommand(
       "stack", "A map as semantic occupancy grids: a layer for each class, and all of them pooled");
   arguments->stack.add_to(command);
-  command.add_option("--output", arguments->output, "folder for maps of map_server")->required();
+  command
+      .add_option("--output",
+                  arguments->output,
+                  "folder for maps of map_server; one that holds those of an earlier stack, and "
+                  "nothing else, is "
+                  "replaced as a whole")
+      ->required();
   command.add_option("--pool", arguments->pooling, "how layers become the combined map")
       ->transform(one_of(pooling_names()))
       ->capture_default_str();
   command.add_flag("--json", arguments->json, "one JSON document");
-  show_examples(
-      command,
-      {"hypermap stack lab.hmap --output grids",
-       "hypermap stack lab.hmap --class chair,table --fuse occupancy=0.5 --resolution 0.1 "
-       "--pool bayesian --output grids",
-       "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids",
-       "hypermap stack --tiles drive --area 10,10,16,16 --output grids"});
+  show_examples(command,
+                {"hypermap stack lab.hmap --output grids",
+                 "hypermap stack lab.hmap --class chair,sofa --fuse occupancy=0.5 --resolution 0.1 "
+                 "--pool bayesian --output grids",
+                 "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids",
+                 "hypermap stack --tiles drive --area 10,10,16,16 --output grids"});
   command.callback([arguments, &action] {
     keep_apart(
         "--output",

@@ -7,6 +7,7 @@
 #include "hypermap/io/codec/png_image.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
+#include "outputs.hpp"
 #include "tables.hpp"
 
 #include <CLI/Validators.hpp>
@@ -198,6 +199,7 @@ void add_tune_command(CLI::App& program, Action& action) {
   command.callback([arguments, &action] {
     const auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("tune", to_string(options.error()));
+    if (arguments->output) keep_out_of_datasets("--output", *arguments->output);
     action = [arguments, options = *options] {
       const auto done = tune(*arguments, options);
       return done ? ExitCode::kDone : report(done.error());

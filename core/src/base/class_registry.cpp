@@ -23,6 +23,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kVocNameO
     {"airplane", "aeroplane"},
 }};
 
+constexpr std::size_t kMostListed = 100;
+
+/// " (a, b)": few enough to look one up.
+std::string class_list(std::span<const std::string> names) {
+  if (names.empty() || names.size() > kMostListed) return {};
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return " (" + text + ")";
+}
+
 bool is_separator(char c) {
   return c == ' ' || c == '-' || c == '_';
 }
@@ -83,7 +93,7 @@ Result<std::vector<ClassId>> ClassRegistry::find_all(std::span<const std::string
     if (!id) {
       return fail(ErrorCode::kNotFound,
                   "no class is called \"" + printable(name) + "\"; " + std::to_string(size()) +
-                      " are known" + did_you_mean(name, names_));
+                      " are known" + did_you_mean(name, names_) + class_list(names_));
     }
     ids.push_back(*id);
   }

@@ -13,6 +13,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kLongestName = 64;  // longer ones are no typing errors
+constexpr std::size_t kShortestPart = 3;  // less is in many names
 
 bool are_same(char a, char b) {
   return lower_ascii(a) == lower_ascii(b);
@@ -39,6 +40,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
+/// The shortest name that has `part` in it, the first of equally short ones.
+std::optional<std::string_view> shortest_with(std::string_view part,
+                                              std::span<const std::string_view> known) {
+  std::optional<std::string_view> shortest;
+  if (part.size() < kShortestPart) return shortest;
+  for (const std::string_view candidate : known) {
+    const bool is_in_it = !std::ranges::search(candidate, part, are_same).empty();
+    const bool is_shorter = !shortest || candidate.size() < shortest->size();
+    if (is_in_it && is_shorter) shortest = candidate;
+  }
+  return shortest;
+}
+
 std::string listed(std::span<const std::string_view> names) {
   std::string text;
   for (const std::string_view name : names) {
@@ -60,7 +74,7 @@ std::optional<std::string_view> nearest_name(std::string_view name,
     least = distance;
     nearest = candidate;
   }
-  return nearest;
+  return nearest ? nearest : shortest_with(name, known);
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {

@@ -2,12 +2,24 @@
 #include "hypermap/io/archive/archive_info.hpp"
 
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
+#include "hypermap/io/archive/supercell_layer.hpp"
 
 #include <string>
 #include <vector>
 
 namespace hypermap {
 namespace {
+
+/// What a layer is made of, where it is of stacks.
+std::vector<std::string> parts_of(const Layer& layer) {
+  std::vector<std::string> parts;
+  if (const auto* stack = layer.content.as<GridStackLayer>(); stack != nullptr && stack->stack()) {
+    for (const auto& [name, grid] : stack->stack()->layers()) parts.push_back(name);
+  }
+  if (const auto* cells = layer.content.as<SupercellLayer>()) parts = cells->graph().layers;
+  return parts;
+}
 
 LayerSummary summary_of(const Layer& layer) {
   LayerSummary summary;
@@ -16,6 +28,7 @@ LayerSummary summary_of(const Layer& layer) {
   summary.class_name = std::string(class_of(layer));
   summary.frame_id = layer.info.frame_id;
   summary.flat = layer.content->is_flat();
+  summary.parts = parts_of(layer);
   return summary;
 }
 

@@ -35,6 +35,10 @@ std::string json_of(const LayerSummary& layer) {
                          {"free", std::to_string(count->free)}});
   }
   if (layer.num_values) text += ",\"values\":" + std::to_string(*layer.num_values);
+  if (!layer.parts.empty()) {
+    text += ",\"parts\":" +
+            json_array(layer.parts, [](const std::string& part) { return json_quoted(part); });
+  }
   if (layer.bounds)
     text += ",\"bounds\":" + json_object({{"min", json_of(layer.bounds->min(), layer.flat)},
                                           {"max", json_of(layer.bounds->max(), layer.flat)}});

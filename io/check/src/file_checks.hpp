@@ -45,7 +45,8 @@ struct FileSummary {
 [[nodiscard]] Result<FileSummary> check_dataset(const std::filesystem::path& path,
                                                 const FileCheckOptions& options);
 [[nodiscard]] Result<FileSummary> check_truth(const std::filesystem::path& path);
-/// A `.tile` of ours, else one of [sogm]'s public implementation.
+/// A `.tile` of ours, whose name is a finding where it is not that of its content; a folder of
+/// tiles; else one of [sogm]'s public implementation.
 [[nodiscard]] Result<FileSummary> check_tile(const std::filesystem::path& path);
 
 }  // namespace hypermap

@@ -20,11 +20,10 @@ namespace {
 
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20U;
 
-/// The image that a YAML names, as written there; empty when there is no such YAML.
-std::string image_named_by(const std::filesystem::path& metadata) {
-  const auto yaml = read_file(metadata, kMaxYamlBytes);
-  if (!yaml) return {};
-  const auto parsed = parse_map_metadata(*yaml, {.file = metadata.string()});
+/// The image that a YAML names, as written there; empty when it is no such YAML.
+Result<std::string> image_named_by(const std::filesystem::path& metadata) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(metadata, kMaxYamlBytes));
+  const auto parsed = parse_map_metadata(yaml, {.file = metadata.string()});
   return parsed ? parsed->value.image : std::string();
 }
 
@@ -42,38 +41,53 @@ std::string world_file(const GridGeometry& geometry) {
   return text;
 }
 
-std::filesystem::path world_path(std::filesystem::path image) {
-  return image.replace_extension(".pgw");
+std::string world_name(const std::string& image) {
+  return std::filesystem::path(image).replace_extension(".pgw").string();
 }
 
 }  // namespace
 
-Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
-                                    const std::filesystem::path& stem,
-                                    bool keep_rotation) {
+Result<MapFileSet> map_files(const OccupancyLayer& layer,
+                             const std::string& stem,
+                             bool keep_rotation) {
   OccupancyLayer written = layer;
   if (!keep_rotation) {
     HYPERMAP_ASSIGN_OR_RETURN(written.grid, without_rotation(layer.grid));
   }
-  std::filesystem::path metadata = stem;
-  metadata += ".yaml";
   HYPERMAP_ASSIGN_OR_RETURN(const MapFiles unnamed, write_trinary_map(written, ""));
-  const std::string stem_name = stem.filename().string();
-  const std::string name = hashed_image_name(stem_name, unnamed.image);
-  HYPERMAP_ASSIGN_OR_RETURN(const MapFiles files, write_trinary_map(written, name));
-  const std::string old_name = image_named_by(metadata);
+  const std::string name = hashed_image_name(stem, unnamed.image);
+  HYPERMAP_ASSIGN_OR_RETURN(MapFiles files, write_trinary_map(written, name));
+  return MapFileSet{.yaml = {stem + ".yaml", std::move(files.yaml)},
+                    .image = {name, std::move(files.image)},
+                    .world = {world_name(name), world_file(written.grid.geometry())}};
+}
+
+Result<std::string> image_of_pair(const std::filesystem::path& yaml) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::string image, image_named_by(yaml));
+  return stem_of_hashed_name(image) == yaml.stem().string() ? image : std::string();
+}
+
+Result<WrittenFiles> write_map_pair(const OccupancyLayer& layer,
+                                    const std::filesystem::path& stem,
+                                    bool keep_rotation) {
+  const std::filesystem::path folder = stem.parent_path();
+  HYPERMAP_ASSIGN_OR_RETURN(const MapFileSet files,
+                            map_files(layer, stem.filename().string(), keep_rotation));
+  const std::filesystem::path metadata = folder / files.yaml.name;
+  const std::string old_image = image_of_pair(metadata).value_or(std::string());  // none: new
 
   // Until the YAML is renamed the old pair stands, from then on the new one.
-  const std::filesystem::path image = stem.parent_path() / name;
-  HYPERMAP_TRY(write_file_atomically(image, files.image));
-  HYPERMAP_TRY(write_file_atomically(world_path(image), world_file(written.grid.geometry())));
-  HYPERMAP_TRY(write_file_atomically(metadata, files.yaml));
+  const std::filesystem::path image = folder / files.image.name;
+  const std::filesystem::path world = folder / files.world.name;
+  HYPERMAP_TRY(write_file_atomically(image, files.image.bytes));
+  HYPERMAP_TRY(write_file_atomically(world, files.world.bytes));
+  HYPERMAP_TRY(write_file_atomically(metadata, files.yaml.bytes));
   std::error_code stays;
-  if (stem_of_hashed_name(old_name) == stem_name && image_named_by(metadata) != old_name) {
-    std::filesystem::remove(stem.parent_path() / old_name, stays);
-    std::filesystem::remove(world_path(stem.parent_path() / old_name), stays);
+  if (!old_image.empty() && old_image != files.image.name) {
+    std::filesystem::remove(folder / old_image, stays);
+    std::filesystem::remove(folder / world_name(old_image), stays);
   }
-  return WrittenFiles{metadata, image, world_path(image)};
+  return WrittenFiles{metadata, image, world};
 }
 
 std::filesystem::path ros_map_yaml(std::filesystem::path output) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "export_folder.hpp"
 #include "export_parts.hpp"
 #include "hypermap/io/codec/staged_folder.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
@@ -19,22 +20,9 @@ namespace fs = std::filesystem;
 constexpr int kExportedTileCells = 256;
 constexpr std::string_view kEnding = ".tile";
 
-/// A folder is replaced as a whole, so nothing else may lie in it.
-Result<void> require_replaceable_tiles(const fs::path& folder) try {
-  if (!fs::exists(folder)) return {};
-  const auto refused = [&](std::string what) -> Result<void> {
-    return Unexpected(Error{ErrorCode::kInvalidArgument, std::move(what), folder.string()});
-  };
-  if (!fs::is_directory(folder)) return refused("is no folder");
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name.ends_with(kEnding)) continue;
-    return refused("would be replaced, but '" + printable(name) + "' in it is no tile");
-  }
-  return {};
-} catch (const fs::filesystem_error& error) {
-  return Unexpected(
-      Error{ErrorCode::kIo, "cannot be looked at: " + error.code().message(), folder.string()});
+Result<void> require_replaceable_tiles(const fs::path& folder) {
+  return require_replaceable(
+      folder, "tile", [](const std::string& name) { return name.ends_with(kEnding); });
 }
 
 /// Tiles of a folder that is not there yet: all of them are synced at once when it is put in place.

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -49,7 +51,17 @@ std::string dot_string(std::string_view text) {
 
 std::string label_of(const SupercellNode& node, std::size_t number, const TopometricGraph& graph) {
   const auto best = best_layer(node);
-  return std::to_string(number) + (best ? " " + graph.layers[*best] : "");
+  return std::to_string(number) + (best ? " " + std::string(last_part(graph.layers[*best])) : "");
+}
+
+/// Graphviz' points for a metre, a whole number, so that neighbours are about 3/4 inch apart in
+/// the mean: as far as labels of 8 points are wide.
+double drawing_scale(const std::vector<TouchingPair>& pairs) {
+  constexpr double kPointsApart = 54.0;
+  double sum_m = 0.0;
+  for (const TouchingPair& pair : pairs) sum_m += pair.length_m;
+  if (sum_m <= 0.0) return kPointsApart;
+  return std::max(1.0, std::round(kPointsApart * static_cast<double>(pairs.size()) / sum_m));
 }
 
 Json point_json(const Eigen::Vector2d& point) {
@@ -88,16 +100,22 @@ Json pair_json(const TouchingPair& pair, const TopometricGraph& graph) {
 }  // namespace
 
 std::string topometric_dot(const TopometricGraph& graph) {
-  std::string text = "graph topometric {\n";
+  const std::vector<TouchingPair> pairs = pairs_of(graph);
+  const double points_per_m = drawing_scale(pairs);
+  std::string text =
+      "graph topometric {\n  inputscale=72;\n  points_per_m=" + number_text(points_per_m) +
+      ";\n  node [shape=box, style=filled, fillcolor=white, fontsize=8, width=0, "
+      "height=0, margin=\"0.03,0.02\"];\n";
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const SupercellNode& node = graph.nodes[i];
+    const Eigen::Vector2d at = node.centroid * points_per_m;
     text += "  " + std::to_string(i) + " [label=" + dot_string(label_of(node, i, graph)) +
-            ", pos=\"" + number_text(node.centroid.x()) + "," + number_text(node.centroid.y()) +
-            "!\"];\n";
+            ", pos=\"" + number_text(at.x()) + "," + number_text(at.y()) + "!\", centroid_m=\"" +
+            number_text(node.centroid.x()) + "," + number_text(node.centroid.y()) + "\"];\n";
   }
-  for (const TouchingPair& pair : pairs_of(graph)) {
+  for (const TouchingPair& pair : pairs) {
     text += "  " + std::to_string(pair.first) + " -- " + std::to_string(pair.second) +
-            " [len=" + number_text(pair.length_m) + "];\n";
+            " [length_m=" + number_text(pair.length_m) + "];\n";
   }
   return text + "}\n";
 }

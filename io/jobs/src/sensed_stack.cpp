@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/sensed_stack.hpp"
 
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/projection/sensor_models/depth_camera_model.hpp"
 #include "hypermap/projection/sensor_models/detection_model.hpp"
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <utility>
@@ -16,6 +18,26 @@ namespace hypermap {
 namespace {
 
 constexpr std::string_view kSensorNames[] = {"depth", "detections"};
+
+/// Why register_grids refuses.
+constexpr std::pair<std::string_view, std::string_view> kRefusalTexts[] = {
+    {"features", "too little structure to find it by"},
+    {"inliers", "too few matches agree on one place within the limits"},
+    {"overlap", "too few cells in common"},
+    {"agreement", "the best place does not fit well enough"},
+    {"rivals", "several places fit about as well"},
+};
+
+/// Frames were to be registered, and none could be.
+Error none_registered(const SensedStackReport& report, const std::string& reference) {
+  std::string what = "none of " + count_text(report.num_frames, "frame") +
+                     " could be placed on layer " + printable(reference);
+  for (const auto& [reason, count] : report.num_refused) {
+    what += "; " + count_text(count, "frame") + ": " + std::string(refusal_text(reason)) + " (" +
+            reason + ")";
+  }
+  return {.code = ErrorCode::kNotFound, .what = std::move(what), .field = "--register"};
+}
 
 using FrameModel = InverseSensorModel<RgbdFrame>;
 
@@ -231,6 +253,12 @@ std::span<const std::string_view> frame_sensor_names() {
   return kSensorNames;
 }
 
+std::string_view refusal_text(std::string_view reason) {
+  const auto* const found =
+      std::ranges::find(kRefusalTexts, reason, [](const auto& text) { return text.first; });
+  return found == std::end(kRefusalTexts) ? reason : found->second;
+}
+
 Result<SensedStackReport> fuse_frames(GridStack& stack,
                                       const SensedStackJob& job,
                                       std::span<const Provenance> runs,
@@ -252,6 +280,9 @@ Result<SensedStackReport> fuse_frames(GridStack& stack,
   SensedStackReport report = fuser.report();
   if (report.num_frames == 0) {
     return fail(ErrorCode::kNotFound, "no frame of the dataset could be read", "--input");
+  }
+  if (job.reference && report.num_registered == 0) {
+    return Unexpected(none_registered(report, *job.reference));
   }
   HYPERMAP_ASSIGN_OR_RETURN(stack, fuser.fused());
   return report;

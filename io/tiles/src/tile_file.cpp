@@ -17,6 +17,7 @@ namespace hypermap {
 namespace {
 
 constexpr std::string_view kHeadName = "tile.json";
+constexpr std::string_view kNoArchive = "not a map archive";
 constexpr std::size_t kMaxLayers = 256;
 
 constexpr ZipLimits kTileLimits{.max_archive_bytes = kMaxTileBytes,
@@ -158,8 +159,10 @@ Result<FiledTile> decode_tile(std::string_view bytes, const SourceName& source) 
                               ZipReader::create(view_bytes(bytes), kTileLimits));
     return read_tile(zip);
   });
-  if (!filed) return Unexpected(with_source(std::move(filed).error(), source));
-  return filed;
+  if (filed) return filed;
+  std::string& what = filed.error().what;  // archives and tiles are zips by one reader
+  if (what.starts_with(kNoArchive)) what.replace(0, kNoArchive.size(), "not a tile");
+  return Unexpected(with_source(std::move(filed).error(), source));
 }
 
 Result<FiledTile> read_tile_file(const std::filesystem::path& path) {

@@ -74,12 +74,7 @@ Result<std::vector<std::string>> files_in(const fs::path& folder, std::string_vi
       }
       entries.increment(failed);
     }
-    if (failed) {
-      const bool is_absent = failed == std::errc::no_such_file_or_directory;
-      return folder_error(is_absent ? ErrorCode::kNotFound : ErrorCode::kIo,
-                          "cannot list: " + failed.message(),
-                          folder);
-    }
+    if (failed) return folder_error(ErrorCode::kIo, "cannot list: " + failed.message(), folder);
     std::ranges::sort(names);
     return names;
   });

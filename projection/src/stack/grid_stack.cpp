@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMaxCellsOfLayers = std::size_t{1} << 30U;
 constexpr std::size_t kMaxLayerNameBytes = 512;
-constexpr double kMaxWeight = 1000.0;
 
 constexpr OptionRow kStackRows[] = {
     option::number<&GridStackOptions::max_log_odds>(
@@ -55,9 +54,10 @@ Result<void> check_layer_name(const std::string& name, const std::string& parent
 
 Result<void> check_sensor(const SensorGrid& sensor, const GridStackOptions& options) {
   HYPERMAP_TRY(check_layer_name(sensor.layer, options.parent));
-  if (sensor.weight > 0.0 && sensor.weight <= kMaxWeight) return {};
+  if (sensor.weight > 0.0 && sensor.weight <= kMaxSensorWeight) return {};
   return fail(ErrorCode::kInvalidArgument,
-              "must be above 0 and at most 1000, is " + number_text(sensor.weight),
+              "must be above 0 and at most " + number_text(kMaxSensorWeight) + ", is " +
+                  number_text(sensor.weight),
               "weight");
 }
 

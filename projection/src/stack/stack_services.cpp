@@ -76,12 +76,4 @@ Result<LogOddsGrid> pooled(const GridStack& stack, Pooling rule) {
   });
 }
 
-Result<OccupancyGrid> combined_map(const GridStack& stack,
-                                   const StackRequest& request,
-                                   Pooling rule) {
-  HYPERMAP_ASSIGN_OR_RETURN(const GridStack cut, cut_out(stack, request));
-  HYPERMAP_ASSIGN_OR_RETURN(const LogOddsGrid grid, pooled(cut, rule));
-  return to_occupancy(grid);
-}
-
 }  // namespace hypermap

@@ -35,6 +35,14 @@ constexpr OptionRow kSupercellRows[] = {
         "max_passes", {1, 1000}, {.effect = "Most passes over all blocks of one size."}),
 };
 
+/// Who counts cells asks both supercells already.
+Result<void> check_rules(const SupercellOptions& options) {
+  if (!(options.total && options.cell_weighted)) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "goes without cell_weighted, by which both supercells must gain anyway",
+              "total");
+}
+
 /// Tries each block once; gives how many changed sides.
 std::size_t pass_over_blocks(SupercellMoves& moves) {
   std::size_t num_moves = 0;
@@ -53,7 +61,7 @@ std::size_t pass_over_blocks(SupercellMoves& moves) {
 }  // namespace
 
 const OptionTable& option_table(const SupercellOptions&) {
-  static constexpr OptionTable kTable{kSupercellRows};
+  static constexpr OptionTable kTable{kSupercellRows, kRule<check_rules>};
   return kTable;
 }
 

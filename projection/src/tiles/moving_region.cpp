@@ -68,6 +68,33 @@ std::set<TileIndex> chosen(const std::set<TileIndex>& tiles,
   return kept;
 }
 
+/// Cells that the sensor knows and whose centres lie outside the region.
+std::size_t known_outside(const LogOddsGrid& sensor,
+                          const Eigen::Matrix3d& map_from_sensor,
+                          const GridGeometry& region) {
+  const GridGeometry& own = sensor.geometry();
+  const auto is_inside = [&](const Eigen::Vector2d& in_sensor) {
+    const Eigen::Vector2d cells =
+        to_cells(region, (map_from_sensor * in_sensor.homogeneous()).hnormalized());
+    return (cells.array() >= 0.0).all() && cells.x() < region.cols && cells.y() < region.rows;
+  };
+  const Eigen::Vector2d end(own.cols, own.rows);
+  const bool is_affine = map_from_sensor.row(2).head<2>().isZero(0.0);
+  const bool is_all_inside = is_affine && is_inside(from_cells(own, {0.0, 0.0})) &&
+                             is_inside(from_cells(own, {end.x(), 0.0})) &&
+                             is_inside(from_cells(own, {0.0, end.y()})) &&
+                             is_inside(from_cells(own, end));
+  if (is_all_inside) return 0;
+  std::size_t count = 0;
+  for (int row = 0; row < own.rows; ++row) {
+    for (int col = 0; col < own.cols; ++col) {
+      const Cell cell{col, row};
+      if (sensor.at(cell) != 0 && !is_inside(centre(own, cell))) ++count;
+    }
+  }
+  return count;
+}
+
 TileFrame frame_of(const GridStack& stack,
                    TileIndex first,
                    const std::optional<GeographicDatum>& map_datum) {
@@ -195,6 +222,7 @@ Result<std::size_t> MovingRegion::fuse(const SensorGrid& sensor,
                                        const ResamplingOptions& resampling) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::size_t num_reached,
                             current_.stack.fuse(sensor, map_from_sensor, resampling));
+  num_outside_ += known_outside(sensor.grid, map_from_sensor, current_.stack.geometry());
   if (num_reached > 0) mark_changed(sensor, map_from_sensor, resampling);
   return num_reached;
 }

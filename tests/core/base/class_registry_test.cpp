@@ -76,7 +76,14 @@ TEST(ClassRegistry, FindsAllNamesOrSaysWhichIsUnknown) {
   EXPECT_EQ(registry.find_all(asked).value(), (std::vector<ClassId>{{0}, {1}}));
   const std::vector<std::string> unknown{"cup", "dog"};
   EXPECT_EQ(registry.find_all(unknown).error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(registry.find_all(unknown).error().what, "no class is called \"dog\"; 2 are known");
+  EXPECT_EQ(registry.find_all(unknown).error().what,
+            "no class is called \"dog\"; 2 are known (cup, chair)");
+  const std::vector<std::string> part{"hai"};
+  EXPECT_EQ(registry.find_all(part).error().what,
+            "no class is called \"hai\"; 2 are known, did you mean \"chair\"? (cup, chair)");
+  ClassRegistry many;
+  for (int i = 0; i < 101; ++i) ASSERT_TRUE(many.add("c" + std::to_string(i)));
+  EXPECT_EQ(many.find_all(unknown).error().what, "no class is called \"cup\"; 101 are known");
 }
 
 TEST(ClassRegistry, StopsAtItsLimit) {

@@ -28,6 +28,14 @@ TEST(NearestName, NothingIsNearToWhatIsFarOrVeryLong) {
   EXPECT_EQ(nearest_name("chair", std::span<const std::string_view>()), std::nullopt);
 }
 
+TEST(NearestName, WhatIsFarMayBePartOfAName) {
+  constexpr std::array<std::string_view, 3> kLonger{"kitchen table", "diningtable", "at"};
+  EXPECT_EQ(nearest_name("Table", kLonger), "diningtable") << "the shorter one";
+  EXPECT_EQ(nearest_name("din", kLonger), "diningtable");
+  EXPECT_EQ(nearest_name("di", kLonger), std::nullopt) << "two letters are in many names";
+  EXPECT_EQ(nearest_name("tabl", kKnown), "table") << "edits come first";
+}
+
 TEST(NearestName, AHintIsPutAfterWhatIsSaid) {
   const std::vector<std::string> known{"chair", "ta\nble"};
   EXPECT_EQ(did_you_mean("chairs", known), ", did you mean \"chair\"?");

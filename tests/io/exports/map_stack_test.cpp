@@ -2,13 +2,17 @@
 #include "hypermap/io/exports/map_stack.hpp"
 
 #include "hypermap/io/archive/map_server.hpp"
+#include "hypermap/projection/stack/stack_services.hpp"
 #include "support/temp_dir.hpp"
+#include "support/text_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +142,48 @@ TEST(MapStack, IsWrittenAsMapsOfMapServer) {
   // Log-odds 2, -3, -1.5 and -1.2: P = 0.88, 0.05, 0.18, 0.23.
   EXPECT_THAT(cells("chair.yaml"), ElementsAre(100, 0, 0, -1));
   EXPECT_THAT(cells("combined-2.yaml"), ElementsAre(0, 100, 0, -1));  // a class of that name
+}
+
+TEST(MapStack, AFolderNeverHoldsMapsOfTwoStacks) {
+  const MapArchive archive = archive_of({"chair", "cup"}, {{2.0, 0}, {3.0, 1}});
+  const test::TempDir dir;
+  const auto write = [&](const std::vector<std::string>& classes) {
+    const GridStack stack =
+        stack_of_map(archive, {.of_classes = {.band = kThin, .classes = classes}}).value();
+    return write_stack_maps(stack, pooled(stack, Pooling::kMaximum).value(), dir / "grids");
+  };
+  const auto there = [&] {
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(dir / "grids"))
+      files.insert(entry.path());
+    return files;
+  };
+  ASSERT_TRUE(write({}));
+  ASSERT_EQ(there().size(), 9U);
+  const auto of_cup = write({"cup"});
+  ASSERT_TRUE(of_cup) << to_string(of_cup.error());
+  EXPECT_EQ(there(), std::set<std::filesystem::path>(of_cup->begin(), of_cup->end()));
+
+  test::write_text(dir / "grids" / "notes.txt", "mine");
+  const auto before = there();
+  const auto refused = write({});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_THAT(to_string(refused.error()), HasSubstr("'notes.txt' in it is no part of"));
+  EXPECT_EQ(there(), before);
+}
+
+TEST(MapStack, MapsWithoutACombinedOneAreNoStack) {
+  const MapArchive archive = archive_of({"chair"}, {{2.0, 0}});
+  const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();
+  const LogOddsGrid combined = pooled(stack, Pooling::kMaximum).value();
+  const test::TempDir dir;
+  ASSERT_TRUE(write_stack_maps(stack, combined, dir / "grids"));
+  std::filesystem::remove(dir / "grids" / "combined.yaml");
+  const auto refused = write_stack_maps(stack, combined, dir / "grids");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_TRUE(std::filesystem::exists(dir / "grids" / "chair.yaml"));
 }
 
 }  // namespace

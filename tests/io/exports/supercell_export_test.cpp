@@ -35,21 +35,26 @@ SmallWorld small_world(const std::string& layer = "/ism/chair") {
 }
 
 TEST(TopometricDot, AHandWorkedGraph) {
-  // Centroids (0.5, 0.25), (0.25, 0.75), (0.75, 0.75); lengths sqrt(0.3125) and 0.5.
+  // Centroids (0.5, 0.25), (0.25, 0.75), (0.75, 0.75); lengths sqrt(0.3125) and 0.5, on average
+  // 0.539: 54 points in the mean are 100.1 a metre.
   EXPECT_EQ(topometric_dot(small_world().graph),
             "graph topometric {\n"
-            "  0 [label=\"0 /ism/chair\", pos=\"0.5,0.25!\"];\n"
-            "  1 [label=\"1\", pos=\"0.25,0.75!\"];\n"
-            "  2 [label=\"2\", pos=\"0.75,0.75!\"];\n"
-            "  0 -- 1 [len=0.5590169943749475];\n"
-            "  0 -- 2 [len=0.5590169943749475];\n"
-            "  1 -- 2 [len=0.5];\n"
+            "  inputscale=72;\n"
+            "  points_per_m=100;\n"
+            "  node [shape=box, style=filled, fillcolor=white, fontsize=8, width=0, height=0, "
+            "margin=\"0.03,0.02\"];\n"
+            "  0 [label=\"0 chair\", pos=\"50,25!\", centroid_m=\"0.5,0.25\"];\n"
+            "  1 [label=\"1\", pos=\"25,75!\", centroid_m=\"0.25,0.75\"];\n"
+            "  2 [label=\"2\", pos=\"75,75!\", centroid_m=\"0.75,0.75\"];\n"
+            "  0 -- 1 [length_m=0.5590169943749475];\n"
+            "  0 -- 2 [length_m=0.5590169943749475];\n"
+            "  1 -- 2 [length_m=0.5];\n"
             "}\n");
 }
 
 TEST(TopometricDot, NamesStayWithinTheirQuotes) {
   const std::string text = topometric_dot(small_world("/ism/a\"]; b\\\n").graph);
-  EXPECT_THAT(text, testing::HasSubstr(R"(label="0 /ism/a\"]; b)"));
+  EXPECT_THAT(text, testing::HasSubstr(R"(label="0 a\"]; b)"));
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("b\\\n")));
 }
 

@@ -45,7 +45,7 @@ TEST(TileFolder, TilesAreFilesByTheirNames) {
 
 TEST(TileFolder, IsOpenedByItsTilesAlone) {
   const TempDir dir;
-  EXPECT_EQ(TileFolder::open(dir / "none").error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(TileFolder::open(dir / "none").error().code, ErrorCode::kIo);
   EXPECT_EQ(TileFolder::open(dir.path()).error().code, ErrorCode::kNotFound);
   TileFolder folder = TileFolder::create(dir.path(), small_tiles()).value();
   ASSERT_TRUE(folder.put(sample_tile({0, 0}, 1)));

@@ -124,7 +124,7 @@ TEST(TileMap, ATileBetweenTheCellsIsResampled) {
 
 TEST(TileMap, WhatDoesNotFitTogetherIsRefused) {
   const TempDir dir;
-  EXPECT_EQ(read_tile_map(dir / "none").error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(read_tile_map(dir / "none").error().code, ErrorCode::kIo);
   EXPECT_EQ(read_tile_map(dir.path()).error().code, ErrorCode::kNotFound);
   const std::string sound = write_file(dir, {.cells = {1, 2, 3, 4, 5, 6}});
   const std::string coarse =

@@ -148,16 +148,18 @@ TEST(CutOut, WhatCannotBeCutIsSaid) {
   EXPECT_EQ(cut_out(stack, {.geometry = sized(70'000, 2)}).error().code, ErrorCode::kLimit);
 }
 
-TEST(CombinedMap, IsCutThenPooledInPerCents) {
+TEST(Pooled, OfWhatIsCutOutIsTheCombinedMap) {
   GridStack stack = GridStack::create(sized(2, 1)).value();
   ASSERT_TRUE(stack.fuse({.layer = "/ism/a", .grid = grid_of(sized(2, 1), {1386, 0})}, pose(0, 0)));
   ASSERT_TRUE(
       stack.fuse({.layer = "/ism/b", .grid = grid_of(sized(2, 1), {847, -2197})}, pose(0, 0)));
   // 0.8 and 0.7 as above: 90 per cent; 0.1 alone: 10; outside: unknown.
-  const auto map = combined_map(stack, {.geometry = sized(3, 1)}, Pooling::kBayesian).value();
-  EXPECT_THAT(map.cells(), ElementsAre(90, 10, kUnknownCell));
-  const StackRequest of_b{.geometry = sized(3, 1), .layers = {"/ism/b"}};
-  EXPECT_THAT(combined_map(stack, of_b, Pooling::kMaximum).value().cells(),
+  const auto combined = [&](const StackRequest& request, Pooling rule) {
+    return to_occupancy(pooled(cut_out(stack, request).value(), rule).value()).value();
+  };
+  EXPECT_THAT(combined({.geometry = sized(3, 1)}, Pooling::kBayesian).cells(),
+              ElementsAre(90, 10, kUnknownCell));
+  EXPECT_THAT(combined({.geometry = sized(3, 1), .layers = {"/ism/b"}}, Pooling::kMaximum).cells(),
               ElementsAre(70, 10, kUnknownCell));
 }
 

@@ -142,6 +142,7 @@ TEST(Supercells, CountedByCellsAnOddCellIsLeftAlone) {
   const auto mixed = extract_supercells(stack, options).value();
   EXPECT_DOUBLE_EQ(mixed.energy, (4.0 / 25.0) / 4.0);
   EXPECT_EQ(std::ranges::count(mixed.labels, mixed.labels[11]), 5);
+  options.total = false;
   options.cell_weighted = true;
   const auto apart = extract_supercells(stack, options).value();
   EXPECT_DOUBLE_EQ(apart.first_energy, std::pow(4.0, 0.75) * std::sqrt(3.0 / 64.0));
@@ -210,6 +211,7 @@ TEST(Supercells, WhatCannotBeDoneIsSaid) {
   EXPECT_EQ(field_of({.num_bins = 257}), "num_bins");
   EXPECT_EQ(field_of({.contour_weight = std::nan("")}), "contour_weight");
   EXPECT_EQ(field_of({.max_passes = 0}), "max_passes");
+  EXPECT_EQ(field_of({.total = true, .cell_weighted = true}), "total");
   EXPECT_EQ(field_of({}), "");
 }
 

@@ -42,6 +42,23 @@ TEST(MovingRegion, LiesAroundTheVehicleAndSaysWhere) {
   EXPECT_FALSE(frame.datum);
 }
 
+TEST(MovingRegion, CountsWhatIsKnownOutside) {
+  // The region is [-2, 3] x [-1, 2] in cells of 0.1 m.
+  MovingRegion region = region_at(0.5, 0.5, std::make_shared<StoredTiles>());
+  const LogOddsGrid three = grid_of(sized(2, 2), {700, 0, -700, 700});
+  ASSERT_TRUE(region.fuse(reading(three), pose(0, 0)));
+  EXPECT_EQ(region.num_outside(), 0U);
+  const double edge_m = three.geometry().resolution_m;
+  // One column of the two lies beyond x = 3: of its cells the upper one is known.
+  ASSERT_TRUE(region.fuse(reading(three), pose(3.0 - edge_m, 0)));
+  EXPECT_EQ(region.num_outside(), 1U);
+  // The upper row lies beyond y = 2: both of its cells are known.
+  ASSERT_TRUE(region.fuse(reading(three), pose(0, 2.0 - edge_m)));
+  EXPECT_EQ(region.num_outside(), 3U);
+  ASSERT_TRUE(region.follow({2.9, 0.5}).value());
+  EXPECT_EQ(region.num_outside(), 3U) << "a move loses nothing";
+}
+
 TEST(MovingRegion, StaysWhileTheVehicleIsWithinTheInnerBounds) {
   // The region is [-2, 3] x [-1, 2], its inner bounds [-1.2, 2.2] x [-0.2, 1.2].
   MovingRegion region = region_at(0.5, 0.5, std::make_shared<StoredTiles>());

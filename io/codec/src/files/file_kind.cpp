@@ -96,6 +96,16 @@ std::optional<FileKind> by_extension(const fs::path& path) {
   return found == kExtensions.end() ? std::nullopt : std::optional(found->kind);
 }
 
+/// Whether a tile of any form lies in the folder.
+bool has_tiles(const fs::path& folder) {
+  std::error_code unreadable;  // told by whoever reads it
+  fs::directory_iterator entry(folder, unreadable);
+  for (; !unreadable && entry != fs::directory_iterator(); entry.increment(unreadable)) {
+    if (by_extension(entry->path()) == FileKind::kTile) return true;
+  }
+  return false;
+}
+
 Result<std::string> first_bytes(const fs::path& path) {
   constexpr std::size_t kEnough = std::size_t{1} << 16U;
   const auto refused = [&](std::string what) {
@@ -201,7 +211,7 @@ Result<FileKind> file_kind(std::string_view name) {
 
 Result<FileKind> find_file_kind(const fs::path& path) {
   std::error_code ec;
-  if (fs::is_directory(path, ec)) return FileKind::kDataset;
+  if (fs::is_directory(path, ec)) return has_tiles(path) ? FileKind::kTile : FileKind::kDataset;
   const auto named = by_extension(path);
   const bool is_said = named == FileKind::kArchive || named == FileKind::kOctree;
   if (is_said || named == FileKind::kTile) return *named;

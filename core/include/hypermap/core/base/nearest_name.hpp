@@ -11,9 +11,10 @@
 namespace hypermap {
 
 /// The name of `known` that is nearest to `name` by edits (an exchange of neighbours is one), upper
-/// and lower case alike; the first of equally near ones. None when all are far: further than a
-/// third of the name's length, at least 1; or when the name has over 64 bytes. Cost: the product of
-/// the lengths for each known name.
+/// and lower case alike; the first of equally near ones. When all are far, further than a third of
+/// the name's length, at least 1: the shortest that has the name in it ("diningtable" for "table"),
+/// of three letters or more. None also when the name has over 64 bytes. Cost: the product of the
+/// lengths for each known name.
 [[nodiscard]] std::optional<std::string_view> nearest_name(std::string_view name,
                                                            std::span<const std::string_view> known);
 

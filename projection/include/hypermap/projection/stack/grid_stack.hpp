@@ -38,6 +38,9 @@ struct GridStackOptions {
 [[nodiscard]] Result<void> validate(const GridStackOptions& options);
 [[nodiscard]] const OptionTable& option_table(const GridStackOptions& options);
 
+/// The largest factor of a sensor's evidence.
+inline constexpr double kMaxSensorWeight = 1000.0;
+
 /// An inverse sensor model: what one source says of the plane now.
 struct SensorGrid {
   std::string layer;             ///< "/ism/laser": sources of one layer are fused.
@@ -76,9 +79,10 @@ class GridStack {
   /// those whose share comes to less than half a step, stay as they are.
   /// Frame: `stack_from_sensor` as target_from_source of `resampled`; `sensor.frame_id` is not
   /// asked. Errors: kInvalidArgument for a name that is not below `parent`, is longer than 512
-  /// bytes or has an empty part, for a weight that is not in (0, 1000], and as `resampled`; kLimit
-  /// when all layers together would have more than 2^30 cells; kOutOfMemory. Then the stack is as
-  /// it was. Cost: as `resampled`, for the cells that the sensor's grid covers.
+  /// bytes or has an empty part, for a weight that is not in (0, kMaxSensorWeight], and as
+  /// `resampled`; kLimit when all layers together would have more than 2^30 cells; kOutOfMemory.
+  /// Then the stack is as it was. Cost: as `resampled`, for the cells that the sensor's grid
+  /// covers.
   [[nodiscard]] Result<std::size_t> fuse(const SensorGrid& sensor,
                                          const Eigen::Matrix3d& stack_from_sensor,
                                          const ResamplingOptions& resampling = {});

@@ -39,18 +39,13 @@ enum class Pooling : std::uint8_t {
 /// "bayesian", "maximum".
 [[nodiscard]] std::span<const std::string_view> pooling_names();
 
-/// One grid of all layers, cell by cell.
+/// The combined map: one grid of all layers, cell by cell. On other cells, or of some layers only:
+/// of what cut_out gives.
 ///
 /// Source: [sogm] Eq. (6). Layers that do not know a cell are skipped; it is unknown when none
 /// does. Deviation: printed, P_M takes an unknown layer as 0.5, by which nothing would ever be free
 /// where one layer was not looked at. Boundary: a stack without layers gives a grid that knows
 /// nothing. Errors: kOutOfMemory.
 [[nodiscard]] Result<LogOddsGrid> pooled(const GridStack& stack, Pooling rule);
-
-/// What is asked for as one map of occupancies, for programs that know no layers: cut out, then
-/// pooled. Errors: those of both.
-[[nodiscard]] Result<OccupancyGrid> combined_map(const GridStack& stack,
-                                                 const StackRequest& request,
-                                                 Pooling rule);
 
 }  // namespace hypermap

@@ -35,6 +35,7 @@ struct SupercellOptions {
   /// gamma of [sogm] Eq. (7): larger makes outlines smoother.
   double contour_weight = 1e-4;
   /// A block changes sides when both supercells together gain, instead of the growing one alone.
+  /// Goes without `cell_weighted`, by which both must gain anyway.
   bool total = false;
   /// Ours, for outlines that keep to those of objects: a supercell of n cells has n^(3/4) sqrt(D')
   /// in H instead of D', so that it is no gain to be large and mixed; both supercells together must

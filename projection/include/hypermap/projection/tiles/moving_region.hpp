@@ -84,6 +84,10 @@ class MovingRegion {
   [[nodiscard]] const std::optional<GridStack>& last_stack() const noexcept { return last_; }
   [[nodiscard]] const TileStore& store() const noexcept { return *store_; }
   [[nodiscard]] const TileWindow& window() const noexcept { return current_.window; }
+  /// Cells of sensors' grids whose centres lay outside the region when they were fused, since it
+  /// was created: what was known there is not kept. More than a few say that `inner_margin_m` is
+  /// less than the sensors' range.
+  [[nodiscard]] std::size_t num_outside() const noexcept { return num_outside_; }
   [[nodiscard]] TileFrame frame() const;
 
   /// Where on Earth the origin of the map's frame lies, from now on; none when it is not known.
@@ -97,7 +101,7 @@ class MovingRegion {
   [[nodiscard]] Result<std::optional<TileChange>> follow(const Eigen::Vector2d& vehicle_in_map);
 
   /// As GridStack::fuse; `map_from_sensor` takes points of the sensor's frame to the map's.
-  /// What the sensor says of cells outside the region is not kept.
+  /// What the sensor says of cells outside the region is not kept, but counted: num_outside.
   [[nodiscard]] Result<std::size_t> fuse(const SensorGrid& sensor,
                                          const Eigen::Matrix3d& map_from_sensor,
                                          const ResamplingOptions& resampling = {});
@@ -140,6 +144,7 @@ class MovingRegion {
   std::optional<GeographicDatum> map_datum_;
   Buffer current_;
   std::optional<GridStack> last_;
+  std::size_t num_outside_ = 0;
 };
 
 }  // namespace hypermap

@@ -19,6 +19,7 @@ struct LayerSummary : LayerStatistics {
   std::string class_name;  ///< Of a layer; the format of an extension.
   std::string frame_id;
   bool flat = true;
+  std::vector<std::string> parts = {};  ///< Names of the layers in a stack, or of its supercells.
 };
 
 struct ArchiveInfo {
@@ -34,9 +35,9 @@ struct ArchiveInfo {
 
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
-/// `leaves` {`occupied`, `free`} or `values`, `bounds` {`min`, `max`}}], `classes` [{`id`,
-/// `name`}], `transforms`, `provenance` (of the newest run, with the others, oldest first, in its
-/// list `earlier`; null when there is none).
+/// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
+/// {`min`, `max`}}], `classes` [{`id`, `name`}], `transforms`, `provenance` (of the newest run,
+/// with the others, oldest first, in its list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

@@ -35,11 +35,18 @@ struct MapStackRequest {
 [[nodiscard]] Result<GridStack> stack_of_map(const MapArchive& archive,
                                              const MapStackRequest& request);
 
+/// Whether maps of a stack may be written to a folder: it is not there, empty, or holds what
+/// write_stack_maps wrote and nothing else but such maps.
+/// Errors: kInvalidArgument naming what would be lost; kIo when it cannot be looked at.
+[[nodiscard]] Result<void> check_stack_folder(const std::filesystem::path& folder);
+
 /// The layers and their combined map as map_server maps in a folder: `<layer>.yaml`,
 /// `combined.yaml` and the images that they name, trinary by map_server's usual thresholds 0.65 and
-/// 0.196. Returns the files that were written; each pair is replaced as export_map does it.
+/// 0.196. The maps of a turned stack are turned back and padded. Returns the files that were
+/// written. The folder is replaced as a whole, so that it never holds maps of two stacks.
 ///
-/// Errors: kIo; kLimit for a turned geometry that is too large without its turn.
+/// Errors: those of check_stack_folder; kIo; kLimit for a turned geometry that is too large without
+/// its turn. Then the folder is as it was.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_stack_maps(
     const GridStack& stack, const LogOddsGrid& combined, const std::filesystem::path& folder);
 

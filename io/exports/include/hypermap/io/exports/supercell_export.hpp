@@ -25,7 +25,11 @@ namespace hypermap {
                                          const ClassPalette& palette = {});
 
 /// An undirected graph in Graphviz' language: nodes at their centroids, labelled with their number
-/// and best layer, edges with the distance between centroids. Unit: metre.
+/// and the class of their best layer, edges with the distance between centroids.
+///
+/// `pos` is in points, as `neato -n2` takes it, and `inputscale=72` tells so to `neato` without it;
+/// `points_per_m` of the graph is chosen so that neighbours lie about 3/4 inch apart in the mean.
+/// `centroid_m` and `length_m` are in metres of the graph's frame.
 [[nodiscard]] std::string topometric_dot(const TopometricGraph& graph);
 
 /// A point for each supercell with its cells, neighbours, and log-odds, mean and probability of

@@ -35,6 +35,10 @@ enum class FrameSensorKind : std::uint8_t {
 /// "depth", "detections".
 [[nodiscard]] std::span<const std::string_view> frame_sensor_names();
 
+/// Why a frame was not registered, for people, by the reason's field: "rivals" is "several places
+/// fit about as well". Boundary: another field is its own text.
+[[nodiscard]] std::string_view refusal_text(std::string_view reason);
+
 struct FrameSensor {
   FrameSensorKind kind = FrameSensorKind::kDepth;
   double weight = 1.0;  ///< As SensorGrid::weight: frames of a slow camera see much the same.
@@ -69,7 +73,8 @@ struct SensedStackReport {
 /// ground; a class of the map and of the dataset is one. Grids are made in the stack's resolution;
 /// what lies outside of it is left out. Errors, after which the stack is as it was:
 /// kInvalidArgument when no run has the input's world, nothing is to be sensed or a registration's
-/// options are wrong; kNotFound when the stack has no layer `reference` or no frame can be read;
+/// options are wrong; kNotFound when the stack has no layer `reference`, no frame can be read, or
+/// frames are to be registered and none can be, with the reasons;
 /// those of open_dataset, ClassRegistry::find_all and GridStack::fuse; kInterrupted. Cost: a pass
 /// over the frames; a registration is a fraction of a second each.
 [[nodiscard]] Result<SensedStackReport> fuse_frames(GridStack& stack,

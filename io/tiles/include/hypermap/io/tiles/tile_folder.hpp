@@ -53,8 +53,8 @@ class TileFolder final : public TileStore {
   TileLattice lattice_;
 };
 
-/// Names of the regular files in a folder that end so, ascending. Errors: kIo; kNotFound when there
-/// is no such folder.
+/// Names of the regular files in a folder that end so, ascending. Errors: kIo, also when there is
+/// no such folder.
 [[nodiscard]] Result<std::vector<std::string>> files_in(const std::filesystem::path& folder,
                                                         std::string_view ending);
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How the program tells what supercells it found.
+#pragma once
+
+#include "hypermap/io/jobs/sensed_stack.hpp"
+#include "hypermap/projection/stack/grid_stack.hpp"
+#include "hypermap/projection/supercells/supercells.hpp"
+#include "hypermap/projection/supercells/topometric_graph.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hypermap::app {
+
+/// An end of the way that lies in what it is to avoid.
+struct AvoidedEnd {
+  const char* name;  ///< "start", "end".
+  std::string place;
+  int supercell = 0;
+};
+
+/// What was found, written and asked.
+struct CellsAnswer {
+  Supercells supercells;
+  TopometricGraph graph;
+  std::vector<std::filesystem::path> files;
+  std::optional<std::vector<int>> of_layer = {};
+  bool is_path_asked = false;
+  std::optional<GraphPath> path = {};
+  std::vector<AvoidedEnd> avoided_ends = {};
+  std::optional<SensedStackReport> sensed = {};
+  std::vector<std::string> without_supercell = {};  ///< Names of layers.
+};
+
+/// Layers of which some cell says yes, but no supercell by its mean.
+/// Requires: the graph is of this stack.
+[[nodiscard]] std::vector<std::string> layers_without_supercell(const GridStack& stack,
+                                                                const TopometricGraph& graph);
+
+void print_cells_json(const CellsAnswer& answer);
+void print_cells_text(const CellsAnswer& answer);
+
+}  // namespace hypermap::app
