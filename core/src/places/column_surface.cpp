@@ -23,22 +23,25 @@ Column column_at(const Eigen::Vector3d& point, double edge_m) {
           .top_m = point.z()};
 }
 
+/// Adds a column, to the last one where that is the same square.
+void take(const Column& column, std::vector<Column>& columns) {
+  if (columns.empty() || columns.back().x != column.x || columns.back().y != column.y) {
+    columns.push_back(column);
+    return;
+  }
+  columns.back().bottom_m = std::min(columns.back().bottom_m, column.bottom_m);
+  columns.back().top_m = std::max(columns.back().top_m, column.top_m);
+}
+
 }  // namespace
 
 ColumnSurface::ColumnSurface(std::span<const Eigen::Vector3d> points_in_map, double edge_m)
     : edge_m_(edge_m) {
-  std::vector<Column> single;
-  single.reserve(points_in_map.size());
-  for (const Eigen::Vector3d& point : points_in_map) single.push_back(column_at(point, edge_m));
-  std::sort(single.begin(), single.end(), is_before);
-  for (const Column& one : single) {
-    if (columns_.empty() || is_before(columns_.back(), one)) {
-      columns_.push_back(one);
-      continue;
-    }
-    columns_.back().bottom_m = std::min(columns_.back().bottom_m, one.bottom_m);
-    columns_.back().top_m = std::max(columns_.back().top_m, one.top_m);
-  }
+  // Neighbours in the order of an object's cells are mostly of one column: few are to be sorted.
+  std::vector<Column> runs;
+  for (const Eigen::Vector3d& point : points_in_map) take(column_at(point, edge_m), runs);
+  std::sort(runs.begin(), runs.end(), is_before);
+  for (const Column& run : runs) take(run, columns_);
 }
 
 const Column* ColumnSurface::find(std::int32_t x, std::int32_t y) const {
