@@ -166,6 +166,18 @@ Result<void> check_edge(double edge_m, double first_edge_m) {
               "points.edge_m");
 }
 
+/// Of points in the order of their cells the first and the last in the plan of each x: those
+/// between lie on no hull.
+std::vector<Eigen::Vector2d> row_ends(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Eigen::Vector2d> ends;
+  for (std::size_t first = 0, next = 0; first < points.size(); first = next) {
+    while (next < points.size() && points[next].x() == points[first].x()) ++next;
+    ends.emplace_back(points[first].head<2>());
+    if (points[next - 1].y() != points[first].y()) ends.emplace_back(points[next - 1].head<2>());
+  }
+  return ends;
+}
+
 }  // namespace
 
 OccupancyVotes::OccupancyVotes(const OccupancyVotesOptions& options) : options_(options) {
@@ -281,7 +293,7 @@ Result<Polygon> OccupancyVotes::footprint() const {
   if (empty()) return fail(ErrorCode::kNotFound, "the object has no points of its own");
   const double reach = 0.25 * state_->edge_m;
   std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector3d& p : agreed_points()) {
+  for (const Eigen::Vector2d& p : row_ends(agreed_points())) {
     for (const double dx : {-reach, reach}) {
       for (const double dy : {-reach, reach}) corners.emplace_back(p.x() + dx, p.y() + dy);
     }

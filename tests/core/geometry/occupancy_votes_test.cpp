@@ -373,5 +373,23 @@ TEST(OccupancyVotes, WhatIsStoredComesBackAndNonsenseIsRefused) {
   EXPECT_EQ(validate(OccupancyVotesOptions{.edge_m = 0.0}).error().field, "edge_m");
 }
 
+TEST(OccupancyVotes, TheFootprintIsTheHullOfAllAgreedPoints) {
+  std::mt19937 random(5);
+  std::normal_distribution<float> place(0.0F, 0.2F);
+  for (int turn = 0; turn < 20; ++turn) {
+    OccupancyVotes votes;
+    std::vector<Eigen::Vector3f> points(static_cast<std::size_t>(1 + 20 * turn));
+    for (auto& p : points) p = {place(random), place(random), place(random)};
+    votes.observe(points);
+    std::vector<Eigen::Vector2d> corners;
+    for (const Eigen::Vector3d& p : votes.agreed_points()) {
+      for (const double dx : {-0.0025, 0.0025}) {
+        for (const double dy : {-0.0025, 0.0025}) corners.emplace_back(p.x() + dx, p.y() + dy);
+      }
+    }
+    EXPECT_EQ(votes.footprint().value(), convex_hull(corners).value()) << turn;
+  }
+}
+
 }  // namespace
 }  // namespace hypermap
