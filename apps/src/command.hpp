@@ -51,6 +51,10 @@ struct CommonOptions {
 /// Of a flag that takes a palette's file.
 inline constexpr const char* kPaletteHelp = "YAML file with colours, class: \"#rrggbb\" a line";
 
+/// Of a flag that takes a file of rules for relations.
+inline constexpr const char* kRulesHelp =
+    "YAML file with thresholds and classes of relations, as data/relations.yaml";
+
 /// Gives the help of a command its examples, a line each.
 void show_examples(CLI::App& command, std::initializer_list<const char*> lines);
 

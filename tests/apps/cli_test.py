@@ -293,11 +293,43 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn(".local.geojson", result.stderr)
 
+    def test_relations_are_told_asked_for_and_missed(self):
+        objects = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
+        beside = {(one["id"], other["id"]) for one in objects for other in one["relations"]
+                  if other["relation"] == "beside"}
+        self.assertTrue(beside)
+        self.assertEqual(beside, {(b, a) for a, b in beside}, "beside is symmetric")
+        counts = json.loads(run("info", self.archive, "--json").stdout)["relations"]
+        self.assertEqual(2 * counts["beside"], len(beside))
+        first = min(beside)[0]
+        asked = run("query", self.archive, "--beside", first)
+        for one in sorted(b for a, b in beside if a == first):
+            self.assertRegex(asked.stdout, f"(?m)^.* {one} is .*beside .* {first}")
+        asked = run("query", self.archive, "--beside", first, "--string", "no such class", "--json")
+        self.assertEqual(json.loads(asked.stdout)["results"], [])
+        none = run("query", self.archive, "--part-of", first)
+        self.assertEqual(none.returncode, 0, none.stderr)
+        self.assertIn(f"the map knows of nothing part of {first}", none.stderr)
+        for question, said in ((("--on", "chiar"), """did you mean "chair"?"""),
+                               (("--in", 987654), "no object has the id 987654")):
+            wrong = run("query", self.archive, *question)
+            self.assertEqual(wrong.returncode, 2, wrong.stderr)
+            self.assertIn(question[0] + ": ", wrong.stderr)
+            self.assertIn(said, wrong.stderr)
+        for wrong in (("--layer", "semantic", "--on", "chair"), ("--nearest", "chair", "--at", "0,0", "--on", "chair")):
+            self.assertEqual(run("query", self.archive, *wrong).returncode, 4)
+        rules = self.folder / "rules.yaml"
+        rules.write_text("max_beside: 0\n")
+        self.assertIn("0 found", run("query", self.archive, "--beside", first, "--rules", rules).stdout)
+        rules.write_text("max_besides: 0\n")
+        self.assertIn("did you mean", run("query", self.archive, "--beside", first, "--rules", rules).stderr)
+
     def test_exports_are_made_and_checked(self):
-        for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles"):
+        for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
+                     "relations"):
             with self.subTest(form):
                 suffix = {"octomap": ".ot", "color-octomap": ".ot", "ply": ".ply",
-                          "geojson": ".local.geojson"}.get(form, "")
+                          "geojson": ".local.geojson", "relations": ".dot"}.get(form, "")
                 output = self.folder / f"export-{form}{suffix}"
                 result = run("export", self.archive, "--format", form, "--output", output)
                 self.assertEqual(result.returncode, 0, result.stderr)

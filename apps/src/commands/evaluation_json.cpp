@@ -75,6 +75,19 @@ EvaluationJson json_of(const VoxelOutcome& outcome) {
   return json;
 }
 
+EvaluationJson json_of(const RelationEvaluation& relations) {
+  EvaluationJson json = EvaluationJson::object();
+  for (const RelationKind kind : kRelationKinds) {
+    const RelationCounts& counts = relations.of(kind);
+    json[std::string(key_of(kind))] = {{"right", counts.right},
+                                       {"map", counts.num_map},
+                                       {"truth", counts.num_truth},
+                                       {"precision", number(counts.precision())},
+                                       {"recall", number(counts.recall())}};
+  }
+  return json;
+}
+
 EvaluationJson json_of(const CalibrationReport& report) {
   EvaluationJson bins = EvaluationJson::array();
   for (const CalibrationBin& bin : report.bins) {
@@ -114,6 +127,7 @@ std::string json_text_of(const EvaluationOutcome& outcome) {
   }
   json["voxels"] = outcome.voxels ? json_of(*outcome.voxels) : EvaluationJson(nullptr);
   if (!outcome.voxels) json["why_no_voxels"] = outcome.why_no_voxels;
+  json["relations"] = outcome.relations ? json_of(*outcome.relations) : EvaluationJson(nullptr);
   json["calibration"] = {{"best_class", json_of(outcome.best_class)},
                          {"real", json_of(outcome.real)}};
   json["objects"] = EvaluationJson::array();

@@ -104,6 +104,21 @@ std::string voxel_text(const EvaluationOutcome& outcome) {
   return text;
 }
 
+std::string relation_table(const RelationEvaluation& relations) {
+  Table table({"relation", "right", "in the map", "true", "precision", "recall"});
+  for (const RelationKind kind : kRelationKinds) {
+    const RelationCounts& counts = relations.of(kind);
+    if (counts.num_map + counts.num_truth == 0) continue;
+    table.add({std::string(name_of(kind)),
+               std::to_string(counts.right),
+               std::to_string(counts.num_map),
+               std::to_string(counts.num_truth),
+               fixed(counts.precision(), 2),
+               fixed(counts.recall(), 2)});
+  }
+  return table.text();
+}
+
 std::string calibration_text(const std::string& name, const CalibrationReport& report) {
   if (!report.expected_error) return name + ": nothing to calibrate\n";
   return name + ": expected calibration error " + fixed(report.expected_error, 3) +
@@ -124,6 +139,7 @@ std::string table_text_of(const EvaluationOutcome& outcome) {
   std::string text = object_table(outcome.report);
   text += object_remarks(outcome);
   text += voxel_text(outcome);
+  if (outcome.relations) text += relation_table(*outcome.relations);
   text += calibration_text("P(best class)", outcome.best_class);
   text += calibration_text("P(real)", outcome.real);
   if (outcome.against) text += comparison_text(*outcome.against);

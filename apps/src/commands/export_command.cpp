@@ -3,6 +3,7 @@
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
+#include "hypermap/io/options/relation_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "outputs.hpp"
 
@@ -18,6 +19,7 @@ struct ExportArguments {
   std::string file;
   std::string format;
   std::string palette;
+  std::string rules;
   ExportRequest request;
   LoadArguments load;
 };
@@ -26,6 +28,9 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   ExportRequest request = arguments.request;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(request.palette, read_palette(arguments.palette));
+  }
+  if (!arguments.rules.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.rules, read_relation_options(arguments.rules));
   }
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto loaded,
@@ -51,7 +56,7 @@ void add_export_command(CLI::App& program, Action& action) {
                   arguments->request.output,
                   "file; for ros-map the stem or .yaml (the image beside it is named after its "
                   "content), for class-grids and tiles a folder, for geojson a name in "
-                  ".local.geojson")
+                  ".local.geojson, for relations such a name or one in .dot")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -67,16 +72,18 @@ void add_export_command(CLI::App& program, Action& action) {
                    "geojson: also a guess of the box of objects that were seen from few sides");
   arguments->load.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
+  command.add_option("--rules", arguments->rules, kRulesHelp);
   show_examples(command,
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
-                 "hypermap export lab.hmap --format ply --class chair --output chairs.ply"});
+                 "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
+                 "hypermap export lab.hmap --format relations --output lab.dot"});
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format).value();
     const auto& output = arguments->request.output;
     const bool is_ros_map = format == ExportFormat::kRosMap;
     keep_apart("--output",
                is_ros_map ? ros_map_yaml(output) : output,
-               {arguments->file, arguments->palette});
+               {arguments->file, arguments->palette, arguments->rules});
     if (format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",

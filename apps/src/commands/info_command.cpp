@@ -78,6 +78,14 @@ void print(const ArchiveInfo& info) {
               info.classes.size() == 1 ? "class" : "classes",
               count_text(info.transforms.size(), "transform").c_str(),
               static_cast<long long>(info.format_version));
+  std::string relations;
+  for (const RelationKind kind : kRelationKinds) {
+    const std::size_t count = info.num_relations[static_cast<std::size_t>(kind)];
+    if (count == 0) continue;
+    relations +=
+        (relations.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name_of(kind));
+  }
+  if (!relations.empty()) std::printf("relations of objects: %s\n", relations.c_str());
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
                 printable(transform.child_frame_id).c_str(),

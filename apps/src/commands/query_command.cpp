@@ -4,6 +4,9 @@
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
+#include "hypermap/io/archive/object_relations.hpp"
+#include "hypermap/io/archive/related_query.hpp"
+#include "hypermap/io/options/relation_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "query_text.hpp"
@@ -12,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +24,11 @@
 
 namespace hypermap::app {
 namespace {
+
+/// "--on", "--part-of".
+std::string flag_of(RelationKind kind) {
+  return kind == RelationKind::kPartOf ? "--part-of" : "--" + std::string(name_of(kind));
+}
 
 struct QueryArguments {
   std::string file;
@@ -32,6 +41,9 @@ struct QueryArguments {
   std::string frame;
   bool json = false;
   bool complete = false;
+  /// By kind: the class or the id of what others are on, in, under, beside, part of.
+  std::map<RelationKind, std::string> related = {};
+  std::string rules;
   LoadArguments load;
 };
 
@@ -70,7 +82,16 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
   return request;
 }
 
-Result<MapAnswers> run_query(const MapArchive& archive, const QueryRequest& request) {
+Result<MapAnswers> run_query(const MapArchive& archive,
+                             const RelationGraph& graph,
+                             const QueryRequest& request) {
+  if (!request.arguments.related.empty()) {
+    auto answers = query_related(archive, graph, request.arguments.related, request.query);
+    for (const RelationKind kind : kRelationKinds) {
+      if (!answers && answers.error().field == key_of(kind)) answers.error().field = flag_of(kind);
+    }
+    return answers;
+  }
   if (!request.arguments.nearest) return query_map(archive, request.query);
   auto answers = query_nearest(archive, request.query);
   if (!answers && answers.error().field.empty()) answers.error().field = "--nearest";
@@ -82,13 +103,19 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
     if (arguments.text) return "--nearest names the class: --string goes without it";
+    if (!arguments.related.empty()) return "--nearest goes without relations";
     if (arguments.layer && *arguments.layer != kObjectsLayer) {
       return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
     }
     return std::nullopt;
   }
-  if (!arguments.layer) return "one of --layer and --nearest is needed";
-  if (arguments.complete && *arguments.layer != kObjectsLayer) {
+  if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
+    return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
+  }
+  if (!arguments.layer && arguments.related.empty()) {
+    return "one of --layer, --nearest, --on, --in, --under, --beside and --part-of is needed";
+  }
+  if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
     return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
   }
   return std::nullopt;
@@ -118,19 +145,43 @@ void print_hint(const MapArchive& archive, const MapQuery& query) {
                did_you_mean(text, names).c_str());
 }
 
+/// What objects are to each other, by the rules of the file when one was given; none of other
+/// layers.
+Result<RelationGraph> relations_for(const MapArchive& archive, const QueryRequest& request) {
+  if (request.query.layer != kObjectsLayer) return RelationGraph{};
+  RelationOptions options;
+  if (!request.arguments.rules.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(options, read_relation_options(request.arguments.rules));
+  }
+  return archive_relations(archive, options);
+}
+
+/// Nothing is related as it was asked.
+void print_no_relation(const QueryArguments& arguments) {
+  std::string text;
+  for (const auto& [kind, name] : arguments.related) {
+    text += (text.empty() ? "" : " and ") + std::string(name_of(kind)) + " " + printable(name);
+  }
+  std::fprintf(stderr, "query: the map knows of nothing %s\n", text.c_str());
+}
+
 ExitCode run(const QueryRequest& request) {
   const auto loaded = load_archive(request.arguments.file,
                                    request.arguments.load.limits,
                                    archive_layer_types(),
                                    stop_when_interrupted());
   if (!loaded) return report(loaded.error());
-  auto answers = run_query(loaded->value, request);
+  const auto graph = relations_for(loaded->value, request);
+  if (!graph) return report(graph.error());
+  auto answers = run_query(loaded->value, *graph, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
   const bool complete = request.arguments.complete;
   const auto seen = completeness_of(loaded->value, request.query, *answers, complete);
   if (!seen) return report_refusal(seen.error(), request.arguments);
-  const ShownAnswers shown{*answers, *seen, loaded->value.classes, complete};
+  const bool sentences = !request.arguments.related.empty();
+  const ShownAnswers shown{*answers, *seen, loaded->value, *graph, complete, sentences};
   request.arguments.json ? print_json(shown) : print_table(shown);
+  if (answers->found.empty() && sentences) print_no_relation(request.arguments);
   if (answers->found.empty() && request.query.text) print_hint(loaded->value, request.query);
   return ExitCode::kDone;
 }
@@ -148,6 +199,14 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
+  for (const RelationKind kind : kRelationKinds) {
+    command.add_option_function<std::string>(
+        flag_of(kind),
+        [arguments, kind](const std::string& name) { arguments->related[kind] = name; },
+        std::string("objects that are ") + std::string(name_of(kind)) +
+            " one of this class, or of this id; with --string those of one class");
+  }
+  command.add_option("--rules", arguments->rules, kRulesHelp);
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--complete",
@@ -160,7 +219,8 @@ void add_query_command(CLI::App& program, Action& action) {
   show_examples(command,
                 {"hypermap query lab.hmap --layer objects --string chair",
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
-                 "hypermap query lab.hmap --nearest sofa --at 1.5,2"});
+                 "hypermap query lab.hmap --nearest sofa --at 1.5,2",
+                 "hypermap query lab.hmap --on table --string cup"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

@@ -2,6 +2,8 @@
 #include "query_text.hpp"
 
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/core/places/relation_text.hpp"
+#include "hypermap/io/archive/object_relations.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -51,6 +53,31 @@ void add_completeness(Json& entry, const MapAnswer& one, const ShownAnswers& sho
   if (object == shown.seen.end()) return;
   entry["seen_share"] = object->second.seen_share;
   if (shown.complete) entry["completed_box"] = guess_json(object->second);
+}
+
+std::string sentence(const MapAnswer& one, const ShownAnswers& shown) {
+  return sentence_of(shown.graph, ObjectId{static_cast<std::uint32_t>(one.id)}, [&](ObjectId id) {
+    return called(shown.archive, id);
+  });
+}
+
+/// Adds what an object is to others; nothing to answers that are no objects.
+void add_relations(Json& entry, const MapAnswer& one, const ShownAnswers& shown) {
+  const ObjectId id{static_cast<std::uint32_t>(one.id)};
+  const auto support = support_of(shown.graph, id);
+  if (!support) return;
+  entry["support"] = name_of(support->kind);
+  entry["relations"] = Json::array();
+  for (const Relation& relation : relations_of(shown.graph, id)) {
+    const ObjectId other = relation.subject == id ? relation.object : relation.subject;
+    Json json{{"relation", key_of(relation.kind)}, {"id", other.value}};
+    json["name"] = called(shown.archive, other);
+    for (const auto& [name, value] : measures_of(relation.evidence))
+      json[std::string(name)] = value;
+    json["source"] = name_of(relation.evidence.source);
+    entry["relations"].push_back(std::move(json));
+  }
+  entry["sentence"] = sentence(one, shown);
 }
 
 std::string joined(const std::vector<double>& numbers) {
@@ -124,8 +151,8 @@ class AnswerTable {
     const auto& all = one.beliefs->classes;
     row.push_back(fixed(one.beliefs->real.value(), 2));
     row.push_back(fixed(one.beliefs->class_entropy_nats, 2));
-    row.push_back(all.size() > 1 ? text_of(all[1], shown_.classes) : "-");
-    row.push_back(text_of(all, shown_.classes));
+    row.push_back(all.size() > 1 ? text_of(all[1], shown_.archive.classes) : "-");
+    row.push_back(text_of(all, shown_.archive.classes));
   }
 
   const ShownAnswers& shown_;
@@ -144,8 +171,9 @@ void print_json(const ShownAnswers& shown) {
                {"position", numbers_of(one.position)},
                {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
     if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
-    if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.classes);
+    if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.archive.classes);
     add_completeness(entry, one, shown);
+    add_relations(entry, one, shown);
     json["results"].push_back(std::move(entry));
   }
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
@@ -155,6 +183,10 @@ void print_table(const ShownAnswers& shown) {
   AnswerTable table(shown);
   for (const MapAnswer& one : shown.answers.found) table.add(one);
   std::printf("%s%zu found\n", table.text().c_str(), shown.answers.found.size());
+  if (!shown.sentences) return;
+  for (const MapAnswer& one : shown.answers.found) {
+    std::printf("%s\n", printable(sentence(one, shown)).c_str());
+  }
 }
 
 }  // namespace hypermap::app

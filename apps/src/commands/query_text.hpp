@@ -4,7 +4,7 @@
 #pragma once
 
 #include "completeness.hpp"
-#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/places/relations.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 
 namespace hypermap::app {
@@ -13,8 +13,10 @@ namespace hypermap::app {
 struct ShownAnswers {
   const MapAnswers& answers;
   const CompletenessById& seen;  ///< Of answers that are objects.
-  const ClassRegistry& classes;
-  bool complete = false;  ///< Guesses of boxes are shown.
+  const MapArchive& archive;
+  const RelationGraph& graph;  ///< Of the confirmed objects; empty when another layer was asked.
+  bool complete = false;       ///< Guesses of boxes are shown.
+  bool sentences = false;      ///< A sentence for each object is shown to people.
 };
 
 /// To standard output, one JSON document.

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace hypermap {
 namespace {
@@ -53,6 +54,39 @@ Ring translated_ring(const Ring& ring, const Eigen::Vector2d& offset) {
   out.reserve(ring.size());
   for (const Eigen::Vector2d& p : ring) out.emplace_back(p + offset);
   return out;
+}
+
+double distance_to_segment_m(const Eigen::Vector2d& a,
+                             const Eigen::Vector2d& b,
+                             const Eigen::Vector2d& p) {
+  const Eigen::Vector2d edge = b - a;
+  const double along = edge.dot(p - a) / std::max(edge.squaredNorm(), 1e-300);
+  return (a + std::clamp(along, 0.0, 1.0) * edge - p).norm();
+}
+
+double distance_to_ring_m(const Ring& ring, const Eigen::Vector2d& p) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    least_m = std::min(least_m, distance_to_segment_m(ring[i], ring[(i + 1) % ring.size()], p));
+  }
+  return least_m;
+}
+
+double distance_to_edges_m(const Polygon& polygon, const Eigen::Vector2d& p) {
+  double least_m = distance_to_ring_m(polygon.outer, p);
+  for (const Ring& hole : polygon.holes) least_m = std::min(least_m, distance_to_ring_m(hole, p));
+  return least_m;
+}
+
+/// From the corners of `a` to the edges of `b`.
+double corners_to_edges_m(const Polygon& a, const Polygon& b) {
+  double least_m = std::numeric_limits<double>::infinity();
+  const auto visit = [&](const Ring& ring) {
+    for (const Eigen::Vector2d& p : ring) least_m = std::min(least_m, distance_to_edges_m(b, p));
+  };
+  visit(a.outer);
+  for (const Ring& hole : a.holes) visit(hole);
+  return least_m;
 }
 
 /// Appends the lower hull of `points`, given in order, without its last point.
@@ -104,6 +138,16 @@ bool contains(const Polygon& polygon, const Eigen::Vector2d& point) {
   return std::none_of(polygon.holes.begin(), polygon.holes.end(), [&](const Ring& hole) {
     return side_of_ring(hole, point) == Side::kInside;
   });
+}
+
+double distance_m(const Polygon& polygon, const Eigen::Vector2d& point) {
+  return contains(polygon, point) ? 0.0 : distance_to_edges_m(polygon, point);
+}
+
+double distance_m(const Polygon& a, const Polygon& b) {
+  if (intersects(a, b)) return 0.0;
+  // Of edges that do not cross, the nearest points are never inside both.
+  return std::min(corners_to_edges_m(a, b), corners_to_edges_m(b, a));
 }
 
 Polygon translated(const Polygon& polygon, const Eigen::Vector2d& offset) {

@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/archive_info.hpp"
 
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/object_relations.hpp"
 
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ ArchiveInfo describe(const MapArchive& archive) {
   const auto transforms = archive.hypermap.frames().transforms();
   info.transforms.assign(transforms.begin(), transforms.end());
   info.provenance = archive.provenance;
+  for (const Relation& relation : archive_relations(archive).relations) {
+    ++info.num_relations[static_cast<std::size_t>(relation.kind)];
+  }
   return info;
 }
 

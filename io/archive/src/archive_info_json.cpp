@@ -116,6 +116,16 @@ std::string json_of_classes(const std::vector<std::string>& names) {
   });
 }
 
+std::string json_of_counts(const std::array<std::size_t, kRelationKinds.size()>& num_relations) {
+  std::string text = "{";
+  for (const RelationKind kind : kRelationKinds) {
+    if (text.size() > 1) text += ',';
+    text += json_quoted(key_of(kind)) + ":" +
+            std::to_string(num_relations[static_cast<std::size_t>(kind)]);
+  }
+  return text + "}";
+}
+
 }  // namespace
 
 std::string to_json(const ArchiveInfo& info) {
@@ -124,6 +134,7 @@ std::string to_json(const ArchiveInfo& info) {
                       {"layers", json_array(info.layers, json)},
                       {"classes", json_of_classes(info.classes)},
                       {"transforms", json_array(info.transforms, json)},
+                      {"relations", json_of_counts(info.num_relations)},
                       {"provenance", json_of_runs(info.provenance)}});
 }
 

@@ -4,6 +4,7 @@
 #include "hypermap/core/completion/completion.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/object_completion.hpp"
+#include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -54,8 +55,27 @@ Json box_json(const Box& box) {
 
 using Guesses = std::map<ObjectId, Box>;
 
+/// What an object rests on, and by kind the ids of those that it is on, in, under, beside, part of.
+void add_relations(Json& properties, ObjectId id, const RelationGraph& graph) {
+  const auto support = support_of(graph, id);
+  if (!support) return;
+  properties["support"] = name_of(support->kind);
+  for (const Relation& relation : relations_of(graph, id)) {
+    const ObjectId other = relation.subject == id ? relation.object : relation.subject;
+    properties[std::string(key_of(relation.kind))].push_back(other.value);
+  }
+}
+
+/// What is said of 3D objects besides what they are.
+struct ObjectRemarks {
+  Guesses guesses;
+  RelationGraph graph;
+};
+
 /// `object3d` is what the shape stands for; null when the map does not know.
-Json feature_json(const SemanticObject& object, const Object* object3d, const Guesses& guesses) {
+Json feature_json(const SemanticObject& object,
+                  const Object* object3d,
+                  const ObjectRemarks& remarks) {
   Json properties{{"name", object.name}};
   if (const auto confidence = confidence_of(object)) properties["confidence"] = *confidence;
   if (!object.tags.empty()) properties["tags"] = object.tags;
@@ -65,7 +85,8 @@ Json feature_json(const SemanticObject& object, const Object* object3d, const Gu
     properties["size_m"] = numbers_json(box.extent());
     properties["height_m"] = box.extent().z();
     properties["seen_share"] = seen_share(*object3d);
-    if (const auto guess = guesses.find(object3d->id); guess != guesses.end()) {
+    add_relations(properties, object3d->id, remarks.graph);
+    if (const auto guess = remarks.guesses.find(object3d->id); guess != remarks.guesses.end()) {
       properties["completed_box"] = {{"bbox", box_json(guess->second)}, {"guess", true}};
     }
     feature["bbox"] = box_json(box);
@@ -119,11 +140,12 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
   HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
-  const Guesses guesses = request.complete ? completed_boxes(archive) : Guesses();
+  const ObjectRemarks remarks{.guesses = request.complete ? completed_boxes(archive) : Guesses(),
+                              .graph = archive_relations(archive, request.rules)};
   Json features = Json::array();
   for (const SemanticObject& object : semantic.objects()) {
     if (!is_wanted(object, request.classes)) continue;
-    features.push_back(feature_json(object, object_of(object, *layer, archive), guesses));
+    features.push_back(feature_json(object, object_of(object, *layer, archive), remarks));
   }
   if (features.empty()) return WrittenFiles{};
   const Json document{{"type", "FeatureCollection"},

@@ -54,4 +54,7 @@ template <class Content>
 [[nodiscard]] Result<WrittenFiles> export_tiles(const MapArchive& archive,
                                                 const ExportRequest& request);
 
+[[nodiscard]] Result<WrittenFiles> export_relations(const MapArchive& archive,
+                                                    const ExportRequest& request);
+
 }  // namespace hypermap

@@ -13,8 +13,8 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 7> kExportFormats{
-    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles"};
+constexpr std::array<std::string_view, 8> kExportFormats{
+    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles", "relations"};
 
 /// What a format does without.
 Result<void> check_request(const ExportRequest& request) {
@@ -111,6 +111,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_geojson(archive, request);
     case ExportFormat::kTiles:
       return export_tiles(archive, request);
+    case ExportFormat::kRelations:
+      return export_relations(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

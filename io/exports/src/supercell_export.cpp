@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/exports/supercell_export.hpp"
 
+#include "dot_text.hpp"
 #include "export_folder.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -35,16 +36,6 @@ std::vector<TouchingPair> pairs_of(const TopometricGraph& graph) {
     }
   }
   return pairs;
-}
-
-/// As a string of Graphviz' language.
-std::string dot_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : printable(text, text.size())) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
 }
 
 std::string label_of(const SupercellNode& node, std::size_t number, const TopometricGraph& graph) {

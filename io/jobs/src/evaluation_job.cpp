@@ -2,6 +2,7 @@
 #include "hypermap/io/jobs/evaluation_job.hpp"
 
 #include "evaluated_archive.hpp"
+#include "evaluated_relations.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
@@ -154,6 +155,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));
   }
+  outcome.relations = evaluated_relations(map, truth, outcome.report);
   const std::vector<BelievedObject> believed = believed_objects(map);
   HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions,
                             all_predictions(believed, truth, job));

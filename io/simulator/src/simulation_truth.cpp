@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kLeastDepthPixels = 200;
 constexpr std::size_t kLeastFramesNamed = 3;
+constexpr double kOnFloorM = 0.001;  ///< A moved object stands on the floor, whatever it stood on.
 
 ValueTree box_tree(const Box& box) {
   std::vector<ValueTree> numbers;
@@ -23,7 +24,18 @@ ValueTree box_tree(const Box& box) {
   return make_list(std::move(numbers));
 }
 
+/// What an object stands on: the floor, or the number of the object that the scene names; null when
+/// it hangs, or stands elsewhere than on top of that.
+ValueTree support_tree(const PlacedObject& object, const Simulator& simulator, const Scene& scene) {
+  if (object.box.min_in_map.z() < kOnFloorM) return make_text("floor");
+  const auto said = std::ranges::find(scene.objects, object.name, &SceneObject::name);
+  if (said == scene.objects.end() || said->on.empty() || said->height_m != 0.0) return {};
+  const auto below = std::ranges::find(simulator.objects(), said->on, &PlacedObject::name);
+  return below == simulator.objects().end() ? ValueTree{} : make_number(below->id.value);
+}
+
 SemanticObject semantic_object(const PlacedObject& object,
+                               ValueTree support,
                                const SimulatedTruth& truth,
                                const TrueSurface& surface,
                                double seen_cell_m) {
@@ -33,6 +45,7 @@ SemanticObject semantic_object(const PlacedObject& object,
       {"box", box_tree(object.box)},
       {"frames_named", make_number(static_cast<double>(truth.num_frames_named))},
       {"seen_footprint", make_number(seen_share)}};
+  if (support.kind != ValueKind::kNull) extra.emplace_back("stands_on", std::move(support));
   if (!surface.is_nameable) extra.emplace_back("nameable", make_bool(false));
   if (!truth.exclusion_reason.empty())
     extra.emplace_back("excluded", make_text(truth.exclusion_reason));
@@ -80,8 +93,11 @@ Result<MapArchive> make_truth(const Simulator& simulator,
   MapArchive archive;
   for (const PlacedObject& placed : simulator.objects()) {
     const std::size_t index = placed.id.value - 1;
-    semantic_objects.push_back(
-        semantic_object(placed, truths[index], surfaces.objects[index], surfaces.seen_cell_m));
+    semantic_objects.push_back(semantic_object(placed,
+                                               support_tree(placed, simulator, scene),
+                                               truths[index],
+                                               surfaces.objects[index],
+                                               surfaces.seen_cell_m));
     HYPERMAP_ASSIGN_OR_RETURN(const ClassId class_id, archive.classes.add(placed.class_name));
     objects.push_back(certain_object(placed, class_id));
   }

@@ -89,6 +89,11 @@ struct WindingFill {
 [[nodiscard]] double jaccard(const Polygon& a, const Polygon& b);
 /// Share of the area of `a` that `b` covers, in place. Requires: `a` has an area.
 [[nodiscard]] double covered_share(const Polygon& a, const Polygon& b);
+/// From a point to the nearest one of the polygon. Boundary: 0 inside and on an edge.
+[[nodiscard]] double distance_m(const Polygon& polygon, const Eigen::Vector2d& point);
+/// Between the nearest points of both. Boundary: 0 when they intersect.
+/// Cost: the product of their corners.
+[[nodiscard]] double distance_m(const Polygon& a, const Polygon& b);
 /// The area that polygons cover together, in pieces that do not overlap.
 ///
 /// Rings keep corners where edges went straight on. Exact where coordinates are whole numbers.

@@ -3,10 +3,13 @@
 /// What is in an archive, in a few lines.
 #pragma once
 
+#include "hypermap/core/places/relations.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/frame_tree.hpp"
 #include "hypermap/projection/layers/map_layer.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,16 +30,19 @@ struct ArchiveInfo {
   std::vector<std::string> classes;  ///< In the order of their ids.
   std::vector<FrameTransform> transforms;
   std::vector<Provenance> provenance;  ///< Of each run, oldest first.
+  /// Of the confirmed objects (`archive_relations`), as many of each of `kRelationKinds`.
+  std::array<std::size_t, kRelationKinds.size()> num_relations = {};
 };
 
-/// Cost: one pass over cells and leaves.
+/// Cost: one pass over cells and leaves, and that of `find_relations`.
 [[nodiscard]] ArchiveInfo describe(const MapArchive& archive);
 
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `bounds` {`min`, `max`}}], `classes` [{`id`,
-/// `name`}], `transforms`, `provenance` (of the newest run, with the others, oldest first, in its
-/// list `earlier`; null when there is none).
+/// `name`}], `transforms`, `relations` {`on`, `in`, `under`, `beside`, `part_of`: how many},
+/// `provenance` (of the newest run, with the others, oldest first, in its list `earlier`; null when
+/// there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/class_palette.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/places/relation_options.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
 #include <filesystem>
@@ -23,12 +24,15 @@ enum class ExportFormat {
   kColorOctomap,  ///< `.ot` of a ColorOcTree coloured by class.
   kPly,           ///< Occupied voxels as points with scalar_label, _instance, _confidence.
   kGeojson,       ///< Polygons of a semantic layer in local metres, `.local.geojson`, with the
-                  ///< height, box and seen share of the objects that they stand for.
+                  ///< height, box, seen share and relations of the objects they stand for.
   kTiles,         ///< A folder of tiles (TileFolder) of the stack that `stack_of_map` makes; an
                   ///< older one is replaced as a whole.
+  kRelations,     ///< What stands on, in, under, beside what, or is a part of it: Graphviz' `.dot`,
+                  ///< or `.local.geojson` with a point an object and a line a relation.
 };
 
-/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles".
+/// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
+/// "relations".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
@@ -46,8 +50,9 @@ struct ExportRequest {
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;
-  bool complete = false;      ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
-  ClassPalette palette = {};  ///< Of formats in colour.
+  bool complete = false;       ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
+  ClassPalette palette = {};   ///< Of formats in colour.
+  RelationOptions rules = {};  ///< kGeojson and kRelations: of relations.
 };
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the

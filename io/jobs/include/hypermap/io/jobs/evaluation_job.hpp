@@ -7,6 +7,7 @@
 #include "hypermap/core/evaluation/calibration.hpp"
 #include "hypermap/core/evaluation/map_comparison.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
+#include "hypermap/core/evaluation/relation_evaluation.hpp"
 #include "hypermap/core/evaluation/voxel_evaluation.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
@@ -61,8 +62,10 @@ struct EvaluationOutcome {
   std::string why_no_voxels = {};  ///< Why there is no `voxels`; empty when there is.
   /// The truth tells how often each object was named rightly, so rarely seen ones are excluded.
   bool knows_frames_named = false;
-  CalibrationReport best_class = {};        ///< P(best class) of the map's confirmed objects.
-  CalibrationReport real = {};              ///< P(real) of all its objects.
+  CalibrationReport best_class = {};  ///< P(best class) of the map's confirmed objects.
+  CalibrationReport real = {};        ///< P(real) of all its objects.
+  /// What stands on, in, under and beside what; none without true surfaces and objects of the map.
+  std::optional<RelationEvaluation> relations = std::nullopt;
   std::vector<ObjectOutcome> objects = {};  ///< Of the map alone, tentative ones too, by id.
 };
 

@@ -9,6 +9,7 @@
 ///     box: [x0, y0, z0, x1, y1, z1]     true bounding box, metres
 ///     frames_named: 12                  frames in which the detector named it rightly
 ///     seen_footprint: 0.83              share of the footprint over which its surface was seen
+///     stands_on: 4                      number of the object below, or floor; absent: it hangs
 ///     nameable: false                   only where the detector has no word for the class
 ///     excluded: reason                  only where the object does not count in evaluations
 ///

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What it costs to find the relations of many objects: rooms side by side, each a table with what
+// stands on, under and beside it.
+#include "core/places/furniture.hpp"
+#include "hypermap/core/places/relations.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): builders in words
+
+constexpr int kObjectsPerRoom = 10;
+
+Room rooms(std::int64_t num_objects) {
+  Room room;
+  const Eigen::Vector3d cup(0.08, 0.08, 0.1);
+  for (int i = 0; i * kObjectsPerRoom < num_objects; ++i) {
+    const double x = 3.0 * (i % 32);
+    const double y = 3.0 * (i / 32);
+    room.add("table", table_at(x, y));
+    room.add("chair", chair_at(x - 0.3, y + 0.25));
+    room.add("chair", chair_at(x + 0.3, y + 0.25));
+    room.add("chair", chair_at(x, y - 0.9));
+    for (int k = 0; k < kObjectsPerRoom - 4; ++k) {
+      room.add("cup", standing(x - 0.5 + 0.15 * k, y, 0.74, cup));
+    }
+  }
+  return room;
+}
+
+void BM_FindRelations(benchmark::State& state) {
+  const Room room = rooms(state.range(0));
+  const std::vector<ObjectId> ids = room.ids();
+  std::size_t num_relations = 0;
+  for (auto _ : state) {
+    num_relations = find_relations(room.objects, room.classes, ids).relations.size();
+    benchmark::DoNotOptimize(num_relations);
+  }
+  state.counters["relations"] = static_cast<double>(num_relations);
+}
+BENCHMARK(BM_FindRelations)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace hypermap
+
+BENCHMARK_MAIN();

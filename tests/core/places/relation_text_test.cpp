@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/places/relation_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hypermap {
+namespace {
+
+std::string numbered(ObjectId id) {
+  return "object " + std::to_string(id.value);
+}
+
+TEST(Sentence, SaysWhatAnObjectIsToOthers) {
+  const RelationGraph graph{.relations = {{RelationKind::kOn, ObjectId{12}, ObjectId{3}, {}},
+                                          {RelationKind::kBeside, ObjectId{7}, ObjectId{12}, {}}},
+                            .supports = {{ObjectId{3}, SupportKind::kFloor, kNoObject},
+                                         {ObjectId{7}, SupportKind::kUnknown, kNoObject},
+                                         {ObjectId{12}, SupportKind::kObject, ObjectId{3}}}};
+  EXPECT_EQ(sentence_of(graph, ObjectId{12}, numbered),
+            "object 12 is on object 3, beside object 7");
+  EXPECT_EQ(sentence_of(graph, ObjectId{3}, numbered), "object 3 is on the floor");
+  EXPECT_EQ(sentence_of(graph, ObjectId{7}, numbered),
+            "object 7 is beside object 12, on no object of the map");
+}
+
+}  // namespace
+}  // namespace hypermap
