@@ -76,6 +76,7 @@ std::optional<std::uint32_t> looks_until_removed(const Object& object,
 
 Removal removal_of(const Object& object, const GoneRule& gone, const AbsenceOptions& absence) {
   Removal removal{.clear_looks = absence_run(object.observation_log),
+                  .looks_until_gone = std::nullopt,
                   .looks_until_removed = looks_until_removed(object, absence)};
   if (gone.looks == 0) return removal;
   const std::uint32_t looks = removal.clear_looks.looks;
