@@ -169,6 +169,34 @@ class Pipeline(unittest.TestCase):
                 here = run("query", self.archive, "--layer", layer["name"], "--at", at, "--json")
                 self.assertIn(found[0]["id"], [hit["id"] for hit in json.loads(here.stdout)["results"]])
 
+    def test_an_object_says_why_it_is_there(self):
+        shown = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
+        for thing in shown:
+            why = json.loads(run("query", self.archive, "--why", thing["id"], "--json").stdout)
+            self.assertTrue(why["shown"])
+            self.assertEqual(why["name"], thing["name"])
+            self.assertEqual(why["withheld_for"], [])
+            self.assertGreaterEqual(sum(naming["detections"] for naming in why["namings"]), 3)
+            self.assertLessEqual(why["first"]["stamp_s"], why["last"]["stamp_s"])
+        text = run("query", self.archive, "--why", shown[0]["id"]).stdout
+        self.assertIn(f"{shown[0]['name']} {shown[0]['id']} is shown", text)
+        self.assertIn("clear looks in a row through its place", text)
+        missing = run("query", self.archive, "--why", 99999)
+        self.assertEqual(missing.returncode, 3)
+        self.assertIn("no object 99999", missing.stderr)
+
+    def test_a_place_says_why_it_shows_nothing(self):
+        thing = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]
+        there = run("query", self.archive, "--why-not", ",".join(str(x) for x in thing["position"]))
+        self.assertIn(f"{thing['name']} {thing['id']} is shown at", there.stdout)
+        far = json.loads(run("query", self.archive, "--why-not", "50,50,1", "--json").stdout)
+        self.assertEqual((far["shown"], far["space"], far["withheld"]), ([], "Unknown", []))
+        self.assertGreater(far["nearest"]["distance_m"], 30)
+        self.assertIn("no frame looked there", run("query", self.archive, "--why-not", "50,50,1").stdout)
+        for flags in (("--why", 1, "--layer", "objects"), ("--why", 1, "--why-not", "1,2"), ("--why-not", "1")):
+            with self.subTest(flags):
+                self.assertEqual(run("query", self.archive, *flags).returncode, 4)
+
     def test_an_octree_is_asked_in_3d(self):
         layer = ["query", self.archive, "--layer", "octree", "--json"]
         chairs = json.loads(run(*layer, "--string", "chair").stdout)["results"]

@@ -10,6 +10,7 @@
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "query_text.hpp"
+#include "why.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -44,6 +45,8 @@ struct QueryArguments {
   /// By kind: the class or the id of what others are on, in, under, beside, part of.
   std::map<RelationKind, std::string> related = {};
   std::string rules;
+  std::optional<std::int64_t> why;
+  std::optional<std::string> why_not;
   LoadArguments load;
 };
 
@@ -51,6 +54,7 @@ struct QueryArguments {
 struct QueryRequest {
   QueryArguments arguments;
   MapQuery query;
+  std::optional<PlanPoint> why_not = std::nullopt;
 };
 
 Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
@@ -61,9 +65,10 @@ Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
   return std::optional<Polygon>(std::move(*polygon));
 }
 
-Result<std::optional<PlanPoint>> point_of(const QueryArguments& arguments) {
-  if (!arguments.at) return std::optional<PlanPoint>();
-  HYPERMAP_ASSIGN_OR_RETURN(const auto numbers, parse_numbers(*arguments.at, 2, 3, "--at"));
+Result<std::optional<PlanPoint>> point_of(const std::optional<std::string>& text,
+                                          const std::string& option) {
+  if (!text) return std::optional<PlanPoint>();
+  HYPERMAP_ASSIGN_OR_RETURN(const auto numbers, parse_numbers(*text, 2, 3, option));
   PlanPoint point{.xy = {numbers[0], numbers[1]}};
   if (numbers.size() > 2) point.z = numbers[2];
   return std::optional(point);
@@ -75,7 +80,8 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
   query.layer = arguments.layer.value_or(std::string(kObjectsLayer));
   query.text = arguments.nearest ? arguments.nearest : arguments.text;
   query.value = arguments.value;
-  HYPERMAP_ASSIGN_OR_RETURN(query.at, point_of(arguments));
+  HYPERMAP_ASSIGN_OR_RETURN(query.at, point_of(arguments.at, "--at"));
+  HYPERMAP_ASSIGN_OR_RETURN(request.why_not, point_of(arguments.why_not, "--why-not"));
   HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
   query.frame_id = arguments.frame;
   request.arguments = std::move(arguments);
@@ -100,6 +106,15 @@ Result<MapAnswers> run_query(const MapArchive& archive,
 
 /// What must be given together; the texts are for people.
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
+  if (arguments.why || arguments.why_not) {
+    const bool asks_more = arguments.layer || arguments.at || arguments.area || arguments.text ||
+                           arguments.value || arguments.nearest || arguments.complete ||
+                           !arguments.frame.empty() || !arguments.related.empty();
+    if (asks_more || (arguments.why && arguments.why_not)) {
+      return "--why and --why-not ask one thing each: no other condition goes with them";
+    }
+    return std::nullopt;
+  }
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
     if (arguments.text) return "--nearest names the class: --string goes without it";
@@ -113,7 +128,9 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
     return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
   }
   if (!arguments.layer && arguments.related.empty()) {
-    return "one of --layer, --nearest, --on, --in, --under, --beside and --part-of is needed";
+    return "one of --layer, --nearest, --why, --why-not, --on, --in, --under, --beside and "
+           "--part-of is "
+           "needed";
   }
   if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
     return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
@@ -165,12 +182,20 @@ void print_no_relation(const QueryArguments& arguments) {
   std::fprintf(stderr, "query: the map knows of nothing %s\n", text.c_str());
 }
 
+ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
+  const QueryArguments& arguments = request.arguments;
+  const auto told = arguments.why ? print_why(archive, *arguments.why, arguments.json)
+                                  : print_why_not(archive, *request.why_not, arguments.json);
+  return told ? ExitCode::kDone : report_refusal(told.error(), arguments);
+}
+
 ExitCode run(const QueryRequest& request) {
   const auto loaded = load_archive(request.arguments.file,
                                    request.arguments.load.limits,
                                    archive_layer_types(),
                                    stop_when_interrupted());
   if (!loaded) return report(loaded.error());
+  if (request.arguments.why || request.why_not) return tell_why(loaded->value, request);
   const auto graph = relations_for(loaded->value, request);
   if (!graph) return report(graph.error());
   auto answers = run_query(loaded->value, *graph, request);
@@ -202,6 +227,12 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
+  command.add_option("--why",
+                     arguments->why,
+                     "the object of this id: when, from where and as what it was seen, what speaks "
+                     "against it, what would remove it; also of those that are not shown");
+  command.add_option(
+      "--why-not", arguments->why_not, "point X,Y or X,Y,Z: why no object is shown there");
   for (const RelationKind kind : kRelationKinds) {
     command.add_option_function<std::string>(
         flag_of(kind),
@@ -223,7 +254,8 @@ void add_query_command(CLI::App& program, Action& action) {
                 {"hypermap query lab.hmap --layer objects --string chair",
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
                  "hypermap query lab.hmap --nearest sofa --at 1.5,2",
-                 "hypermap query lab.hmap --on table --string cup"});
+                 "hypermap query lab.hmap --on table --string cup",
+                 "hypermap query lab.hmap --why 4"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

@@ -4,7 +4,9 @@
 #include "objects/association/overlap.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -12,17 +14,29 @@ namespace {
 
 constexpr double kNearM = 0.025;
 
-bool is_confirmed(const Object& object, const ConfirmationOptions& options) {
-  if (options.min_existence && !(object.existence > *options.min_existence)) return false;
-  if (options.min_confidence &&
-      object_confidence(object, options.confidence) < *options.min_confidence) {
-    return false;
+/// The conditions on the object alone that it misses.
+std::vector<MissedCondition> missed_alone(const Object& object,
+                                          const ConfirmationOptions& options) {
+  std::vector<MissedCondition> missed;
+  const auto miss = [&](Condition condition, double value, double limit) {
+    missed.push_back({.condition = condition, .value = value, .limit = limit});
+  };
+  if (object.num_observations < options.min_observations)
+    miss(Condition::kObservations, object.num_observations, options.min_observations);
+  if (!object.belief.best()) miss(Condition::kClass, 0.0, 1.0);
+  if (is_gone(object.observation_log, options.gone))
+    miss(Condition::kNotGone, absence_run(object.observation_log).looks, options.gone.looks);
+  if (const auto least = options.min_real_probability) {
+    const Probability real = real_probability(object);
+    if (real < *least) miss(Condition::kRealProbability, real.value(), least->value());
   }
-  if (options.min_real_probability && real_probability(object) < *options.min_real_probability) {
-    return false;
+  if (const auto least = options.min_existence; least && !(object.existence > *least))
+    miss(Condition::kExistence, object.existence.value(), least->value());
+  if (const auto least = options.min_confidence) {
+    const Probability confidence = object_confidence(object, options.confidence);
+    if (confidence < *least) miss(Condition::kConfidence, confidence.value(), least->value());
   }
-  return object.num_observations >= options.min_observations && object.belief.best().has_value() &&
-         !is_gone(object.observation_log, options.gone);
+  return missed;
 }
 
 /// More often seen first, then more existence, then the older one.
@@ -52,34 +66,51 @@ bool is_same_place(const PointSet& weaker,
 
 }  // namespace
 
-std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
-                                        const ConfirmationOptions& options) {
-  std::vector<const Object*> candidates;
+std::vector<ConfirmationVerdict> confirmation_verdicts(const ObjectMap& objects,
+                                                       const ConfirmationOptions& options) {
+  std::vector<ConfirmationVerdict> verdicts;
+  verdicts.reserve(objects.objects().size());
+  struct Candidate {
+    const Object* object;
+    std::size_t verdict;
+  };
+  std::vector<Candidate> candidates;
   for (const Object& object : objects.objects()) {
-    if (is_confirmed(object, options)) candidates.push_back(&object);
+    verdicts.push_back({object.id, missed_alone(object, options)});
+    if (verdicts.back().missed.empty()) candidates.push_back({&object, verdicts.size() - 1});
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Object* a, const Object* b) {
-    return is_stronger(*a, *b);
+  if (!options.one_per_place) return verdicts;
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return is_stronger(*a.object, *b.object);
   });
-  std::vector<ObjectId> ids;
   struct Taken {
     const Object* object;
     PointSet points;
   };
   std::vector<Taken> taken;
-  for (const Object* object : candidates) {
-    PointSet point_set = point_set_of(*object, kNearM);
-    const bool is_duplicate =
-        options.one_per_place &&
-        std::any_of(taken.begin(), taken.end(), [&](const Taken& stronger) {
-          return is_same_place(point_set, stronger.points, options) &&
-                 !stood_beside_in_most_frames(*object, *stronger.object, options);
-        });
-    if (is_duplicate) continue;
-    ids.push_back(object->id);
-    taken.push_back({object, std::move(point_set)});
+  for (const Candidate& candidate : candidates) {
+    const Object& object = *candidate.object;
+    PointSet points = point_set_of(object, kNearM);
+    const auto stronger = std::find_if(taken.begin(), taken.end(), [&](const Taken& other) {
+      return is_same_place(points, other.points, options) &&
+             !stood_beside_in_most_frames(object, *other.object, options);
+    });
+    if (stronger == taken.end()) {
+      taken.push_back({&object, std::move(points)});
+    } else {
+      verdicts[candidate.verdict].missed.push_back(
+          {.condition = Condition::kOwnPlace, .stronger = stronger->object->id});
+    }
   }
-  std::sort(ids.begin(), ids.end());
+  return verdicts;
+}
+
+std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
+                                        const ConfirmationOptions& options) {
+  std::vector<ObjectId> ids;
+  for (const ConfirmationVerdict& verdict : confirmation_verdicts(objects, options)) {
+    if (verdict.missed.empty()) ids.push_back(verdict.id);
+  }
   return ids;
 }
 

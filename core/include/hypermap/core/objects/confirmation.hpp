@@ -41,7 +41,39 @@ struct ConfirmationOptions {
 [[nodiscard]] Result<void> validate(const ConfirmationOptions& options);
 [[nodiscard]] const OptionTable& option_table(const ConfirmationOptions& options);
 
-/// Ids of the confirmed objects, ascending.
+/// A condition of `ConfirmationOptions`.
+enum class Condition : std::uint8_t {
+  kObservations,     ///< Seen often enough.
+  kClass,            ///< Some class was named.
+  kNotGone,          ///< Not gone by the rule `gone`.
+  kRealProbability,  ///< P(real).
+  kExistence,
+  kConfidence,
+  kOwnPlace,  ///< No stronger object on the same points.
+};
+
+/// A condition that an object misses, with its value and the least one that is asked for; of
+/// kNotGone the clear looks and those that mean gone, of kOwnPlace the stronger object alone.
+struct MissedCondition {
+  Condition condition = Condition::kObservations;
+  double value = 0.0;
+  double limit = 0.0;
+  ObjectId stronger = kNoObject;
+  friend bool operator==(const MissedCondition&, const MissedCondition&) = default;
+};
+
+/// Why each object is withheld: nothing of those that are confirmed. An object's own conditions
+/// come first, in the order of the enumeration; kOwnPlace is asked of those alone that meet them.
+struct ConfirmationVerdict {
+  ObjectId id;
+  std::vector<MissedCondition> missed;
+  friend bool operator==(const ConfirmationVerdict&, const ConfirmationVerdict&) = default;
+};
+/// Of all objects, ascending by id.
+[[nodiscard]] std::vector<ConfirmationVerdict> confirmation_verdicts(
+    const ObjectMap& objects, const ConfirmationOptions& options);
+
+/// Ids of the confirmed objects, ascending: those that miss no condition.
 [[nodiscard]] std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
                                                       const ConfirmationOptions& options);
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "why.hpp"
+
+#include "hypermap/io/archive/map_query.hpp"
+#include "hypermap/io/archive/place_explanation.hpp"
+#include "tables.hpp"
+#include "why_json.hpp"
+
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hypermap::app {
+namespace {
+
+constexpr double kDegreesPerBin = 360.0 / ObservationLog::kNumBearingBins;
+
+double seconds_of(Stamp stamp) {
+  return static_cast<double>(stamp.ns) * 1e-9;
+}
+
+std::string times(std::uint64_t count) {
+  return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+std::string counted(std::uint64_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string name_of(const Explanation& why, const ClassRegistry& classes) {
+  const auto& all = why.beliefs.classes;
+  return (all.empty() ? "unknown" : printable(classes.name(all.front().id))) + " " +
+         std::to_string(why.id.value);
+}
+
+std::string text_of(const MissedCondition& missed) {
+  const auto number = [](double value) { return fixed(value, 2); };
+  const auto whole = [](double value) { return static_cast<std::uint64_t>(value); };
+  switch (missed.condition) {
+    case Condition::kObservations:
+      return "seen " + times(whole(missed.value)) + ", " + std::to_string(whole(missed.limit)) +
+             " are asked for";
+    case Condition::kClass:
+      return "no class was named";
+    case Condition::kNotGone:
+      return "gone: " + counted(whole(missed.value), "clear look") +
+             " in a row through its place, " + std::to_string(whole(missed.limit)) + " are enough";
+    case Condition::kRealProbability:
+      return "the probability " + number(missed.value) + " that it is real is below " +
+             number(missed.limit);
+    case Condition::kExistence:
+      return "its existence " + number(missed.value) + " is not above " + number(missed.limit);
+    case Condition::kConfidence:
+      return "its confidence " + number(missed.value) + " is below " + number(missed.limit);
+    case Condition::kOwnPlace:
+      return "object " + std::to_string(missed.stronger.value) +
+             ", seen more often, has the same points";
+  }
+  return "";
+}
+
+std::string joined(const std::vector<std::string>& texts, const std::string& between) {
+  std::string out;
+  for (const std::string& text : texts) out += (out.empty() ? "" : between) + text;
+  return out;
+}
+
+/// By the rules that are the default: a map does not keep those that it was made by.
+std::string withheld_text(const std::vector<MissedCondition>& missed) {
+  if (missed.empty()) return "by rules of its own (publication); the default ones would show it";
+  std::vector<std::string> texts;
+  texts.reserve(missed.size());
+  for (const MissedCondition& one : missed) texts.push_back(text_of(one));
+  return joined(texts, "; ");
+}
+
+std::string moment_text(const ObservationLogEntry& entry) {
+  return "at " + fixed(seconds_of(entry.stamp), 3) + " s (frame " +
+         std::to_string(entry.frame_index) + ") from " +
+         fixed(static_cast<double>(entry.distance_m), 2) + " m";
+}
+
+std::string directions_text(const std::vector<std::uint8_t>& bins) {
+  std::vector<std::string> degrees;
+  degrees.reserve(bins.size());
+  for (const std::uint8_t bin : bins) degrees.push_back(fixed(bin * kDegreesPerBin, 0));
+  return std::to_string(bins.size()) + " of " + std::to_string(ObservationLog::kNumBearingBins) +
+         " directions (from " + joined(degrees, ", ") + " degrees on)";
+}
+
+std::string classes_text(const ObjectBeliefs& beliefs, const ClassRegistry& classes) {
+  std::vector<std::string> texts;
+  for (const ClassEvidence& c : beliefs.classes) {
+    if (c.probability.value() < 0.005) break;  // the most probable come first
+    texts.push_back(printable(classes.name(c.id)) + " " + fixed(c.probability.value(), 2));
+  }
+  return texts.empty() ? "of no class" : joined(texts, ", ");
+}
+
+void print_line(std::string_view key, const std::string& text) {
+  std::printf("  %-8s %s\n", std::string(key).c_str(), text.c_str());
+}
+
+void print_namings(const Explanation& why, const ClassRegistry& classes) {
+  std::string_view key = "named";
+  for (const Naming& naming : why.namings) {
+    print_line(key,
+               printable(classes.name(naming.class_id)) + " " + times(naming.num_detections) +
+                   " by detector " + std::to_string(naming.detector.value) + ", from " +
+                   counted(static_cast<std::uint64_t>(naming.num_directions), "direction") +
+                   ", score " + fixed(naming.mean_score, 2) + " in the mean");
+    key = "";
+  }
+}
+
+void print_removal(const Removal& removal) {
+  if (removal.looks_until_gone == 0U) {
+    print_line("removal", "it is gone until something shows it again");
+  } else if (removal.looks_until_gone) {
+    print_line("removal",
+               "hidden after " + counted(*removal.looks_until_gone, "more clear look") +
+                   " in a row through its place, over " + fixed(removal.seconds_until_gone, 1) +
+                   " s at least");
+  }
+  if (removal.looks_until_removed) {
+    print_line(removal.looks_until_gone ? "" : "removal",
+               "out of the map after " + counted(*removal.looks_until_removed, "such look"));
+  }
+}
+
+void print_object(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
+  std::printf("%s is %s\n",
+              name_of(why, classes).c_str(),
+              is_shown ? "shown" : ("withheld: " + withheld_text(why.missed_conditions)).c_str());
+  print_line(
+      "belief",
+      "real " + fixed(why.beliefs.real.value(), 2) + "; " + classes_text(why.beliefs, classes));
+  std::uint64_t num_detections = 0;
+  for (const Naming& naming : why.namings) num_detections += naming.num_detections;
+  print_line("seen", times(num_detections) + " from " + directions_text(why.directions));
+  if (why.first) print_line("first", moment_text(*why.first));
+  if (why.newest) {
+    const bool is_seen = why.newest->kind == ObservationKind::kDetection;
+    print_line("last", moment_text(*why.newest) + (is_seen ? "" : ", not detected there"));
+  }
+  print_namings(why, classes);
+  const MissedDetections& missed = why.missed_detections;
+  if (missed.num_frames > 0) {
+    print_line("doubted",
+               "not detected in " + counted(missed.num_frames, "frame") +
+                   " that should have shown it, " + fixed(missed.mean_visible_share, 2) +
+                   " of it open to view in the mean");
+  }
+  print_removal(why.removal);
+}
+
+Result<bool> is_shown(const MapArchive& archive, ObjectId id) {
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const MapAnswers answers,
+      query_map(archive, {.layer = std::string(kObjectsLayer), .value = id.value}));
+  return !answers.found.empty();
+}
+
+std::string place_text(const PlanPoint& at) {
+  std::string text = fixed(at.xy.x(), 3) + " " + fixed(at.xy.y(), 3);
+  return at.z ? text + " " + fixed(*at.z, 3) : text;
+}
+
+std::string space_text(const std::string& space) {
+  if (space == "Unknown") return "unknown: no frame looked there";
+  if (space == "Free") return "free: frames looked through it";
+  if (space == "Occupied") return "occupied, and no shown object has it";
+  return "occupied by a " + printable(space);
+}
+
+void print_place(const PlaceExplanation& place, const MapArchive& archive, const PlanPoint& at) {
+  const auto label = [&](ObjectId id) {
+    return name_of(explain(archive.objects, id).value(), archive.classes);
+  };
+  for (const ObjectId id : place.shown) {
+    std::printf("%s is shown at %s\n", label(id).c_str(), place_text(at).c_str());
+  }
+  if (place.shown.empty()) std::printf("no object is shown at %s\n", place_text(at).c_str());
+  if (place.space) print_line("space", space_text(*place.space));
+  if (place.nearest && place.shown.empty()) {
+    print_line(
+        "nearest",
+        label(place.nearest->id) + ", " + fixed(place.nearest->distance_m, 2) + " m from its box");
+  }
+  if (place.withheld.empty()) {
+    print_line("withheld", "nothing: no detection that is still known was of something there");
+  }
+  for (const Explanation& why : place.withheld) print_object(why, archive.classes, false);
+}
+
+}  // namespace
+
+Result<void> print_why(const MapArchive& archive, std::int64_t id, bool json) {
+  const bool is_id = id > 0 && id <= std::numeric_limits<std::uint32_t>::max();
+  const ObjectId object{is_id ? static_cast<std::uint32_t>(id) : 0U};
+  const auto why = explain(archive.objects, object);
+  if (!why) return fail(ErrorCode::kNotFound, "the map has no object " + std::to_string(id), "why");
+  HYPERMAP_ASSIGN_OR_RETURN(const bool shown, is_shown(archive, object));
+  if (json) {
+    std::printf("%s\n", json_text(*why, archive.classes, shown).c_str());
+  } else {
+    print_object(*why, archive.classes, shown);
+  }
+  return {};
+}
+
+Result<void> print_why_not(const MapArchive& archive, const PlanPoint& at, bool json) {
+  HYPERMAP_ASSIGN_OR_RETURN(const PlaceExplanation place, explain_place(archive, at));
+  if (json) {
+    std::printf("%s\n", json_text(place, archive.classes, at).c_str());
+  } else {
+    print_place(place, archive, at);
+  }
+  return {};
+}
+
+}  // namespace hypermap::app

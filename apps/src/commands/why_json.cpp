@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "why_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace hypermap::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegreesPerBin = 360.0 / ObservationLog::kNumBearingBins;
+
+double degrees_of(float bearing_rad) {
+  return static_cast<double>(bearing_rad) * 180.0 / std::numbers::pi;
+}
+
+/// The key of a condition in JSON.
+std::string_view key_of(Condition condition) {
+  switch (condition) {
+    case Condition::kObservations:
+      return "observations";
+    case Condition::kClass:
+      return "class";
+    case Condition::kNotGone:
+      return "not_gone";
+    case Condition::kRealProbability:
+      return "real_probability";
+    case Condition::kExistence:
+      return "existence";
+    case Condition::kConfidence:
+      return "confidence";
+    case Condition::kOwnPlace:
+      return "own_place";
+  }
+  return "";
+}
+
+Json json_of(const ObservationLogEntry& entry) {
+  return {{"stamp_s", static_cast<double>(entry.stamp.ns) * 1e-9},
+          {"frame", entry.frame_index},
+          {"detected", entry.kind == ObservationKind::kDetection},
+          {"distance_m", entry.distance_m},
+          {"bearing_deg", degrees_of(entry.bearing_rad)}};
+}
+
+Json json_of(const Removal& removal) {
+  const auto number = [](const std::optional<std::uint32_t>& looks) {
+    return looks ? Json(*looks) : Json(nullptr);
+  };
+  return {{"clear_looks", removal.clear_looks.looks},
+          {"looks_until_gone", number(removal.looks_until_gone)},
+          {"seconds_until_gone", removal.seconds_until_gone},
+          {"looks_until_removed", number(removal.looks_until_removed)}};
+}
+
+Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
+  Json out{{"id", why.id.value},
+           {"name",
+            why.beliefs.classes.empty() ? "unknown" : classes.name(why.beliefs.classes.front().id)},
+           {"shown", is_shown},
+           {"confidence", why.beliefs.confidence.value()},
+           {"real_probability", why.beliefs.real.value()},
+           {"classes", Json::array()},
+           {"withheld_for", Json::array()},
+           {"first", why.first ? json_of(*why.first) : Json(nullptr)},
+           {"last", why.newest ? json_of(*why.newest) : Json(nullptr)},
+           {"directions_deg", Json::array()},
+           {"namings", Json::array()}};
+  for (const ClassEvidence& c : why.beliefs.classes) {
+    out["classes"].push_back(
+        {{"name", classes.name(c.id)}, {"probability", c.probability.value()}});
+  }
+  for (const MissedCondition& missed : why.missed_conditions) {
+    Json one{{"condition", key_of(missed.condition)}};
+    if (missed.condition == Condition::kOwnPlace) {
+      one["stronger"] = missed.stronger.value;
+    } else {
+      one["value"] = missed.value;
+      one["limit"] = missed.limit;
+    }
+    out["withheld_for"].push_back(std::move(one));
+  }
+  for (const std::uint8_t bin : why.directions) {
+    out["directions_deg"].push_back(bin * kDegreesPerBin);
+  }
+  for (const Naming& naming : why.namings) {
+    out["namings"].push_back({{"class", classes.name(naming.class_id)},
+                              {"detector", naming.detector.value},
+                              {"detections", naming.num_detections},
+                              {"mean_score", naming.mean_score},
+                              {"directions", naming.num_directions},
+                              {"last_frame", naming.last_frame_index}});
+  }
+  out["missed_detections"] = {{"frames", why.missed_detections.num_frames},
+                              {"mean_visible_share", why.missed_detections.mean_visible_share},
+                              {"existence_lost", why.missed_detections.existence_lost}};
+  out["removal"] = json_of(why.removal);
+  return out;
+}
+
+Json json_of(const PlaceExplanation& place, const ClassRegistry& classes, const PlanPoint& at) {
+  Json out{{"position", {at.xy.x(), at.xy.y()}},
+           {"shown", Json::array()},
+           {"space", place.space ? Json(*place.space) : Json(nullptr)},
+           {"nearest", nullptr},
+           {"withheld", Json::array()}};
+  if (at.z) out["position"].push_back(*at.z);
+  for (const ObjectId id : place.shown) out["shown"].push_back(id.value);
+  if (place.nearest) {
+    out["nearest"] = {{"id", place.nearest->id.value}, {"distance_m", place.nearest->distance_m}};
+  }
+  for (const Explanation& why : place.withheld) {
+    out["withheld"].push_back(json_of(why, classes, false));
+  }
+  return out;
+}
+
+std::string document(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string json_text(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
+  return document(json_of(why, classes, is_shown));
+}
+
+std::string json_text(const PlaceExplanation& place,
+                      const ClassRegistry& classes,
+                      const PlanPoint& at) {
+  return document(json_of(place, classes, at));
+}
+
+}  // namespace hypermap::app

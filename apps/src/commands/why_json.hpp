@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Explanations of objects and places as JSON.
+#pragma once
+
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/objects/explanation.hpp"
+#include "hypermap/io/archive/place_explanation.hpp"
+
+#include <string>
+
+namespace hypermap::app {
+
+/// One document, indented.
+[[nodiscard]] std::string json_text(const Explanation& why,
+                                    const ClassRegistry& classes,
+                                    bool is_shown);
+[[nodiscard]] std::string json_text(const PlaceExplanation& place,
+                                    const ClassRegistry& classes,
+                                    const PlanPoint& at);
+
+}  // namespace hypermap::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/place_explanation.hpp"
+
+#include "hypermap/core/objects/object_query.hpp"
+#include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/map_query.hpp"
+#include "hypermap/io/archive/objects_layer.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+Result<std::set<ObjectId>> shown_objects(const MapArchive& archive) {
+  HYPERMAP_ASSIGN_OR_RETURN(const MapAnswers all,
+                            query_map(archive, {.layer = std::string(kObjectsLayer)}));
+  std::set<ObjectId> ids;
+  for (const MapAnswer& one : all.found) ids.insert(ObjectId{static_cast<std::uint32_t>(one.id)});
+  return ids;
+}
+
+double distance_m(const Box& box, const PlanPoint& at) {
+  const Eigen::Vector3d point(at.xy.x(), at.xy.y(), at.z.value_or(box.min_in_map.z()));
+  return (point - point.cwiseMax(box.min_in_map).cwiseMin(box.max_in_map)).norm();
+}
+
+Result<std::optional<std::string>> space_at(const MapArchive& archive, const PlanPoint& at) {
+  if (!at.z || !archive.octree) return std::optional<std::string>();
+  const auto layers = archive_layers(archive);
+  const auto octree = std::find_if(layers.begin(), layers.end(), [](const Layer& layer) {
+    return layer.content->class_name() == kOctomapFormat;
+  });
+  if (octree == layers.end()) return std::optional<std::string>();
+  HYPERMAP_ASSIGN_OR_RETURN(const MapAnswers voxel,
+                            query_map(archive, {.layer = octree->info.name, .at = at}));
+  return std::optional(voxel.found.empty() ? std::string("Unknown") : voxel.found.front().name);
+}
+
+}  // namespace
+
+Result<PlaceExplanation> explain_place(const MapArchive& archive, const PlanPoint& at) {
+  PlaceExplanation out;
+  HYPERMAP_ASSIGN_OR_RETURN(out.space, space_at(archive, at));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::set<ObjectId> shown, shown_objects(archive));
+  for (const ObjectId id : find_objects(archive.objects, archive.classes, {.at = at})) {
+    if (shown.contains(id)) {
+      out.shown.push_back(id);
+    } else if (auto why = explain(archive.objects, id)) {
+      out.withheld.push_back(std::move(*why));
+    }
+  }
+  for (const ObjectId id : shown) {
+    const double distance = distance_m(archive.objects.at(id).box, at);
+    if (!out.nearest || distance < out.nearest->distance_m) out.nearest = {id, distance};
+  }
+  return out;
+}
+
+}  // namespace hypermap

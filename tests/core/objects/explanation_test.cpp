@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/explanation.hpp"
+
+#include "support/object_builders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <numbers>
+
+namespace hypermap {
+namespace {
+
+using testing_support::box_at;
+using testing_support::observed;
+using testing_support::scores;
+using testing_support::surface_of;
+
+constexpr ClassId kNamedCup{1};
+constexpr ClassId kNamedVase{2};
+
+ObservationLogEntry detection(std::uint64_t frame, ClassId id, double bearing_rad, float score) {
+  return {.frame_index = frame,
+          .stamp = Stamp{static_cast<std::int64_t>(frame) * 100'000'000},
+          .kind = ObservationKind::kDetection,
+          .class_id = id,
+          .score = score,
+          .bearing_rad = static_cast<float>(bearing_rad)};
+}
+
+ObservationLogEntry missed(std::uint64_t frame, Visibility visibility, float visible_share) {
+  return {.frame_index = frame,
+          .stamp = Stamp{static_cast<std::int64_t>(frame) * 100'000'000},
+          .kind = ObservationKind::kMissedDetection,
+          .visibility = visibility,
+          .class_id = kNamedCup,
+          .score = visible_share,
+          .effect = visibility == Visibility::kAbsent ? -1.0F : -0.2F};
+}
+
+/// A cup: five times from bearing 0, four from 90 degrees, of which one as a vase.
+Object cup() {
+  Object object = make_object(
+      observed(surface_of(box_at({0, 0, 1}, {0.1, 0.1, 0.1})), scores(kNamedCup, 0.8)), {});
+  object.observation_log = {};
+  for (std::uint64_t frame = 0; frame < 5; ++frame) {
+    object.observation_log.add(detection(frame, kNamedCup, 0.1, 0.5F));
+  }
+  for (std::uint64_t frame = 5; frame < 8; ++frame) {
+    object.observation_log.add(detection(frame, kNamedCup, std::numbers::pi / 2, 0.9F));
+  }
+  object.observation_log.add(detection(8, kNamedVase, std::numbers::pi / 2, 0.4F));
+  object.num_observations = 9;
+  object.existence = LogOdds(5.0);
+  return object;
+}
+
+Explanation explained(Object object, const ConfirmationOptions& options = {}) {
+  ObjectMap map;
+  const ObjectId id = map.add(std::move(object));
+  return explain(map, id, options).value();
+}
+
+TEST(Explanation, CountsWhoNamedItWhatAndFromWhere) {
+  const Explanation why = explained(cup());
+  ASSERT_EQ(why.namings.size(), 2U);
+  EXPECT_EQ(why.namings[0].class_id, kNamedCup);
+  EXPECT_EQ(why.namings[0].num_detections, 8U);
+  EXPECT_NEAR(why.namings[0].mean_score, (5 * 0.5 + 3 * 0.9) / 8.0, 1e-6);
+  EXPECT_EQ(why.namings[0].num_directions, 2);
+  EXPECT_EQ(why.namings[0].last_frame_index, 7U);
+  EXPECT_EQ(why.namings[1].class_id, kNamedVase);
+  EXPECT_EQ(why.namings[1].num_detections, 1U);
+  EXPECT_EQ(why.directions, (std::vector<std::uint8_t>{0, 4})) << "20 degrees each";
+  EXPECT_EQ(why.first->frame_index, 0U);
+  EXPECT_EQ(why.newest->frame_index, 8U);
+  EXPECT_TRUE(why.missed_conditions.empty());
+}
+
+TEST(Explanation, SumsUpWhatSpeaksAgainstIt) {
+  Object object = cup();
+  object.observation_log.add(missed(9, Visibility::kVisible, 0.9F));
+  object.observation_log.add(missed(10, Visibility::kVisible, 0.5F));
+  object.observation_log.add(missed(11, Visibility::kAbsent, 0.0F));
+  const Explanation why = explained(object);
+  EXPECT_EQ(why.missed_detections.num_frames, 3U);
+  EXPECT_NEAR(why.missed_detections.mean_visible_share, 1.4 / 3.0, 1e-6);
+  EXPECT_NEAR(why.missed_detections.existence_lost, 1.4, 1e-6);
+}
+
+TEST(Explanation, SaysWhatWouldRemoveIt) {
+  Object object = cup();
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 5U);
+  // Existence 5, one less with each look, below -2 with the eighth.
+  EXPECT_EQ(explained(object).removal.looks_until_removed, 8U);
+  object.observation_log.add(missed(9, Visibility::kAbsent, 0.0F));
+  object.observation_log.add(missed(10, Visibility::kAbsent, 0.0F));
+  EXPECT_EQ(explained(object).removal.clear_looks.looks, 2U);
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 3U);
+  EXPECT_EQ(explained(object).removal.seconds_until_gone, 1.0);
+  EXPECT_EQ(explained(object, {.gone = {.looks = 0}}).removal.looks_until_gone, std::nullopt);
+}
+
+TEST(Explanation, OfWhatIsGoneSaysSo) {
+  Object object = cup();
+  for (std::uint64_t frame = 10; frame < 22; ++frame) {
+    object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
+  }
+  const Explanation why = explained(object);
+  EXPECT_EQ(why.removal.looks_until_gone, 0U);
+  ASSERT_FALSE(why.missed_conditions.empty());
+  EXPECT_EQ(why.missed_conditions[0],
+            (MissedCondition{.condition = Condition::kNotGone, .value = 12, .limit = 5}));
+}
+
+TEST(Explanation, OfManyFastLooksWaitsForTheTime) {
+  Object object = cup();
+  for (std::uint64_t frame = 10; frame < 16; ++frame) {  // six looks in half a second
+    object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
+  }
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 1U);
+}
+
+TEST(Explanation, IsNoneOfAnObjectThatIsNotThere) {
+  EXPECT_FALSE(explain(ObjectMap(), ObjectId{1}).has_value());
+}
+
+}  // namespace
+}  // namespace hypermap

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/place_explanation.hpp"
+
+#include "support/object_builders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace hypermap {
+namespace {
+
+using testing_support::box_at;
+using testing_support::observed;
+using testing_support::scores;
+using testing_support::surface_of;
+
+/// A thing seen so many times, with a class of ten.
+Object thing(const Box& box, int times) {
+  Object object = make_object(observed(surface_of(box), scores(ClassId{1}, 0.8)), {});
+  for (int i = 1; i < times; ++i) {
+    update_object(object,
+                  observed(surface_of(box), scores(ClassId{1}, 0.8), static_cast<std::uint64_t>(i)),
+                  {});
+  }
+  return object;
+}
+
+TEST(PlaceExplanation, TellsWithheldObjectsFromShownOnes) {
+  MapArchive archive;
+  for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}) {
+    ASSERT_TRUE(archive.classes.add(name));
+  }
+  (void)archive.objects.add(thing(box_at({0, 0, 0.5}, {0.4, 0.4, 0.4}), 8));
+  (void)archive.objects.add(thing(box_at({3, 0, 0.5}, {0.4, 0.4, 0.4}), 1));
+
+  const auto at_first = explain_place(archive, {.xy = {0.1, 0.1}, .z = 0.6});
+  ASSERT_TRUE(at_first.has_value()) << to_string(at_first.error());
+  EXPECT_EQ(at_first->shown, std::vector{ObjectId{1}});
+  EXPECT_TRUE(at_first->withheld.empty());
+  EXPECT_EQ(at_first->space, std::nullopt) << "no octree";
+
+  const auto at_second = explain_place(archive, {.xy = {3.0, 0.0}, .z = 0.5});
+  ASSERT_TRUE(at_second.has_value());
+  EXPECT_TRUE(at_second->shown.empty());
+  ASSERT_EQ(at_second->withheld.size(), 1U);
+  EXPECT_EQ(at_second->withheld[0].id, ObjectId{2});
+  ASSERT_FALSE(at_second->withheld[0].missed_conditions.empty());
+  EXPECT_EQ(at_second->withheld[0].missed_conditions[0].condition, Condition::kObservations);
+  EXPECT_EQ(at_second->nearest->id, ObjectId{1});
+  EXPECT_NEAR(at_second->nearest->distance_m, 2.8, 1e-6);
+}
+
+TEST(PlaceExplanation, OfAnEmptyMapKnowsNothing) {
+  const auto place = explain_place(MapArchive(), {.xy = {0.0, 0.0}});
+  ASSERT_TRUE(place.has_value());
+  EXPECT_TRUE(place->shown.empty());
+  EXPECT_TRUE(place->withheld.empty());
+  EXPECT_EQ(place->nearest, std::nullopt);
+}
+
+}  // namespace
+}  // namespace hypermap
