@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 5> kObjectKeys = {
     "name", "shape", "tags", "confidence", "id"};
 /// Also what a simulation's truth says of an object (simulation_truth.hpp, true_changes.hpp), kept
 /// like an unknown key.
-constexpr std::array<std::string_view, 13> kExpectedKeys = {"name",
+constexpr std::array<std::string_view, 14> kExpectedKeys = {"name",
                                                             "shape",
                                                             "tags",
                                                             "confidence",
@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 13> kExpectedKeys = {"name",
                                                             "excluded",
                                                             "frames_named",
                                                             "seen_footprint",
+                                                            "stands_on",
                                                             "nameable",
                                                             "change",
                                                             "at_end"};
