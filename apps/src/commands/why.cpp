@@ -16,8 +16,6 @@
 namespace hypermap::app {
 namespace {
 
-constexpr double kDegreesPerBin = 360.0 / ObservationLog::kNumBearingBins;
-
 double seconds_of(Stamp stamp) {
   return static_cast<double>(stamp.ns) * 1e-9;
 }
@@ -86,7 +84,8 @@ std::string moment_text(const ObservationLogEntry& entry) {
 std::string directions_text(const std::vector<std::uint8_t>& bins) {
   std::vector<std::string> degrees;
   degrees.reserve(bins.size());
-  for (const std::uint8_t bin : bins) degrees.push_back(fixed(bin * kDegreesPerBin, 0));
+  for (const std::uint8_t bin : bins)
+    degrees.push_back(fixed(bin * ObservationLog::kDegreesPerBearingBin, 0));
   return std::to_string(bins.size()) + " of " + std::to_string(ObservationLog::kNumBearingBins) +
          " directions (from " + joined(degrees, ", ") + " degrees on)";
 }

@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegreesPerBin = 360.0 / ObservationLog::kNumBearingBins;
-
 double degrees_of(float bearing_rad) {
   return static_cast<double>(bearing_rad) * 180.0 / std::numbers::pi;
 }
@@ -86,7 +84,7 @@ Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown
     out["withheld_for"].push_back(std::move(one));
   }
   for (const std::uint8_t bin : why.directions) {
-    out["directions_deg"].push_back(bin * kDegreesPerBin);
+    out["directions_deg"].push_back(bin * ObservationLog::kDegreesPerBearingBin);
   }
   for (const Naming& naming : why.namings) {
     out["namings"].push_back({{"class", classes.name(naming.class_id)},

@@ -78,6 +78,7 @@ class ObservationLog {
   static constexpr std::size_t kMaxNewest = 64;
   static constexpr std::size_t kMaxSummaries = 256;
   static constexpr int kNumBearingBins = 18;
+  static constexpr double kDegreesPerBearingBin = 360.0 / kNumBearingBins;
 
   ObservationLog() = default;
   /// Errors: kInvalidArgument: more entries or summaries than are kept, summaries not ascending, a
