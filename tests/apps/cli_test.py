@@ -182,7 +182,7 @@ class Pipeline(unittest.TestCase):
         self.assertIn(f"{shown[0]['name']} {shown[0]['id']} is shown", text)
         self.assertIn("clear looks in a row through its place", text)
         missing = run("query", self.archive, "--why", 99999)
-        self.assertEqual(missing.returncode, 3)
+        self.assertEqual(missing.returncode, 2)
         self.assertIn("no object 99999", missing.stderr)
 
     def test_a_place_says_why_it_shows_nothing(self):

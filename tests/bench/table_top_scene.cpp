@@ -1,200 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long because: a scene is its things, its sensors and what it says of both, in one place.
 #include "table_top_scene.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
+#include "table_top_world.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap::test {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr int kSide = 600;
-constexpr double kCell = 0.01;
-constexpr double kMiddle = kSide * kCell / 2.0;
-constexpr double kRobotRadius = 0.06;
-
-/// What random numbers are for.
-enum Purpose : std::uint64_t { kShapes = 1, kStops, kMounting, kReadings, kMarks, kTexture };
-
-/// A box, or a disc when it has no second side. Unit: metre, radian.
-struct PlanShape {
-  Vector2d centre = Vector2d::Zero();
-  double half_length = 0.0;
-  double half_width = 0.0;  ///< 0 for a disc.
-  double yaw = 0.0;
-  double height = 0.0;
-
-  /// Whether the point is in it or within `margin` of its sides; inside by -margin.
-  [[nodiscard]] bool holds(const Vector2d& point, double margin = 0.0) const {
-    const Vector2d local = Eigen::Rotation2Dd(-yaw) * (point - centre);
-    if (half_width == 0.0) return local.norm() <= half_length + margin;
-    return std::abs(local.x()) <= half_length + margin &&
-           std::abs(local.y()) <= half_width + margin;
-  }
-};
-
-struct Stop {
-  Vector2d at = Vector2d::Zero();
-  double yaw = 0.0;
-};
-
-struct World {
-  std::vector<PlanShape> tables = {};
-  std::vector<PlanShape> obstacles = {};
-  std::vector<PlanShape> marks = {};  ///< What the camera takes for what it is not, each time.
-  std::vector<Stop> stops = {};
-
-  /// The obstacle there: its place, or -1.
-  [[nodiscard]] int obstacle_at(const Vector2d& point) const {
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      if (obstacles[i].holds(point)) return static_cast<int>(i);
-    }
-    return -1;
-  }
-  [[nodiscard]] bool is_on_table(const Vector2d& point, double inset = 0.0) const {
-    return std::ranges::any_of(tables,
-                               [&](const PlanShape& table) { return table.holds(point, -inset); });
-  }
-};
-
-/// The true class and obstacle of each cell: what rays ask.
-struct TrueCells {
-  std::vector<std::int16_t> obstacle;
-  std::vector<bool> is_table;
-
-  [[nodiscard]] static std::optional<std::size_t> place(const Vector2d& point) {
-    const int col = static_cast<int>(std::floor(point.x() / kCell));
-    const int row = static_cast<int>(std::floor(point.y() / kCell));
-    if (col < 0 || row < 0 || col >= kSide || row >= kSide) return std::nullopt;
-    return static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col);
-  }
-};
-
-Vector2d centre_of_cell(int col, int row) {
-  return {(col + 0.5) * kCell, (row + 0.5) * kCell};
-}
-
-TrueCells true_cells(const World& world) {
-  TrueCells cells;
-  for (int row = 0; row < kSide; ++row) {
-    for (int col = 0; col < kSide; ++col) {
-      const Vector2d point = centre_of_cell(col, row);
-      cells.obstacle.push_back(static_cast<std::int16_t>(world.obstacle_at(point)));
-      cells.is_table.push_back(world.is_on_table(point));
-    }
-  }
-  return cells;
-}
-
-// --- things
-// ---------------------------------------------------------------------------------------
-
-std::vector<PlanShape> tables_of(SceneKind kind, CounterRng& random) {
-  const double yaw = random.uniform(-0.5, 0.5);
-  const Vector2d middle(kMiddle + random.uniform(-0.3, 0.3), kMiddle + random.uniform(-0.3, 0.3));
-  const auto table = [&](double length, double width, const Vector2d& offset) {
-    return PlanShape{.centre = middle + Eigen::Rotation2Dd(yaw) * offset,
-                     .half_length = length / 2.0,
-                     .half_width = width / 2.0,
-                     .yaw = yaw};
-  };
-  const double grow = random.uniform(0.9, 1.1);
-  switch (kind) {
-    case SceneKind::kOneTable:
-      return {table(3.0 * grow, 2.0 * grow, {0.0, 0.0})};
-    case SceneKind::kCornerTable:
-      return {table(3.2 * grow, 1.2 * grow, {0.0, -0.7}),
-              table(1.2 * grow, 2.6 * grow, {-1.0, 0.0})};
-    case SceneKind::kTwoTables: {
-      const double gap = random.uniform(0.3, 0.6);
-      return {table(2.6 * grow, 1.4, {0.0, 0.7 + gap / 2.0}),
-              table(2.6 * grow, 1.4, {random.uniform(-0.3, 0.3), -0.7 - gap / 2.0})};
-    }
-    case SceneKind::kCrowded:
-      return {table(3.6 * grow, 2.6 * grow, {0.0, 0.0})};
-  }
-  return {};
-}
-
-/// A box, a disc or, in crowded scenes, something long and narrow. The smallest side is 8 cm.
-PlanShape random_obstacle(SceneKind kind, CounterRng& random) {
-  const double largest = kind == SceneKind::kCornerTable ? 0.2 : 0.35;
-  const bool is_disc = random.chance(kind == SceneKind::kOneTable ? 0.2 : 0.5);
-  const bool is_long = kind == SceneKind::kCrowded && random.chance(0.2);
-  PlanShape shape{.half_length = random.uniform(0.08, largest) / 2.0,
-                  .half_width = random.uniform(0.08, largest) / 2.0,
-                  .yaw = random.uniform(0.0, std::numbers::pi),
-                  .height = random.uniform(0.05, 0.35)};
-  if (is_long) {
-    shape.half_length = random.uniform(0.5, 1.0) / 2.0;
-    shape.half_width = 0.04;
-  } else if (is_disc) {
-    shape.half_width = 0.0;
-  }
-  return shape;
-}
-
-/// A point of some table, at least `inset` from its edges.
-Vector2d point_on(const std::vector<PlanShape>& tables, double inset, CounterRng& random) {
-  const PlanShape& table = tables[random.below(static_cast<std::uint32_t>(tables.size()))];
-  const Vector2d local(random.uniform(-1.0, 1.0) * (table.half_length - inset),
-                       random.uniform(-1.0, 1.0) * (table.half_width - inset));
-  return table.centre + Eigen::Rotation2Dd(table.yaw) * local;
-}
-
-std::uint32_t num_obstacles(SceneKind kind, CounterRng& random) {
-  switch (kind) {
-    case SceneKind::kOneTable:
-      return 6 + random.below(4);
-    case SceneKind::kCornerTable:
-      return 12 + random.below(5);
-    case SceneKind::kTwoTables:
-      return 10 + random.below(5);
-    case SceneKind::kCrowded:
-      return 18 + random.below(7);
-  }
-  return 0;
-}
-
-World world_of(SceneKind kind, std::uint64_t seed) {
-  const auto scene = static_cast<std::uint64_t>(kind);
-  CounterRng random(seed, scene, kShapes);
-  World world{.tables = tables_of(kind, random)};
-  const std::uint32_t count = num_obstacles(kind, random);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    world.obstacles.push_back(random_obstacle(kind, random));
-    world.obstacles.back().centre = point_on(world.tables, 0.1, random);
-  }
-  CounterRng marks(seed, scene, kMarks);
-  for (std::uint32_t i = 0; i < 4 + marks.below(4); ++i) {
-    world.marks.push_back({.centre = {marks.uniform(1.0, 5.0), marks.uniform(1.0, 5.0)},
-                           .half_length = marks.uniform(0.02, 0.06)});
-  }
-  CounterRng stops(seed, scene, kStops);
-  while (world.stops.size() < 80) {
-    const Stop stop{point_on(world.tables, kRobotRadius, stops),
-                    stops.uniform(-std::numbers::pi, std::numbers::pi)};
-    const bool is_free = std::ranges::none_of(world.obstacles, [&](const PlanShape& shape) {
-      return shape.holds(stop.at, kRobotRadius);
-    });
-    if (is_free) world.stops.push_back(stop);
-  }
-  return world;
-}
-
-// --- sensors
-// --------------------------------------------------------------------------------------
 
 /// A sensor that looks ahead over a sector. Unit: metre, radian.
 struct Sensor {
@@ -215,7 +37,7 @@ constexpr Sensor kCamera{"/ism/cam", 0, 0.015, 0.12, 1.2, 0.6, 0.004, 0.015, 0.0
 constexpr Sensor kEdge{"/ism/edge", 1, 0.02, 0.06, 0.5, 1.05, 0.01, 0.01, 0.005, 0.01, 0.01};
 constexpr Sensor kLaser{"/ism/laser", 2, 0.01, 0.05, 1.5, 2.1, 0.01, 0.0, 0.003, 0.005, 0.0};
 constexpr double kCameraHeight = 0.15;
-constexpr double kRayStep = kCell / 2.0;
+constexpr double kRayStep = kSceneCellM / 2.0;
 constexpr double kAngleStep = 0.005;
 
 struct Mounting {
@@ -266,7 +88,7 @@ double smooth_noise(const CounterRng& random, const Vector2d& point, double scal
 }
 
 struct Reading {
-  const World* world;
+  const TableTopWorld* world;
   const TrueCells* cells;
   const Sensor* sensor;
   Stop stop;
@@ -360,7 +182,7 @@ LogOddsGrid grid_of(const Reading& reading, const Mounting& mounting) {
 
 /// Adds what one sensor says at all stops, where the map takes it to stand.
 void map_with(GridStack& stack,
-              const World& world,
+              const TableTopWorld& world,
               const TrueCells& cells,
               const Sensor& sensor,
               const CounterRng& seeds) {
@@ -393,16 +215,13 @@ void map_with(GridStack& stack,
   }
 }
 
-// --- truth
-// ----------------------------------------------------------------------------------------
-
 /// Cells that some sensor could see, obstacles that some sensor met.
 struct Visible {
   std::vector<bool> cells;
   std::vector<bool> obstacles;
 };
 
-Visible visible_parts(const World& world, const TrueCells& cells) {
+Visible visible_parts(const TableTopWorld& world, const TrueCells& cells) {
   Visible visible{.cells = std::vector<bool>(cells.obstacle.size(), false),
                   .obstacles = std::vector<bool>(world.obstacles.size(), false)};
   for (const Stop& stop : world.stops) {
@@ -411,8 +230,8 @@ Visible visible_parts(const World& world, const TrueCells& cells) {
       for (std::size_t i = 0; i < hits.size(); ++i) {
         const double bearing = stop.yaw - sensor->half_angle + static_cast<double>(i) * kAngleStep;
         const Vector2d ahead(std::cos(bearing), std::sin(bearing));
-        if (hits[i].obstacle >= 0)
-          visible.obstacles[static_cast<std::size_t>(hits[i].obstacle)] = true;
+        const int met = hits[i].obstacle;
+        if (met >= 0) visible.obstacles[static_cast<std::size_t>(met)] = true;
         const double end = std::min(hits[i].range, sensor->max_range);
         for (double range = sensor->min_range; range < end; range += kRayStep) {
           const auto place = TrueCells::place(stop.at + range * ahead);
@@ -427,26 +246,28 @@ Visible visible_parts(const World& world, const TrueCells& cells) {
 /// As a person draws it: what most cells within 3 cells are.
 std::vector<bool> smoothed(const std::vector<bool>& marks) {
   constexpr int kReach = 3;
+  const auto place = [](int col, int row) {
+    return static_cast<std::size_t>(row) * kSceneSide + static_cast<std::size_t>(col);
+  };
   std::vector<bool> result(marks.size(), false);
-  for (int row = 0; row < kSide; ++row) {
-    for (int col = 0; col < kSide; ++col) {
+  for (int row = 0; row < kSceneSide; ++row) {
+    for (int col = 0; col < kSceneSide; ++col) {
       int balance = 0;
-      for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, kSide - 1); ++y) {
-        for (int x = std::max(col - kReach, 0); x <= std::min(col + kReach, kSide - 1); ++x) {
-          balance +=
-              marks[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)] ? 1 : -1;
+      for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, kSceneSide - 1); ++y) {
+        for (int x = std::max(col - kReach, 0); x <= std::min(col + kReach, kSceneSide - 1); ++x) {
+          balance += marks[place(x, y)] ? 1 : -1;
         }
       }
-      result[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col)] = balance > 0;
+      result[place(col, row)] = balance > 0;
     }
   }
   return result;
 }
 
-CellSegmentation true_segmentation(const World& world, const TrueCells& cells) {
+CellSegmentation true_segmentation(const TableTopWorld& world, const TrueCells& cells) {
   const Visible visible = visible_parts(world, cells);
   const std::vector<bool> is_seen = smoothed(visible.cells);
-  CellSegmentation truth{.cols = kSide, .rows = kSide, .count = 4, .labels = {}};
+  CellSegmentation truth{.cols = kSceneSide, .rows = kSceneSide, .count = 4, .labels = {}};
   for (std::size_t i = 0; i < is_seen.size(); ++i) {
     const int obstacle = cells.obstacle[i];
     const bool is_met = obstacle >= 0 && visible.obstacles[static_cast<std::size_t>(obstacle)];
@@ -458,16 +279,10 @@ CellSegmentation true_segmentation(const World& world, const TrueCells& cells) {
 
 }  // namespace
 
-std::string_view name_of(SceneKind kind) {
-  constexpr std::array<std::string_view, 4> kNames{
-      "one table", "corner table", "two tables", "crowded"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 TableTopScene table_top_scene(SceneKind kind, std::uint64_t seed) {
-  const World world = world_of(kind, seed);
+  const TableTopWorld world = table_top_world(kind, seed);
   const TrueCells cells = true_cells(world);
-  const GridGeometry geometry{.resolution_m = kCell, .cols = kSide, .rows = kSide};
+  const GridGeometry geometry{.resolution_m = kSceneCellM, .cols = kSceneSide, .rows = kSceneSide};
   TableTopScene scene{.stack = GridStack::create(geometry).value(),
                       .truth = true_segmentation(world, cells)};
   const CounterRng seeds(seed, static_cast<std::uint64_t>(kind), kTexture);

@@ -184,9 +184,9 @@ void print_no_relation(const QueryArguments& arguments) {
 
 ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
-  const auto told = arguments.why ? print_why(archive, *arguments.why, arguments.json)
-                                  : print_why_not(archive, *request.why_not, arguments.json);
-  return told ? ExitCode::kDone : report_refusal(told.error(), arguments);
+  const auto printed = arguments.why ? print_why(archive, *arguments.why, arguments.json)
+                                     : print_why_not(archive, *request.why_not, arguments.json);
+  return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
 
 ExitCode run(const QueryRequest& request) {

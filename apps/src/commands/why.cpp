@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "why.hpp"
 
-#include "hypermap/io/archive/map_query.hpp"
+#include "hypermap/core/base/count_text.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/place_explanation.hpp"
 #include "tables.hpp"
 #include "why_json.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -24,10 +26,6 @@ std::string times(std::uint64_t count) {
   return count == 1 ? "once" : std::to_string(count) + " times";
 }
 
-std::string counted(std::uint64_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 std::string name_of(const Explanation& why, const ClassRegistry& classes) {
   const auto& all = why.beliefs.classes;
   return (all.empty() ? "unknown" : printable(classes.name(all.front().id))) + " " +
@@ -44,7 +42,7 @@ std::string text_of(const MissedCondition& missed) {
     case Condition::kClass:
       return "no class was named";
     case Condition::kNotGone:
-      return "gone: " + counted(whole(missed.value), "clear look") +
+      return "gone: " + count_text(whole(missed.value), "clear look") +
              " in a row through its place, " + std::to_string(whole(missed.limit)) + " are enough";
     case Condition::kRealProbability:
       return "the probability " + number(missed.value) + " that it is real is below " +
@@ -109,7 +107,7 @@ void print_namings(const Explanation& why, const ClassRegistry& classes) {
     print_line(key,
                printable(classes.name(naming.class_id)) + " " + times(naming.num_detections) +
                    " by detector " + std::to_string(naming.detector.value) + ", from " +
-                   counted(static_cast<std::uint64_t>(naming.num_directions), "direction") +
+                   count_text(static_cast<std::size_t>(naming.num_directions), "direction") +
                    ", score " + fixed(naming.mean_score, 2) + " in the mean");
     key = "";
   }
@@ -120,13 +118,13 @@ void print_removal(const Removal& removal) {
     print_line("removal", "it is gone until something shows it again");
   } else if (removal.looks_until_gone) {
     print_line("removal",
-               "hidden after " + counted(*removal.looks_until_gone, "more clear look") +
+               "hidden after " + count_text(*removal.looks_until_gone, "more clear look") +
                    " in a row through its place, over " + fixed(removal.seconds_until_gone, 1) +
                    " s at least");
   }
   if (removal.looks_until_removed) {
     print_line(removal.looks_until_gone ? "" : "removal",
-               "out of the map after " + counted(*removal.looks_until_removed, "such look"));
+               "out of the map after " + count_text(*removal.looks_until_removed, "such look"));
   }
 }
 
@@ -149,18 +147,15 @@ void print_object(const Explanation& why, const ClassRegistry& classes, bool is_
   const MissedDetections& missed = why.missed_detections;
   if (missed.num_frames > 0) {
     print_line("doubted",
-               "not detected in " + counted(missed.num_frames, "frame") +
+               "not detected in " + count_text(missed.num_frames, "frame") +
                    " that should have shown it, " + fixed(missed.mean_visible_share, 2) +
                    " of it open to view in the mean");
   }
   print_removal(why.removal);
 }
 
-Result<bool> is_shown(const MapArchive& archive, ObjectId id) {
-  HYPERMAP_ASSIGN_OR_RETURN(
-      const MapAnswers answers,
-      query_map(archive, {.layer = std::string(kObjectsLayer), .value = id.value}));
-  return !answers.found.empty();
+bool is_shown(const MapArchive& archive, ObjectId id) {
+  return std::ranges::binary_search(confirmed_ids_of(archive), id);
 }
 
 std::string place_text(const PlanPoint& at) {
@@ -190,7 +185,7 @@ void print_place(const PlaceExplanation& place, const MapArchive& archive, const
         label(place.nearest->id) + ", " + fixed(place.nearest->distance_m, 2) + " m from its box");
   }
   if (place.withheld.empty()) {
-    print_line("withheld", "nothing: no detection that is still known was of something there");
+    print_line("withheld", "nothing: the map tracks no other object there");
   }
   for (const Explanation& why : place.withheld) print_object(why, archive.classes, false);
 }
@@ -202,7 +197,7 @@ Result<void> print_why(const MapArchive& archive, std::int64_t id, bool json) {
   const ObjectId object{is_id ? static_cast<std::uint32_t>(id) : 0U};
   const auto why = explain(archive.objects, object);
   if (!why) return fail(ErrorCode::kNotFound, "the map has no object " + std::to_string(id), "why");
-  HYPERMAP_ASSIGN_OR_RETURN(const bool shown, is_shown(archive, object));
+  const bool shown = is_shown(archive, object);
   if (json) {
     std::printf("%s\n", json_text(*why, archive.classes, shown).c_str());
   } else {

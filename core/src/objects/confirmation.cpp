@@ -66,20 +66,20 @@ bool is_same_place(const PointSet& weaker,
 
 }  // namespace
 
-std::vector<ConfirmationVerdict> confirmation_verdicts(const ObjectMap& objects,
-                                                       const ConfirmationOptions& options) {
-  std::vector<ConfirmationVerdict> verdicts;
-  verdicts.reserve(objects.objects().size());
+std::vector<ConfirmationResult> confirmation_results(const ObjectMap& objects,
+                                                     const ConfirmationOptions& options) {
+  std::vector<ConfirmationResult> results;
+  results.reserve(objects.objects().size());
   struct Candidate {
     const Object* object;
-    std::size_t verdict;
+    std::size_t result;
   };
   std::vector<Candidate> candidates;
   for (const Object& object : objects.objects()) {
-    verdicts.push_back({object.id, missed_alone(object, options)});
-    if (verdicts.back().missed.empty()) candidates.push_back({&object, verdicts.size() - 1});
+    results.push_back({object.id, missed_alone(object, options)});
+    if (results.back().missed.empty()) candidates.push_back({&object, results.size() - 1});
   }
-  if (!options.one_per_place) return verdicts;
+  if (!options.one_per_place) return results;
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return is_stronger(*a.object, *b.object);
   });
@@ -98,18 +98,18 @@ std::vector<ConfirmationVerdict> confirmation_verdicts(const ObjectMap& objects,
     if (stronger == taken.end()) {
       taken.push_back({&object, std::move(points)});
     } else {
-      verdicts[candidate.verdict].missed.push_back(
+      results[candidate.result].missed.push_back(
           {.condition = Condition::kOwnPlace, .stronger = stronger->object->id});
     }
   }
-  return verdicts;
+  return results;
 }
 
 std::vector<ObjectId> confirmed_objects(const ObjectMap& objects,
                                         const ConfirmationOptions& options) {
   std::vector<ObjectId> ids;
-  for (const ConfirmationVerdict& verdict : confirmation_verdicts(objects, options)) {
-    if (verdict.missed.empty()) ids.push_back(verdict.id);
+  for (const ConfirmationResult& result : confirmation_results(objects, options)) {
+    if (result.missed.empty()) ids.push_back(result.id);
   }
   return ids;
 }

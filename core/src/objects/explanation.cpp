@@ -106,8 +106,8 @@ std::optional<Explanation> explain(const ObjectMap& objects,
                   .missed_detections = missed_detections_of(log),
                   .removal = removal_of(*object, confirmation.gone, absence)};
   if (!log.newest.empty()) out.newest = log.newest.back();
-  for (ConfirmationVerdict& verdict : confirmation_verdicts(objects, confirmation)) {
-    if (verdict.id == id) out.missed_conditions = std::move(verdict.missed);
+  for (ConfirmationResult& result : confirmation_results(objects, confirmation)) {
+    if (result.id == id) out.missed_conditions = std::move(result.missed);
   }
   return out;
 }

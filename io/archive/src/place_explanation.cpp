@@ -3,23 +3,15 @@
 
 #include "hypermap/core/objects/object_query.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/map_query.hpp"
-#include "hypermap/io/archive/objects_layer.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
-
-Result<std::set<ObjectId>> shown_objects(const MapArchive& archive) {
-  HYPERMAP_ASSIGN_OR_RETURN(const MapAnswers all,
-                            query_map(archive, {.layer = std::string(kObjectsLayer)}));
-  std::set<ObjectId> ids;
-  for (const MapAnswer& one : all.found) ids.insert(ObjectId{static_cast<std::uint32_t>(one.id)});
-  return ids;
-}
 
 double distance_m(const Box& box, const PlanPoint& at) {
   const Eigen::Vector3d point(at.xy.x(), at.xy.y(), at.z.value_or(box.min_in_map.z()));
@@ -43,9 +35,9 @@ Result<std::optional<std::string>> space_at(const MapArchive& archive, const Pla
 Result<PlaceExplanation> explain_place(const MapArchive& archive, const PlanPoint& at) {
   PlaceExplanation out;
   HYPERMAP_ASSIGN_OR_RETURN(out.space, space_at(archive, at));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::set<ObjectId> shown, shown_objects(archive));
+  const std::vector<ObjectId> shown = confirmed_ids_of(archive);
   for (const ObjectId id : find_objects(archive.objects, archive.classes, {.at = at})) {
-    if (shown.contains(id)) {
+    if (std::ranges::binary_search(shown, id)) {
       out.shown.push_back(id);
     } else if (auto why = explain(archive.objects, id)) {
       out.withheld.push_back(std::move(*why));

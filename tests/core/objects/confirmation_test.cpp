@@ -133,14 +133,14 @@ TEST(Confirmation, SaysWhichConditionsAnObjectMisses) {
   (void)map.add(seen_times(box, kSeenOven, 6, 100));
   (void)map.add(seen_times(box_at({4, 0, 0.3}, {0.6, 0.6, 0.6}), kSeenCup, 2));
   const ConfirmationOptions options{.min_existence = LogOdds(2.0), .min_real_probability = {}};
-  const auto verdicts = confirmation_verdicts(map, options);
-  ASSERT_EQ(verdicts.size(), 3U);
+  const auto results = confirmation_results(map, options);
+  ASSERT_EQ(results.size(), 3U);
   EXPECT_EQ(
-      verdicts[0].missed,
+      results[0].missed,
       (std::vector{MissedCondition{.condition = Condition::kOwnPlace, .stronger = ObjectId{2}}}));
-  EXPECT_TRUE(verdicts[1].missed.empty());
+  EXPECT_TRUE(results[1].missed.empty());
   EXPECT_EQ(
-      verdicts[2].missed,
+      results[2].missed,
       (std::vector{MissedCondition{.condition = Condition::kObservations, .value = 2, .limit = 3},
                    MissedCondition{.condition = Condition::kExistence, .value = 2, .limit = 2}}));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/place_explanation.hpp"
 
+#include "hypermap/projection/layers/semantic_layer.hpp"
 #include "support/object_builders.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ using testing_support::observed;
 using testing_support::scores;
 using testing_support::surface_of;
 
-/// A thing seen so many times, with a class of ten.
-Object thing(const Box& box, int times) {
+/// Seen so many times, with a class of ten.
+Object object_seen(const Box& box, int times) {
   Object object = make_object(observed(surface_of(box), scores(ClassId{1}, 0.8)), {});
   for (int i = 1; i < times; ++i) {
     update_object(object,
@@ -31,8 +32,12 @@ TEST(PlaceExplanation, TellsWithheldObjectsFromShownOnes) {
   for (const char* name : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}) {
     ASSERT_TRUE(archive.classes.add(name));
   }
-  (void)archive.objects.add(thing(box_at({0, 0, 0.5}, {0.4, 0.4, 0.4}), 8));
-  (void)archive.objects.add(thing(box_at({3, 0, 0.5}, {0.4, 0.4, 0.4}), 1));
+  (void)archive.objects.add(object_seen(box_at({0, 0, 0.5}, {0.4, 0.4, 0.4}), 8));
+  (void)archive.objects.add(object_seen(box_at({3, 0, 0.5}, {0.4, 0.4, 0.4}), 1));
+  SemanticLayer confirmed;
+  const Polygon outline{.outer = {{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}}, .holes = {}};
+  ASSERT_TRUE(confirmed.add({.id = 1, .name = "b", .parts = {outline}}));
+  ASSERT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, confirmed}));
 
   const auto at_first = explain_place(archive, {.xy = {0.1, 0.1}, .z = 0.6});
   ASSERT_TRUE(at_first.has_value()) << to_string(at_first.error());
@@ -48,7 +53,8 @@ TEST(PlaceExplanation, TellsWithheldObjectsFromShownOnes) {
   ASSERT_FALSE(at_second->withheld[0].missed_conditions.empty());
   EXPECT_EQ(at_second->withheld[0].missed_conditions[0].condition, Condition::kObservations);
   EXPECT_EQ(at_second->nearest->id, ObjectId{1});
-  EXPECT_NEAR(at_second->nearest->distance_m, 2.8, 1e-6);
+  const double side_x = archive.objects.at(ObjectId{1}).box.max_in_map.x();
+  EXPECT_NEAR(at_second->nearest->distance_m, 3.0 - side_x, 1e-12);
 }
 
 TEST(PlaceExplanation, OfAnEmptyMapKnowsNothing) {

@@ -166,17 +166,19 @@ TEST_F(SensedStack, WithoutAFrameOrWhenInterruptedTheStackStays) {
   EXPECT_EQ(stack_, empty_stack());
 }
 
-TEST_F(SensedStack, AFrameThatCannotBeRegisteredIsFusedAsPosed) {
+TEST_F(SensedStack, WhenNoFrameCanBeRegisteredTheStackStays) {
   job_.reference = "/ism/map";
   EXPECT_EQ(fuse().error().field, "--register");
   const auto map = LogOddsGrid::create(stack_.geometry()).value();
   ASSERT_TRUE(stack_.fuse({.layer = "/ism/map", .grid = map},
                           Eigen::Matrix3d(Eigen::Matrix3d::Identity())));
+  const GridStack before = stack_;
   const auto report = fuse();
-  ASSERT_TRUE(report) << to_string(report.error());
-  EXPECT_EQ(report->num_registered, 0U);
-  EXPECT_EQ(report->num_refused.at("features"), 3U);
-  EXPECT_EQ(at("/ism/depth", 2.25, 0.05), 3 * test::kFree);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(report.error().field, "--register");
+  EXPECT_NE(report.error().what.find("3 frames: too little structure"), std::string::npos);
+  EXPECT_EQ(stack_, before);
 }
 
 TEST_F(SensedStack, NothingToBeSensedIsRefused) {

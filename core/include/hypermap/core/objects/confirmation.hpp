@@ -64,13 +64,13 @@ struct MissedCondition {
 
 /// Why each object is withheld: nothing of those that are confirmed. An object's own conditions
 /// come first, in the order of the enumeration; kOwnPlace is asked of those alone that meet them.
-struct ConfirmationVerdict {
+struct ConfirmationResult {
   ObjectId id;
   std::vector<MissedCondition> missed;
-  friend bool operator==(const ConfirmationVerdict&, const ConfirmationVerdict&) = default;
+  friend bool operator==(const ConfirmationResult&, const ConfirmationResult&) = default;
 };
 /// Of all objects, ascending by id.
-[[nodiscard]] std::vector<ConfirmationVerdict> confirmation_verdicts(
+[[nodiscard]] std::vector<ConfirmationResult> confirmation_results(
     const ObjectMap& objects, const ConfirmationOptions& options);
 
 /// Ids of the confirmed objects, ascending: those that miss no condition.

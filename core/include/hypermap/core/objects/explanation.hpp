@@ -62,7 +62,7 @@ struct Explanation {
   friend bool operator==(const Explanation&, const Explanation&) = default;
 };
 
-/// None when the map has no such object. Cost: that of `confirmation_verdicts`.
+/// None when the map has no such object. Cost: that of `confirmation_results`.
 [[nodiscard]] std::optional<Explanation> explain(const ObjectMap& objects,
                                                  ObjectId id,
                                                  const ConfirmationOptions& confirmation = {},
