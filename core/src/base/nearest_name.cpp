@@ -46,7 +46,9 @@ std::optional<std::string_view> shortest_with(std::string_view part,
   std::optional<std::string_view> shortest;
   if (part.size() < kShortestPart) return shortest;
   for (const std::string_view candidate : known) {
-    const bool is_in_it = !std::ranges::search(candidate, part, are_same).empty();
+    const bool is_in_it =
+        std::search(candidate.begin(), candidate.end(), part.begin(), part.end(), are_same) !=
+        candidate.end();
     const bool is_shorter = !shortest || candidate.size() < shortest->size();
     if (is_in_it && is_shorter) shortest = candidate;
   }
