@@ -3,6 +3,9 @@
 
 #include "option_flags.hpp"
 
+#include <algorithm>
+#include <system_error>
+
 namespace hypermap::app {
 namespace {
 
@@ -48,6 +51,21 @@ Result<OnnxDetectorOptions> DatasetArguments::detector() const {
   OnnxDetectorOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.class_names, class_names(classes));
   return options;
+}
+
+std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (std::filesystem::directory_iterator entry(folder, unreadable), end;
+       !unreadable && entry != end;
+       entry.increment(unreadable)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_found = name == "detections.json" || name == "detections.jsonl";
+    if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 void add_keep_classes(CLI::App& command, std::vector<std::string>& names) {

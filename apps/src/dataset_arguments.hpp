@@ -10,6 +10,7 @@
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct DatasetArguments {
 inline constexpr const char* kDescriptionHelp =
     "description of the folder, from outside it; must name intrinsics, depth, depth_scale, "
     "trajectory (docs/CLI.md)";
+
+/// Files of the dataset's folder that look like detections and are not read unless named.
+[[nodiscard]] std::vector<std::string> unused_detections(const std::filesystem::path& folder);
 
 /// The only classes whose detections are used or written.
 void add_keep_classes(CLI::App& command, std::vector<std::string>& names);

@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -62,11 +63,24 @@ std::string unknown_words(const CLI::App& program) {
   return text + did_you_mean(first, known_words(program));
 }
 
+/// An empty word is no value but of a title: a variable of a script that was not set.
+/// Throws CLI::ValidationError.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const auto& values = option->results();
+    const bool is_empty = std::find(values.begin(), values.end(), "") != values.end();
+    if (is_empty && option->get_name() != "--title") {
+      throw CLI::ValidationError(option->get_name(), "is empty");
+    }
+  }
+}
+
 ExitCode parse_and_run(int argc, const char* const* argv) {
   CommandLine command_line;
   CLI::App& program = command_line.program;
   try {
     program.parse(argc, argv);
+    for (const CLI::App* command : program.get_subcommands()) refuse_empty_values(*command);
   } catch (const CLI::ParseError& error) {
     const bool is_help_requested = error.get_exit_code() == 0;
     // What is missing may only be misspelt.

@@ -2,13 +2,12 @@
 #include "map_hints.hpp"
 
 #include "command.hpp"
+#include "dataset_arguments.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <system_error>
-#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -33,22 +32,6 @@ void warn_of_old_checkpoint(const MappingJob& job) {
                printable(checkpoint_path(job.output).string(), 500).c_str(),
                job.checkpoint_every > 0 ? "the first checkpoint of this run replaces it"
                                         : "this run leaves it");
-}
-
-/// Files of the dataset's folder that look like detections and are not read unless named.
-std::vector<std::string> unused_detections(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code unreadable;
-  for (std::filesystem::directory_iterator entry(folder, unreadable), end;
-       !unreadable && entry != end;
-       entry.increment(unreadable)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_found = name == "detections.json" || name == "detections.jsonl";
-    if (name.starts_with("detections") && name.find(".json") != std::string::npos && !is_found)
-      names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <CLI/Validators.hpp>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace hypermap::app {
 namespace {
@@ -26,6 +27,20 @@ FrameSensor parse_sensor(const std::string& text) {
   return {.kind = static_cast<FrameSensorKind>(name - names.begin()), .weight = parsed->weight};
 }
 
+/// Detections were to be fused, and the frames had none.
+void print_nothing_detected(const SensedStackJob& job) {
+  const auto is_of_detections = [](const FrameSensor& sensor) {
+    return sensor.kind == FrameSensorKind::kDetections;
+  };
+  if (std::ranges::none_of(job.sensors, is_of_detections)) return;
+  std::fprintf(stderr, "--sensor detections: nothing was detected in the frames fused\n");
+  if (!job.dataset.detections.empty()) return;
+  for (const std::string& name : unused_detections(job.input)) {
+    std::fprintf(
+        stderr, "not used: %s in the input; --detections names it\n", printable(name).c_str());
+  }
+}
+
 }  // namespace
 
 void SensedArguments::add_to(CLI::App& command) {
@@ -39,6 +54,11 @@ void SensedArguments::add_to(CLI::App& command) {
                   "is fused as further layers; may be repeated")
       ->delimiter(',')
       ->capture_default_str()
+      ->needs(input);
+  command
+      .add_option("--detections",
+                  detections,
+                  "detections file for --sensor detections, one a detector; may be repeated")
       ->needs(input);
   CLI::Option* register_option =
       command
@@ -82,6 +102,7 @@ Result<std::optional<SensedStackReport>> SensedArguments::fuse_into(GridStack& s
   asked.input = dataset.input;
   HYPERMAP_ASSIGN_OR_RETURN(asked.dataset, dataset.options());
   asked.dataset.read_color = false;
+  asked.dataset.detections.assign(detections.begin(), detections.end());
   if (reference) asked.reference = full_layer_name(stack.options(), *reference);
   const StopCheck stop = stop_when_interrupted();
   HYPERMAP_ASSIGN_OR_RETURN(
@@ -91,6 +112,7 @@ Result<std::optional<SensedStackReport>> SensedArguments::fuse_into(GridStack& s
                   map.provenance,
                   map.classes,
                   [&](std::size_t /*done*/, std::size_t /*total*/) { return !stop(); }));
+  if (report.num_detections == 0) print_nothing_detected(asked);
   return std::optional(std::move(report));
 }
 

@@ -20,6 +20,7 @@ namespace hypermap::app {
 
 struct SensedArguments {
   DatasetArguments dataset;
+  std::vector<std::string> detections;
   std::vector<std::string> sensors = {"depth"};  ///< NAME or NAME=WEIGHT.
   std::optional<std::string> reference;
   SensedStackJob job;

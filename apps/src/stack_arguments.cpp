@@ -119,7 +119,7 @@ Result<std::optional<Rect>> rect_around_area(const StackArguments& arguments) {
 }  // namespace
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
-  return name.starts_with('/') ? name : stack_layer_name(options.parent, name);
+  return name.starts_with('/') ? name : options.parent + "/" + name;
 }
 
 std::string corners_text(const Rect& rect) {
@@ -205,6 +205,11 @@ void StackArguments::add_to(CLI::App& command) {
 void StackArguments::keep_to_one_source() const {
   if (file.empty() && tiles.empty()) {
     throw CLI::ValidationError("FILE", "a map, or --tiles FOLDER, must be named");
+  }
+  std::error_code failed;
+  if (!file.empty() && std::filesystem::is_directory(file, failed)) {
+    throw CLI::ValidationError(
+        "FILE", "is a folder, not a map: --tiles takes one of tiles, --input frames beside a map");
   }
   if (file.empty() || tiles.empty()) return;
   throw CLI::ValidationError("--tiles",

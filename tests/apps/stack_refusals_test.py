@@ -37,6 +37,8 @@ class Refusals(StackLab):
         tiles.mkdir()
         output = ["--output", self.folder / "x"]
         for arguments, status, told in (([], 4, "FILE: a map, or --tiles FOLDER, must be named"),
+                                        ([tiles], 4, "FILE: is a folder, not a map: --tiles takes one of tiles"),
+                                        ([self.archive, "--tiles", ""], 4, "--tiles: is empty"),
                                         ([self.archive, "--tiles", tiles], 4, f"of the file '{self.archive}' or of tiles, not of both"),
                                         (["--tiles", tiles, "--class", "chair"], 4, "--class"),
                                         (["--tiles", tiles, "--fuse", "occupancy"], 4, "--fuse"),

@@ -56,6 +56,8 @@ class Stacks(StackLab):
         self.assertEqual((whole["cols"] % 256, whole["rows"] % 256), (0, 0))
         self.assertEqual([layer["occupied"] for layer in whole["layers"]], [layer["occupied"] for layer in stack["layers"]])
         self.assertEqual(run("check", *tiles.iterdir()).returncode, 0)
+        told = json.loads(run("info", tiles, "--json").stdout)
+        self.assertEqual([layer["name"] for layer in told["layers"]], ["tiles"])
         self.assertIn(f"folder of {len(list(tiles.iterdir()))} tiles", run("check", tiles).stdout)
         first = min(tiles.iterdir())
         first.rename(tiles / "room.tile")
@@ -163,11 +165,26 @@ class Stacks(StackLab):
         self.assertGreater(len(detected), 0)
         for name in detected:
             self.assertGreater(layers[name]["occupied"], 0)
+        one = self.answer("stack", *frames, "--layer", detected[0].removeprefix("/ism/"))
+        self.assertEqual([layer["name"] for layer in one["layers"]], [detected[0]])
         # What depth calls occupied the map, made of the same frames, does not call free, but where things end.
         both = self.answer("stack", *frames, "--fuse", "occupancy", "--layer", "depth,occupancy", "--pool", "bayesian")
         self.assertEqual(sorted(layer["name"] for layer in both["layers"]), ["/ism/depth", "/ism/occupancy"])
         again = self.answer("stack", *frames)
         self.assertEqual(again["layers"], stack["layers"])
+
+    def test_detections_are_those_that_are_named_and_none_is_said(self):
+        dataset = self.folder / "lab"
+        shutil.copytree(self.shared / "lab", dataset)
+        found = next(path for path in dataset.iterdir() if path.name in ("detections.json", "detections.jsonl"))
+        named = found.rename(dataset / f"detections_own{found.suffix}")
+        flags = ["--input", dataset, "--sensor", "detections", "--stride", 4]
+        nothing = run("stack", self.archive, "--output", self.folder / "none", *flags)
+        self.assertEqual(nothing.returncode, 0, nothing.stderr)
+        self.assertIn("--sensor detections: nothing was detected in the frames fused", nothing.stderr)
+        self.assertIn(f"not used: {named.name} in the input; --detections names it", nothing.stderr)
+        layers = self.answer("stack", *flags, "--detections", named)["layers"]
+        self.assertTrue([layer for layer in layers if layer["name"].startswith("/ism/detections/")])
 
     def test_frames_are_registered_to_a_layer(self):
         stack = self.answer("stack", "--input", self.shared / "lab", "--fuse", "occupancy", "--register", "occupancy",

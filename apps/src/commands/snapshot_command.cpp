@@ -86,8 +86,8 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       "--layers",
       arguments->layers,
       "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view); overlay "
-      "draws "
-      "stacks and supercells in the colours of their classes, which the legend leaves out");
+      "draws stacks and supercells in the colours of their classes, which the legend leaves out, "
+      "by default where no occupancy grid would lie under them");
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--title", arguments->title, "text over the image (default: file name)");
   command

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/check/file_info.hpp"
 
+#include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
+#include "hypermap/io/tiles/tile_map.hpp"
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace hypermap {
@@ -44,6 +48,22 @@ DescribedFile describe_dataset(const std::filesystem::path& path,
   return Loaded<FileInfo>{dataset->summary(), dataset->summary().findings};
 }
 
+/// A folder of tiles as an archive with the stack that they are.
+DescribedFile describe_tiles(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_directory(path, failed)) {
+    return Unexpected(
+        Error{.code = ErrorCode::kUnsupported,
+              .what = "is one tile: check judges it, info tells of the folder that it is in",
+              .file = path.string()});
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, read_tile_map(path));
+  LayerInfo info{.name = "tiles", .frame_id = stack.options().frame_id};
+  MapArchive archive;
+  HYPERMAP_TRY(archive.hypermap.add_layer({std::move(info), GridStackLayer(std::move(stack))}));
+  return Loaded<FileInfo>{describe(archive), {}};
+}
+
 }  // namespace
 
 Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
@@ -56,6 +76,8 @@ Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
       return describe_dataset(path, description);
     case FileKind::kOctree:
       return describe_octree(path);
+    case FileKind::kTile:
+      return describe_tiles(path);
     case FileKind::kMap:
       return describe_map(path, limits.reach);
     default:

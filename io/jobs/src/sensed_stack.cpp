@@ -111,6 +111,7 @@ class FrameFuser {
     HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Matrix3d stack_from_map, registered(frame));
     for (const SensorGrid& reading : readings) HYPERMAP_TRY(fuse(reading, stack_from_map));
     ++report_.num_frames;
+    report_.num_detections += frame.detections.size();
     return {};
   }
 

@@ -59,6 +59,14 @@ Result<void> check_lattice(const TileLattice& found,
       code, "holds tiles of " + text_of(found) + ", expected " + text_of(expected), path);
 }
 
+/// What a misnamed file must be called; nothing when its content does not say it.
+std::string expected_name_text(const std::filesystem::path& path) {
+  const auto filed = read_tile_file(path);
+  if (!filed) return "";
+  const auto name = tile_file_name(filed->lattice, filed->tile.index);
+  return name ? ", by its content it must be called " + printable(*name, name->size()) : "";
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> files_in(const fs::path& folder, std::string_view ending) {
@@ -132,7 +140,8 @@ Result<std::vector<TileIndex>> TileFolder::list() const {
     const auto index = index_in(name, lattice_);
     if (!index) {
       return folder_error(ErrorCode::kMalformedFile,
-                          "is not called as a tile of " + text_of(lattice_),
+                          "is not called as a tile of " + text_of(lattice_) +
+                              expected_name_text(path_ / name),
                           path_ / name);
     }
     tiles.push_back(*index);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <variant>
 
@@ -47,6 +48,24 @@ TEST(FileInfo, AFolderIsADatasetOrIsRefusedAsOne) {
   EXPECT_EQ(std::get<DatasetSummary>(described->value).num_frames, 4U);
   const test::TempDir dir;
   EXPECT_EQ(describe_file(dir.path()).error().code, ErrorCode::kNotFound);
+}
+
+TEST(FileInfo, AFolderOfTilesIsToldOfAsTheStackThatTheyAre) {
+  const test::TempDir dir;
+  std::ofstream(
+      dir / ("What_OGM_T_1.000000000s.ns_Format_INT8_Unit_logodds_Layer_-ism-cam_Res_1000mm_"
+             "X_0m_Y_0m_Z_0m_rows_1_cols_2_lat_nan_lon_nan_alt_nan_.bin"),
+      std::ios::binary)
+      << "\x10\x10";
+  const auto described = describe_file(dir.path());
+  ASSERT_TRUE(described) << to_string(described.error());
+  const auto& info = std::get<ArchiveInfo>(described->value);
+  ASSERT_EQ(info.layers.size(), 1U);
+  EXPECT_EQ(info.layers[0].name, "tiles");
+  EXPECT_EQ(info.layers[0].cells->occupied, 2U);
+  const auto one = describe_file(std::filesystem::directory_iterator(dir.path())->path());
+  ASSERT_FALSE(one);
+  EXPECT_EQ(one.error().code, ErrorCode::kUnsupported);
 }
 
 TEST(FileInfo, WhatIsNotThereIsAnError) {

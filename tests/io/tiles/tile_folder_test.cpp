@@ -85,6 +85,8 @@ TEST(TileFolder, AFileThatIsNotItsTileIsRefused) {
   // One that is called as no tile would be missed.
   fs::rename(other, dir / "tile_1_0_logodds_0.1m_at_0.7m_0m.tile");
   EXPECT_THAT(to_string(folder.list().error()), HasSubstr("is not called as a tile"));
+  EXPECT_THAT(to_string(folder.list().error()),
+              HasSubstr("by its content it must be called " + first.filename().string()));
   fs::rename(dir / "tile_1_0_logodds_0.1m_at_0.7m_0m.tile", dir / "tile_99999999999_0_.tile");
   EXPECT_THAT(to_string(folder.list().error()), HasSubstr("is not called as a tile"));
   fs::remove(dir / "tile_99999999999_0_.tile");

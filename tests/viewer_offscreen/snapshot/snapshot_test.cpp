@@ -262,6 +262,24 @@ TEST_F(Snapshot, TheOccupancyGridLiesNorthUp) {
   EXPECT_LT(light(260, 40), 80);         // (2, 1) occupied
 }
 
+// Cells are opaque; by default they are drawn where they hide no occupancy grid.
+TEST_F(Snapshot, CellsHideTheOccupancyGridOnlyWhenAskedFor) {
+  const GridGeometry geometry{.resolution_m = 1.0, .cols = 3, .rows = 2};
+  const Rgb8 pink{230, 120, 180};
+  SnapshotScene scene;
+  scene.overlay.cells.push_back({.geometry = geometry, .colors = std::vector<Rgb8>(6, pink)});
+  const auto is_pink_at_first_cell = [&](const SnapshotOptions& options) {
+    const auto image = render_snapshot(scene, options);
+    return image && near(image->at(60, 140), pink, 40);
+  };
+  EXPECT_TRUE(is_pink_at_first_cell(bare_top()));
+  scene.occupancy = OccupancyGrid::create(geometry, {100, 0, -1, 0, 0, 100}).value();
+  EXPECT_FALSE(is_pink_at_first_cell(bare_top()));
+  SnapshotOptions with_overlay = bare_top();
+  with_overlay.layers = SnapshotLayers{.occupancy = true, .overlay = true};
+  EXPECT_TRUE(is_pink_at_first_cell(with_overlay));
+}
+
 // 2 x 2 m in 200 x 200 px around the middle of the image, with a hole of 1 x 1 m.
 TEST_F(Snapshot, PolygonsAreFilledButForTheirHoles) {
   SnapshotScene scene;

@@ -130,7 +130,9 @@ SnapshotLayers drawn_layers(const SnapshotScene& scene, const SnapshotOptions& o
       scene.occupancy.has_value() || !scene.semantic.empty() || !scene.overlay.empty();
   const bool has_space = static_cast<bool>(scene.leaves) || !scene.objects.empty();
   if (has_plan && (std::holds_alternative<TopView>(options.view) || !has_space)) {
-    return {.occupancy = true, .semantic = true, .overlay = true};
+    // Cells are opaque: over an occupancy grid they would be all that is seen.
+    const bool hides_occupancy = scene.occupancy.has_value() && !scene.overlay.cells.empty();
+    return {.occupancy = true, .semantic = true, .overlay = !hides_occupancy};
   }
   return {.voxels = true, .objects = true, .trajectory = true};
 }

@@ -16,7 +16,8 @@ namespace hypermap {
 /// Of a map: layers and extensions. Of a folder with a sequence: what was found in it.
 using FileInfo = std::variant<ArchiveInfo, DatasetSummary>;
 
-/// Archives, bare configurations, octrees, map_server maps and datasets, told apart by content
+/// Archives, bare configurations, octrees, map_server maps, folders of tiles and datasets, told
+/// apart by content
 /// (`find_file_kind`). An octree or a map by itself is told of as an archive with this one part.
 ///
 /// `limits` are those of archives, whose reading `stop` ends; `description` is that of a dataset's
