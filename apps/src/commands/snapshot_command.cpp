@@ -102,7 +102,7 @@ void add_snapshot_command(CLI::App& program, Action& action) {
     keep_apart("--output", arguments->output, {arguments->file, arguments->palette});
     keep_suffix("--output", arguments->output, ".png");
     auto options = options_of(*arguments);
-    if (!options) throw CLI::ValidationError("snapshot", to_string(options.error()));
+    if (!options) throw CLI::ValidationError("--" + options.error().field, options.error().what);
     action = [arguments, options = *options] {
       const auto done = run(*arguments, options);
       if (!done) return report(done.error());

@@ -96,7 +96,7 @@ class RelationFinder {
   /// For each object the best of its neighbours. `evidence(a, b)`: whether and how; `rank(b,
   /// evidence)`: the least one is chosen, of equals the lowest id.
   template <class Evidence, class Rank>
-  Chosen choose(RelationKind kind, const Evidence& evidence, const Rank& rank) const {
+  [[nodiscard]] Chosen choose(RelationKind kind, const Evidence& evidence, const Rank& rank) const {
     Chosen chosen;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       std::optional<std::pair<decltype(rank(shapes_[i], RelationEvidence{})), Relation>> best;
