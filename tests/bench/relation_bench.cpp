@@ -15,13 +15,16 @@ namespace {
 using namespace testing_support;  // NOLINT(google-build-using-namespace): builders in words
 
 constexpr int kObjectsPerRoom = 10;
+constexpr int kRoomsPerRow = 32;
 
 Room rooms(std::int64_t num_objects) {
   Room room;
   const Eigen::Vector3d cup(0.08, 0.08, 0.1);
-  for (int i = 0; i * kObjectsPerRoom < num_objects; ++i) {
-    const double x = 3.0 * (i % 32);
-    const double y = 3.0 * (i / 32);
+  const auto num_rooms = static_cast<int>(num_objects) / kObjectsPerRoom;
+  for (int i = 0; i < num_rooms; ++i) {
+    const int row = i / kRoomsPerRow;
+    const double x = 3.0 * (i % kRoomsPerRow);
+    const double y = 3.0 * row;
     room.add("table", table_at(x, y));
     room.add("chair", chair_at(x - 0.3, y + 0.25));
     room.add("chair", chair_at(x + 0.3, y + 0.25));
@@ -33,17 +36,17 @@ Room rooms(std::int64_t num_objects) {
   return room;
 }
 
-void BM_FindRelations(benchmark::State& state) {
+void find_relations_of_rooms(benchmark::State& state) {
   const Room room = rooms(state.range(0));
   const std::vector<ObjectId> ids = room.ids();
   std::size_t num_relations = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     num_relations = find_relations(room.objects, room.classes, ids).relations.size();
     benchmark::DoNotOptimize(num_relations);
   }
   state.counters["relations"] = static_cast<double>(num_relations);
 }
-BENCHMARK(BM_FindRelations)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(find_relations_of_rooms)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace hypermap
