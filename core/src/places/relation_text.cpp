@@ -23,7 +23,8 @@ std::string sentence_of(const RelationGraph& graph, ObjectId id, const ObjectNam
   std::string text = naming(id);
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? " is " : ", ") + parts[i];
   if (support && support->kind == SupportKind::kUnknown) {
-    text += std::string(parts.empty() ? ": " : "; ") + "what it stands on was not seen";
+    text +=
+        std::string(parts.empty() ? ": " : "; ") + "what it stands on was not seen or has no class";
   }
   return text;
 }

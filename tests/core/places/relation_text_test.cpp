@@ -23,8 +23,9 @@ TEST(Sentence, SaysWhatAnObjectIsToOthers) {
             "object 12 is on object 3, beside object 7");
   EXPECT_EQ(sentence_of(graph, ObjectId{3}, numbered), "object 3 is on the floor");
   EXPECT_EQ(sentence_of(graph, ObjectId{7}, numbered),
-            "object 7 is beside object 12; what it stands on was not seen");
-  EXPECT_EQ(sentence_of(graph, ObjectId{8}, numbered), "object 8: what it stands on was not seen");
+            "object 7 is beside object 12; what it stands on was not seen or has no class");
+  EXPECT_EQ(sentence_of(graph, ObjectId{8}, numbered),
+            "object 8: what it stands on was not seen or has no class");
 }
 
 }  // namespace
