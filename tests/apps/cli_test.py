@@ -178,12 +178,44 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(why["withheld_for"], [])
             self.assertGreaterEqual(sum(naming["detections"] for naming in why["namings"]), 3)
             self.assertLessEqual(why["first"]["stamp_s"], why["last"]["stamp_s"])
+            self.assertTrue(why["last_seen"]["detected"])
+            self.assertLessEqual(why["last_seen"]["frame"], why["last"]["frame"])
+            self.assertEqual(why["last_seen"]["frame"], max(naming["last_frame"] for naming in why["namings"]))
         text = run("query", self.archive, "--why", shown[0]["id"]).stdout
         self.assertIn(f"{shown[0]['name']} {shown[0]['id']} is shown", text)
         self.assertIn("clear looks in a row through its place", text)
         missing = run("query", self.archive, "--why", 99999)
         self.assertEqual(missing.returncode, 2)
-        self.assertIn("no object 99999", missing.stderr)
+        self.assertIn("--why: the map has no object 99999", missing.stderr)
+        for value in ("99999999999999999999", "abc", "", "0", "-1", "1.5"):
+            with self.subTest(value):
+                wrong = run("query", self.archive, "--why", value)
+                self.assertEqual(wrong.returncode, 4, wrong.stderr)
+                self.assertIn(f"--why: must be the id of an object, a whole number in 1 .. 4294967295, is '{value}'",
+                              wrong.stderr)
+
+    def test_why_says_of_every_object_what_is_true_of_it_then(self):
+        lines = [json.loads(line) for line in self.members(self.archive)["objects.jsonl"].splitlines()]
+        objects = [line["id"] for line in lines if "id" in line]
+        withheld = 0
+        for thing in objects:
+            why = json.loads(run("query", self.archive, "--why", thing, "--json").stdout)
+            lines = run("query", self.archive, "--why", thing).stdout.splitlines()
+            text = "\n".join(lines)
+            withheld += not why["shown"]
+            hidden, removed = (why["removal"][key] for key in ("looks_until_gone", "looks_until_removed"))
+            self.assertEqual("hidden after" in text, why["shown"] and 0 < hidden < removed, text)
+            self.assertEqual("such look" in text, "hidden after" in text, text)
+            self.assertEqual("looked for" in text, not why["last"]["detected"], text)
+            seen = next(line for line in lines if line.startswith("  last seen"))
+            self.assertIn(f"(frame {why['last_seen']['frame']})", seen)
+            listed = [one for one in why["classes"] if one["probability"] >= 0.05]
+            counted = [one for one in why["classes"] if 0.005 <= one["probability"] < 0.05]
+            belief = next(line for line in lines if line.startswith("  belief"))
+            self.assertEqual(belief.count(",") + 1, max(1, len(listed)), belief)
+            if listed:
+                self.assertEqual("other" in belief, bool(counted), belief)
+        self.assertTrue(withheld, "some object of the map is withheld")
 
     def test_a_place_says_why_it_shows_nothing(self):
         thing = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]
@@ -267,6 +299,20 @@ class Pipeline(unittest.TestCase):
         self.assertLessEqual({"n", "distance_m", "jaccard"}, set(report["all"]))
         self.assertIn("chair", report["classes"])
 
+    def test_eval_finds_the_relations(self):
+        relations = json.loads(self.evaluated().stdout)["relations"]
+        counted = json.loads(run("info", self.archive, "--json").stdout)["relations"]
+        self.assertEqual(relations.keys(), {"on", "in", "under", "beside", "part_of"})
+        for kind, one in relations.items():
+            with self.subTest(kind):
+                self.assertLessEqual(one["right"], one["map"])
+                self.assertLessEqual(one["right"], one["truth"])
+                self.assertLessEqual(one["map"], counted[kind])
+        beside = relations["beside"]
+        self.assertGreaterEqual(beside["map"], 2)
+        self.assertGreaterEqual(beside["precision"], 0.7)
+        self.assertAlmostEqual(beside["precision"], beside["right"] / beside["map"])
+
     def test_eval_compares_voxels_and_probabilities(self):
         truth = self.dataset / "truth.hmap"
         report = json.loads(self.evaluated().stdout)
@@ -337,7 +383,18 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(json.loads(asked.stdout)["results"], [])
         none = run("query", self.archive, "--part-of", first)
         self.assertEqual(none.returncode, 0, none.stderr)
-        self.assertIn(f"the map knows of nothing part of {first}", none.stderr)
+        self.assertIn(f"the map knows of nothing that is part of {first}", none.stderr)
+        unknown = run("query", self.archive, "--beside", first, "--string", "unicorn")
+        self.assertEqual(unknown.stderr, 'query: no class of this map is called "unicorn"\n')
+        absent = run("query", self.archive, "--beside", first, "--string", "zebra")
+        self.assertEqual(absent.stderr, f'query: the map knows of nothing called "zebra" that is beside {first}\n')
+        listed = run("query", self.archive, "--on", "nope").stderr
+        self.assertIn('--on: no class of the map\'s objects is named "nope" (there are: ', listed)
+        self.assertIn("chair", listed)
+        standing = json.loads(run("query", self.archive, "--on", "floor", "--json").stdout)["results"]
+        self.assertEqual([one["id"] for one in standing], [one["id"] for one in objects if one["support"] == "floor"])
+        self.assertTrue(standing)
+        self.assertIn("--under: the floor is no object", run("query", self.archive, "--under", "floor").stderr)
         for question, said in ((("--on", "chiar"), """did you mean "chair"?"""),
                                (("--in", 987654), "no object has the id 987654")):
             wrong = run("query", self.archive, *question)
@@ -351,6 +408,40 @@ class Pipeline(unittest.TestCase):
         self.assertIn("0 found", run("query", self.archive, "--beside", first, "--rules", rules).stdout)
         rules.write_text("max_besides: 0\n")
         self.assertIn("did you mean", run("query", self.archive, "--beside", first, "--rules", rules).stderr)
+
+    def test_a_map_without_objects_or_grids_says_so(self):
+        flat = self.folder / "flat.hmap"
+        copied = run("stack", self.archive, "--output", self.folder / "flat", "--archive", self.folder / "stacked.hmap")
+        self.assertEqual(copied.returncode, 0, copied.stderr)
+        tiles = self.folder / "flat-tiles"
+        self.assertEqual(run("export", self.archive, "--format", "tiles", "--output", tiles).returncode, 0)
+        made = run("stack", "--tiles", tiles, "--output", self.folder / "flat-again", "--archive", flat)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        asked = run("query", flat, "--on", "table")
+        self.assertEqual(asked.returncode, 2)
+        self.assertIn("--on: relations need tracked 3D objects, and the map has none", asked.stderr)
+        for archive, arguments, status, told in (
+                (self.folder / "stacked.hmap", ("--layer", "stack"), 2,
+                 "--layer: --format ros-map needs a layer of kind OccupancyGridLayer, 'stack' is a GridStackLayer; "
+                 "grids of a stack are written by: hypermap stack FILE --from stack"),
+                (flat, (), 2, "--layer: --format ros-map needs a layer of kind OccupancyGridLayer, the map has none; "
+                 "grids of a stack are written by: hypermap stack FILE --from stack"),
+                (self.archive, ("--class", "chair"), 4, "--class: does not go with --format ros-map")):
+            refused = run("export", archive, "--format", "ros-map", *arguments, "--output", self.folder / "refused")
+            self.assertEqual(refused.returncode, status, refused.stderr)
+            self.assertIn(told, refused.stderr)
+
+    def test_flags_that_a_format_does_without_are_a_wrong_command_line(self):
+        rules = self.folder / "unused.yaml"
+        rules.write_text("max_beside: 0\n")
+        for flags, told in ((("--layer", "semantic"), "--layer: goes with --format ros-map and geojson, not with --format tiles"),
+                            (("--rules", rules), "--rules: goes with --format geojson and relations, not with --format tiles"),
+                            (("--complete",), "--complete: goes with --format geojson, not with --format tiles")):
+            with self.subTest(flags):
+                refused = run("export", self.archive, "--format", "tiles", *flags, "--output", self.folder / "refused")
+                self.assertEqual(refused.returncode, 4, refused.stderr)
+                self.assertIn(told, refused.stderr)
+        self.assertFalse((self.folder / "refused").exists())
 
     def test_exports_are_made_and_checked(self):
         for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",

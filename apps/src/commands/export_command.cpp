@@ -91,6 +91,15 @@ void add_export_command(CLI::App& program, Action& action) {
                                  "must end in .local.geojson: it is in metres of the map");
     }
     arguments->request.format = format;
+    const auto fits = validate(arguments->request);
+    if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
+    const bool has_relations =
+        format == ExportFormat::kGeojson || format == ExportFormat::kRelations;
+    if (!arguments->rules.empty() && !has_relations) {
+      throw CLI::ValidationError(
+          "--rules",
+          "goes with --format geojson and relations, not with --format " + arguments->format);
+    }
     action = [arguments] {
       const auto written = run(*arguments);
       if (!written) return report(written.error());

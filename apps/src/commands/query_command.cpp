@@ -15,11 +15,16 @@
 #include <CLI/Validators.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -45,7 +50,7 @@ struct QueryArguments {
   /// By kind: the class or the id of what others are on, in, under, beside, part of.
   std::map<RelationKind, std::string> related = {};
   std::string rules;
-  std::optional<std::int64_t> why;
+  std::optional<std::uint32_t> why;
   std::optional<std::string> why_not;
   LoadArguments load;
 };
@@ -104,6 +109,20 @@ Result<MapAnswers> run_query(const MapArchive& archive,
   return answers;
 }
 
+/// For an option that names an object by its number.
+CLI::Validator id_of_object() {
+  const auto check = [](const std::string& text) -> std::string {
+    std::uint32_t id = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+    const bool is_whole = error == std::errc() && end == text.data() + text.size();
+    if (is_whole && id > 0) return "";
+    return "must be the id of an object, a whole number in 1 .. " +
+           std::to_string(std::numeric_limits<std::uint32_t>::max()) + ", is '" + printable(text) +
+           "'";
+  };
+  return {check, "1 .. 4294967295"};
+}
+
 /// What must be given together; the texts are for people.
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.why || arguments.why_not) {
@@ -149,17 +168,19 @@ ExitCode report_refusal(Error error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
-/// Nothing was found: the name may be misspelt. The states of space are no names of objects.
-void print_hint(const MapArchive& archive, const MapQuery& query) {
+/// Says, when nothing of the map has the name, that it may be misspelt; whether it did. The states
+/// of space are no names of objects.
+bool print_hint(const MapArchive& archive, const MapQuery& query) {
   const std::string& text = *query.text;
   std::vector<std::string> names(archive.classes.names().begin(), archive.classes.names().end());
   if (query.layer != kObjectsLayer) names.insert(names.end(), {"Free", "Occupied", "Unknown"});
   const auto is_said = [&](const std::string& name) { return is_spelling_of(name, text); };
-  if (archive.classes.find(text) || std::ranges::any_of(names, is_said)) return;
+  if (archive.classes.find(text) || std::ranges::any_of(names, is_said)) return false;
   std::fprintf(stderr,
                "query: no class of this map is called \"%s\"%s\n",
                printable(text).c_str(),
                did_you_mean(text, names).c_str());
+  return true;
 }
 
 /// What objects are to each other, by the rules of the file when one was given; none of other
@@ -175,16 +196,22 @@ Result<RelationGraph> relations_for(const MapArchive& archive, const QueryReques
 
 /// Nothing is related as it was asked.
 void print_no_relation(const QueryArguments& arguments) {
-  std::string text;
+  std::string text = "nothing";
+  if (arguments.text) text += " called \"" + printable(*arguments.text) + "\"";
+  if (arguments.value) text += " with the id " + std::to_string(*arguments.value);
+  if (arguments.at) text += " at " + printable(*arguments.at);
+  if (arguments.area) text += " in that area";
+  std::string_view between = " that is ";
   for (const auto& [kind, name] : arguments.related) {
-    text += (text.empty() ? "" : " and ") + std::string(name_of(kind)) + " " + printable(name);
+    text += std::string(between) + std::string(name_of(kind)) + " " + printable(name);
+    between = " and ";
   }
-  std::fprintf(stderr, "query: the map knows of nothing %s\n", text.c_str());
+  std::fprintf(stderr, "query: the map knows of %s\n", text.c_str());
 }
 
 ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
-  const auto printed = arguments.why ? print_why(archive, *arguments.why, arguments.json)
+  const auto printed = arguments.why ? print_why(archive, ObjectId{*arguments.why}, arguments.json)
                                      : print_why_not(archive, *request.why_not, arguments.json);
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
@@ -206,8 +233,9 @@ ExitCode run(const QueryRequest& request) {
   const bool sentences = !request.arguments.related.empty();
   const ShownAnswers shown{*answers, *seen, loaded->value, *graph, complete, sentences};
   request.arguments.json ? print_json(shown) : print_table(shown);
-  if (answers->found.empty() && sentences) print_no_relation(request.arguments);
-  if (answers->found.empty() && request.query.text) print_hint(loaded->value, request.query);
+  if (!answers->found.empty()) return ExitCode::kDone;
+  const bool is_unknown = request.query.text && print_hint(loaded->value, request.query);
+  if (sentences && !is_unknown) print_no_relation(request.arguments);
   return ExitCode::kDone;
 }
 
@@ -227,10 +255,12 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
-  command.add_option("--why",
-                     arguments->why,
-                     "the object of this id: when, from where and as what it was seen, what speaks "
-                     "against it, what would remove it; also of those that are not shown");
+  command
+      .add_option("--why",
+                  arguments->why,
+                  "the object of this id: when, from where and as what it was seen, what speaks "
+                  "against it, what would remove it; also of those that are not shown")
+      ->check(id_of_object());
   command.add_option(
       "--why-not", arguments->why_not, "point X,Y or X,Y,Z: why no object is shown there");
   for (const RelationKind kind : kRelationKinds) {
@@ -238,7 +268,9 @@ void add_query_command(CLI::App& program, Action& action) {
         flag_of(kind),
         [arguments, kind](const std::string& name) { arguments->related[kind] = name; },
         std::string("objects that are ") + std::string(name_of(kind)) +
-            " one of this class, or of this id; with --string those of one class");
+            " one of this class, or of this id" +
+            (kind == RelationKind::kOn ? ", or on the floor (floor)" : "") +
+            "; with --string those of one class");
   }
   command.add_option("--rules", arguments->rules, kRulesHelp);
   command.add_option(

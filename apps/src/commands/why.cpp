@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +16,11 @@
 
 namespace hypermap::app {
 namespace {
+
+/// Less probable classes are counted in the text; --json lists all.
+constexpr double kLeastListed = 0.05;
+/// Less probable ones are not even counted: two digits would say 0.00.
+constexpr double kLeastCounted = 0.005;
 
 double seconds_of(Stamp stamp) {
   return static_cast<double>(stamp.ns) * 1e-9;
@@ -90,15 +94,21 @@ std::string directions_text(const std::vector<std::uint8_t>& bins) {
 
 std::string classes_text(const ObjectBeliefs& beliefs, const ClassRegistry& classes) {
   std::vector<std::string> texts;
-  for (const ClassEvidence& c : beliefs.classes) {
-    if (c.probability.value() < 0.005) break;  // the most probable come first
+  std::size_t num_others = 0;
+  for (const ClassEvidence& c : beliefs.classes) {  // the most probable come first
+    if (c.probability.value() < kLeastCounted) break;
+    if (!texts.empty() && c.probability.value() < kLeastListed) {
+      ++num_others;
+      continue;
+    }
     texts.push_back(printable(classes.name(c.id)) + " " + fixed(c.probability.value(), 2));
   }
-  return texts.empty() ? "of no class" : joined(texts, ", ");
+  if (texts.empty()) return "of no class";
+  return joined(texts, ", ") + (num_others > 0 ? " and " + count_text(num_others, "other") : "");
 }
 
 void print_line(std::string_view key, const std::string& text) {
-  std::printf("  %-8s %s\n", std::string(key).c_str(), text.c_str());
+  std::printf("  %-10s %s\n", std::string(key).c_str(), text.c_str());
 }
 
 void print_namings(const Explanation& why, const ClassRegistry& classes) {
@@ -113,18 +123,35 @@ void print_namings(const Explanation& why, const ClassRegistry& classes) {
   }
 }
 
-void print_removal(const Removal& removal) {
-  if (removal.looks_until_gone == 0U) {
-    print_line("removal", "it is gone until something shows it again");
-  } else if (removal.looks_until_gone) {
+/// What comes first of being hidden and being removed: what is hidden or removed cannot be hidden.
+void print_removal(const Removal& removal, bool is_shown) {
+  const auto& gone = removal.looks_until_gone;
+  const auto& removed = removal.looks_until_removed;
+  if (gone == 0U) print_line("removal", "it is gone until something shows it again");
+  const bool is_hidden_first = is_shown && gone && *gone > 0 && (!removed || *gone < *removed);
+  if (is_hidden_first) {
     print_line("removal",
-               "hidden after " + count_text(*removal.looks_until_gone, "more clear look") +
+               "hidden after " + count_text(*gone, "more clear look") +
                    " in a row through its place, over " + fixed(removal.seconds_until_gone, 1) +
                    " s at least");
   }
-  if (removal.looks_until_removed) {
-    print_line(removal.looks_until_gone ? "" : "removal",
-               "out of the map after " + count_text(*removal.looks_until_removed, "such look"));
+  if (!removed) return;
+  const std::string looks = is_hidden_first ? "such look" : "clear look";
+  print_line(is_hidden_first || gone == 0U ? "" : "removal",
+             "out of the map after " + count_text(*removed, looks) +
+                 (is_hidden_first ? "" : " through its place"));
+}
+
+/// When it was detected first and last, and when a newer frame that should have shown it did not.
+void print_moments(const Explanation& why) {
+  if (why.first) print_line("first seen", moment_text(*why.first));
+  if (why.last_seen) {
+    print_line("last seen", moment_text(*why.last_seen));
+  } else if (why.last_seen_frame) {
+    print_line("last seen", "in frame " + std::to_string(*why.last_seen_frame));
+  }
+  if (why.newest && why.newest->kind != ObservationKind::kDetection) {
+    print_line("looked for", "last " + moment_text(*why.newest) + ", not detected there");
   }
 }
 
@@ -138,11 +165,7 @@ void print_object(const Explanation& why, const ClassRegistry& classes, bool is_
   std::uint64_t num_detections = 0;
   for (const Naming& naming : why.namings) num_detections += naming.num_detections;
   print_line("seen", times(num_detections) + " from " + directions_text(why.directions));
-  if (why.first) print_line("first", moment_text(*why.first));
-  if (why.newest) {
-    const bool is_seen = why.newest->kind == ObservationKind::kDetection;
-    print_line("last", moment_text(*why.newest) + (is_seen ? "" : ", not detected there"));
-  }
+  print_moments(why);
   print_namings(why, classes);
   const MissedDetections& missed = why.missed_detections;
   if (missed.num_frames > 0) {
@@ -151,7 +174,7 @@ void print_object(const Explanation& why, const ClassRegistry& classes, bool is_
                    " that should have shown it, " + fixed(missed.mean_visible_share, 2) +
                    " of it open to view in the mean");
   }
-  print_removal(why.removal);
+  print_removal(why.removal, is_shown);
 }
 
 bool is_shown(const MapArchive& archive, ObjectId id) {
@@ -192,12 +215,12 @@ void print_place(const PlaceExplanation& place, const MapArchive& archive, const
 
 }  // namespace
 
-Result<void> print_why(const MapArchive& archive, std::int64_t id, bool json) {
-  const bool is_id = id > 0 && id <= std::numeric_limits<std::uint32_t>::max();
-  const ObjectId object{is_id ? static_cast<std::uint32_t>(id) : 0U};
-  const auto why = explain(archive.objects, object);
-  if (!why) return fail(ErrorCode::kNotFound, "the map has no object " + std::to_string(id), "why");
-  const bool shown = is_shown(archive, object);
+Result<void> print_why(const MapArchive& archive, ObjectId id, bool json) {
+  const auto why = explain(archive.objects, id);
+  if (!why) {
+    return fail(ErrorCode::kNotFound, "the map has no object " + std::to_string(id.value), "--why");
+  }
+  const bool shown = is_shown(archive, id);
   if (json) {
     std::printf("%s\n", json_text(*why, archive.classes, shown).c_str());
   } else {

@@ -7,13 +7,11 @@
 #include "hypermap/core/geometry/plan_point.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
-#include <cstdint>
-
 namespace hypermap::app {
 
 /// To standard output: why the object is in the map, for people or as one JSON document.
-/// Errors: kNotFound, field "why", when the map has no object of that id.
-[[nodiscard]] Result<void> print_why(const MapArchive& archive, std::int64_t id, bool json);
+/// Errors: kNotFound, field "--why", when the map has no object of that id.
+[[nodiscard]] Result<void> print_why(const MapArchive& archive, ObjectId id, bool json);
 
 /// The same of a place that shows no object. Errors: those of `explain_place`.
 [[nodiscard]] Result<void> print_why_not(const MapArchive& archive, const PlanPoint& at, bool json);

@@ -46,6 +46,13 @@ Json json_of(const ObservationLogEntry& entry) {
           {"bearing_deg", degrees_of(entry.bearing_rad)}};
 }
 
+/// The newest detection; of one that is no longer kept by itself, the frame alone.
+Json json_of_last_seen(const Explanation& why) {
+  if (why.last_seen) return json_of(*why.last_seen);
+  if (why.last_seen_frame) return {{"frame", *why.last_seen_frame}};
+  return nullptr;
+}
+
 Json json_of(const Removal& removal) {
   const auto number = [](const std::optional<std::uint32_t>& looks) {
     return looks ? Json(*looks) : Json(nullptr);
@@ -66,6 +73,7 @@ Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown
            {"classes", Json::array()},
            {"withheld_for", Json::array()},
            {"first", why.first ? json_of(*why.first) : Json(nullptr)},
+           {"last_seen", json_of_last_seen(why)},
            {"last", why.newest ? json_of(*why.newest) : Json(nullptr)},
            {"directions_deg", Json::array()},
            {"namings", Json::array()}};

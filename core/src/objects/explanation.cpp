@@ -65,6 +65,24 @@ MissedDetections missed_detections_of(const ObservationLogState& log) {
   return missed;
 }
 
+/// Of the entries that are kept one by one.
+std::optional<ObservationLogEntry> newest_detection(const ObservationLogState& log) {
+  for (auto entry = log.newest.rbegin(); entry != log.newest.rend(); ++entry) {
+    if (entry->kind == ObservationKind::kDetection) return *entry;
+  }
+  return std::nullopt;
+}
+
+/// Of all that are summed up.
+std::optional<std::uint64_t> newest_detection_frame(const ObservationLogState& log) {
+  std::optional<std::uint64_t> frame;
+  for (const ObservationLogSummary& summary : log.summaries) {
+    if (summary.kind != ObservationKind::kDetection) continue;
+    frame = std::max(frame.value_or(0), summary.last_frame_index);
+  }
+  return frame;
+}
+
 /// Clear looks until the existence is below the threshold.
 std::optional<std::uint32_t> looks_until_removed(const Object& object,
                                                  const AbsenceOptions& absence) {
@@ -101,11 +119,14 @@ std::optional<Explanation> explain(const ObjectMap& objects,
                   .missed_conditions = {},
                   .first = log.first,
                   .newest = std::nullopt,
+                  .last_seen = newest_detection(log),
+                  .last_seen_frame = newest_detection_frame(log),
                   .namings = namings_of(log),
                   .directions = directions_of(log),
                   .missed_detections = missed_detections_of(log),
                   .removal = removal_of(*object, confirmation.gone, absence)};
   if (!log.newest.empty()) out.newest = log.newest.back();
+  if (out.last_seen) out.last_seen_frame = out.last_seen->frame_index;
   for (ConfirmationResult& result : confirmation_results(objects, confirmation)) {
     if (result.id == id) out.missed_conditions = std::move(result.missed);
   }

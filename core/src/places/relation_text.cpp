@@ -20,11 +20,12 @@ std::string sentence_of(const RelationGraph& graph, ObjectId id, const ObjectNam
   for (const Relation& relation : relations_of(graph, id)) {
     parts.push_back(part_text(relation, id, naming));
   }
-  if (support && support->kind == SupportKind::kUnknown) {
-    parts.emplace_back("on no object of the map");
-  }
   std::string text = naming(id);
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? " is " : ", ") + parts[i];
+  if (support && support->kind == SupportKind::kUnknown) {
+    text +=
+        std::string(parts.empty() ? ": " : "; ") + "what it stands on was not seen or has no class";
+  }
   return text;
 }
 

@@ -137,7 +137,8 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
                 "must end in .local.geojson, is '" + request.output.string() + "'",
                 "--output");
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<SemanticLayer>(archive, request));
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
+                            wanted_layer<SemanticLayer>(archive, request, kSemanticLayerClass));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
   HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
   const ObjectRemarks remarks{.guesses = request.complete ? completed_boxes(archive) : Guesses(),

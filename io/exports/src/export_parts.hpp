@@ -6,6 +6,7 @@
 #include "hypermap/io/exports/map_export.hpp"
 
 #include <set>
+#include <string_view>
 
 namespace hypermap {
 
@@ -22,21 +23,28 @@ using WrittenFiles = std::vector<std::filesystem::path>;
 [[nodiscard]] Result<const Layer*> named_layer(const MapArchive& archive,
                                                const ExportRequest& request);
 
-/// The layer that was asked for, or the first with this content.
-/// Errors: kNotFound, kUnsupported.
+/// The error of `wanted_layer`: the map has no layer of kind `needed`, or the one that was named is
+/// of another. For an occupancy grid it says how to get those of a stack, when there is one.
+[[nodiscard]] Unexpected no_layer_of_kind(const MapArchive& archive,
+                                          const ExportRequest& request,
+                                          std::string_view needed,
+                                          const Layer* named);
+
+/// The layer that was asked for, or the first with this content, whose kind `info` calls `kind`.
+/// Errors: kNotFound, kUnsupported, field "--layer".
 template <class Content>
 [[nodiscard]] Result<const Layer*> wanted_layer(const MapArchive& archive,
-                                                const ExportRequest& request) {
+                                                const ExportRequest& request,
+                                                std::string_view kind) {
   if (request.layer) {
     HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, named_layer(archive, request));
     if (layer->content.as<Content>() != nullptr) return layer;
-    return fail(
-        ErrorCode::kUnsupported, "is of another kind than the format needs", *request.layer);
+    return no_layer_of_kind(archive, request, kind, layer);
   }
   for (const Layer& layer : archive.hypermap.layers()) {
     if (layer.content.as<Content>() != nullptr) return &layer;
   }
-  return fail(ErrorCode::kNotFound, "the map has no layer of the kind that the format needs");
+  return no_layer_of_kind(archive, request, kind, nullptr);
 }
 
 [[nodiscard]] Result<WrittenFiles> export_ros_map(const MapArchive& archive,

@@ -97,7 +97,8 @@ std::filesystem::path ros_map_yaml(std::filesystem::path output) {
 }
 
 Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportRequest& request) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, wanted_layer<OccupancyLayer>(archive, request));
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
+                            wanted_layer<OccupancyLayer>(archive, request, kOccupancyLayerClass));
   const auto& map = *layer->content.as<OccupancyLayer>();
   const OccupancyCounts counts = map.grid.counts();
   if (counts.occupied + counts.free + counts.between == 0) return WrittenFiles{};

@@ -3,9 +3,11 @@
 
 #include "export_parts.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/io/archive/grid_stack_layer.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -16,22 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 8> kExportFormats{
     "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles", "relations"};
 
-/// What a format does without.
-Result<void> check_request(const ExportRequest& request) {
-  const bool is_flat =
-      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson;
-  if (request.layer && !is_flat) {
-    return fail(ErrorCode::kInvalidArgument, "goes with ros-map and geojson", "--layer");
-  }
-  if (request.complete && request.format != ExportFormat::kGeojson) {
-    return fail(ErrorCode::kInvalidArgument, "goes with geojson", "--complete");
-  }
-  if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
-    return fail(ErrorCode::kInvalidArgument,
-                "goes without ros-map, whose cells have no class; class-grids has a grid for each",
-                "--class");
-  }
-  return {};
+std::string flag_of(ExportFormat format) {
+  return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
 }
 
 /// The suffixes, upper and lower case alike, that the output of a format may have.
@@ -72,6 +60,28 @@ Result<ExportFormat> parse_export_format(std::string_view name) {
   return fail(ErrorCode::kInvalidArgument, not_one_of(name, kExportFormats), "--format");
 }
 
+Result<void> validate(const ExportRequest& request) {
+  const bool is_flat =
+      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson;
+  if (request.layer && !is_flat) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes with --format ros-map and geojson, not with " + flag_of(request.format),
+                "--layer");
+  }
+  if (request.complete && request.format != ExportFormat::kGeojson) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes with --format geojson, not with " + flag_of(request.format),
+                "--complete");
+  }
+  if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
+    return fail(ErrorCode::kInvalidArgument,
+                "does not go with --format ros-map, whose cells have no class; --format "
+                "class-grids has a grid for each",
+                "--class");
+  }
+  return {};
+}
+
 Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
                                                         const ExportRequest& request) {
   if (request.classes.empty()) return std::optional<std::set<ClassId>>();
@@ -93,8 +103,35 @@ Result<const Layer*> named_layer(const MapArchive& archive, const ExportRequest&
   return Unexpected(std::move(unknown));
 }
 
+Unexpected no_layer_of_kind(const MapArchive& archive,
+                            const ExportRequest& request,
+                            std::string_view needed,
+                            const Layer* named) {
+  const auto layers = archive.hypermap.layers();
+  const auto is_stack = [](const Layer& layer) {
+    return layer.content.as<GridStackLayer>() != nullptr;
+  };
+  const auto found = std::ranges::find_if(layers, is_stack);
+  const Layer* stack = found == layers.end() ? nullptr : &*found;
+  if (named != nullptr && is_stack(*named)) stack = named;
+  std::string text = flag_of(request.format) + " needs a layer of kind " + std::string(needed);
+  if (named != nullptr) {
+    text +=
+        ", '" + printable(named->info.name) + "' is a " + printable(named->content->class_name());
+  } else {
+    text += ", the map has none";
+  }
+  if (stack != nullptr && request.format == ExportFormat::kRosMap) {
+    text += "; grids of a stack are written by: hypermap stack FILE --from " +
+            printable(stack->info.name);
+  }
+  return fail(named != nullptr ? ErrorCode::kUnsupported : ErrorCode::kNotFound,
+              std::move(text),
+              "--layer");
+}
+
 Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& request) {
-  HYPERMAP_TRY(check_request(request));
+  HYPERMAP_TRY(validate(request));
   HYPERMAP_TRY(check_suffix(request));
   switch (request.format) {
     case ExportFormat::kRosMap:

@@ -88,6 +88,27 @@ TEST(Explanation, SumsUpWhatSpeaksAgainstIt) {
   EXPECT_NEAR(why.missed_detections.existence_lost, 1.4, 1e-6);
 }
 
+TEST(Explanation, WhenItWasLastSeenIsTheNewestDetection) {
+  Object object = cup();
+  EXPECT_EQ(explained(object).last_seen->frame_index, 8U);
+  object.observation_log.add(missed(9, Visibility::kVisible, 0.9F));
+  const Explanation why = explained(object);
+  EXPECT_EQ(why.newest->frame_index, 9U);
+  EXPECT_EQ(why.last_seen->frame_index, 8U);
+  EXPECT_EQ(why.last_seen->class_id, kNamedVase);
+  EXPECT_EQ(why.last_seen_frame, 8U);
+}
+
+TEST(Explanation, OfADetectionThatIsNoLongerKeptTheFrameIsKnown) {
+  Object object = cup();
+  for (std::uint64_t frame = 9; frame < 9 + ObservationLog::kMaxNewest; ++frame) {
+    object.observation_log.add(missed(frame, Visibility::kVisible, 0.9F));
+  }
+  const Explanation why = explained(object);
+  EXPECT_FALSE(why.last_seen.has_value());
+  EXPECT_EQ(why.last_seen_frame, 8U);
+}
+
 TEST(Explanation, SaysWhatWouldRemoveIt) {
   Object object = cup();
   EXPECT_EQ(explained(object).removal.looks_until_gone, 5U);

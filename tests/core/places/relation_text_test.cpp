@@ -17,12 +17,15 @@ TEST(Sentence, SaysWhatAnObjectIsToOthers) {
                                           {RelationKind::kBeside, ObjectId{7}, ObjectId{12}, {}}},
                             .supports = {{ObjectId{3}, SupportKind::kFloor, kNoObject},
                                          {ObjectId{7}, SupportKind::kUnknown, kNoObject},
+                                         {ObjectId{8}, SupportKind::kUnknown, kNoObject},
                                          {ObjectId{12}, SupportKind::kObject, ObjectId{3}}}};
   EXPECT_EQ(sentence_of(graph, ObjectId{12}, numbered),
             "object 12 is on object 3, beside object 7");
   EXPECT_EQ(sentence_of(graph, ObjectId{3}, numbered), "object 3 is on the floor");
   EXPECT_EQ(sentence_of(graph, ObjectId{7}, numbered),
-            "object 7 is beside object 12, on no object of the map");
+            "object 7 is beside object 12; what it stands on was not seen or has no class");
+  EXPECT_EQ(sentence_of(graph, ObjectId{8}, numbered),
+            "object 8: what it stands on was not seen or has no class");
 }
 
 }  // namespace

@@ -56,6 +56,44 @@ TEST(RelatedQuery, WhatIsOnAClassOrAnObject) {
       IsEmpty());
 }
 
+TEST(RelatedQuery, WhatRestsOnTheFloorIsOnIt) {
+  const MapArchive archive = dining_corner();
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kOn, "Floor"}}).value(), ElementsAre(1, 4));
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kOn, "floor"}}, {.text = "cup"}).value(),
+              ElementsAre(4));
+  const auto under = ids_related(archive, {{RelationKind::kUnder, "floor"}});
+  ASSERT_FALSE(under);
+  EXPECT_EQ(under.error().field, "under");
+  EXPECT_THAT(under.error().what, HasSubstr("the floor is no object"));
+}
+
+TEST(RelatedQuery, AFloorThatIsAnObjectCountsToo) {
+  Room room;
+  room.add("floor", standing(0, 0, -0.1, {4, 4, 0.1}));
+  room.add("cup", standing(0.3, 0, 0, {0.08, 0.08, 0.1}));
+  MapArchive archive;
+  archive.objects = std::move(room.objects);
+  archive.classes = std::move(room.classes);
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kOn, "floor"}}).value(), ElementsAre(1, 2));
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kUnder, "floor"}}).value(), IsEmpty());
+}
+
+TEST(RelatedQuery, AMapWithoutObjectsSaysThatItHasNone) {
+  const auto related = ids_related(MapArchive{}, {{RelationKind::kOn, "table"}});
+  ASSERT_FALSE(related);
+  EXPECT_EQ(related.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(related.error().field, "on");
+  EXPECT_EQ(related.error().what, "relations need tracked 3D objects, and the map has none");
+}
+
+TEST(RelatedQuery, AClassThatNoNameIsNearIsToldWithThoseThatThereAre) {
+  const MapArchive archive = dining_corner();
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kOn, "nope"}}).error().what,
+              HasSubstr("is named \"nope\" (there are: book, cup, dining table, floor)"));
+  EXPECT_THAT(ids_related(archive, {{RelationKind::kIn, "nope"}}).error().what,
+              HasSubstr("(there are: book, cup, dining table)"));
+}
+
 TEST(RelatedQuery, WhatIsNotThereIsNamed) {
   const MapArchive archive = dining_corner();
   const auto no_class = ids_related(archive, {{RelationKind::kOn, "cap"}});

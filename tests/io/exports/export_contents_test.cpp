@@ -122,6 +122,25 @@ TEST(ExportNames, WhatAFormatDoesNotHaveIsRefused) {
       "--output");
 }
 
+TEST(ExportNames, ALayerOfAnotherKindIsToldWithTheKindThatIsNeeded) {
+  MapArchive archive = test::sample_archive();
+  const test::TempDir dir;
+  const auto other = export_map(
+      archive,
+      {.format = ExportFormat::kRosMap, .output = dir / "a", .layer = "semantic", .classes = {}});
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().field, "--layer");
+  EXPECT_EQ(other.error().what,
+            "--format ros-map needs a layer of kind OccupancyGridLayer, 'semantic' is a "
+            "SemanticLayer");
+  archive.hypermap.remove_layer("occupancy");
+  const auto none = export_as(archive, ExportFormat::kRosMap, dir / "a");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(none.error().what,
+            "--format ros-map needs a layer of kind OccupancyGridLayer, the map has none");
+}
+
 TEST(ExportPly, HasTheTypesAndNamesThatOthersRead) {
   const test::TempDir dir;
   ASSERT_TRUE(export_as(test::sample_archive(), ExportFormat::kPly, dir / "a.ply"));

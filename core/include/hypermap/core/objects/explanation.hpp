@@ -55,6 +55,9 @@ struct Explanation {
   std::vector<MissedCondition> missed_conditions;  ///< Empty: it is confirmed.
   std::optional<ObservationLogEntry> first;
   std::optional<ObservationLogEntry> newest;
+  /// The newest detection. None when it is so old that of it only the frame is kept.
+  std::optional<ObservationLogEntry> last_seen;
+  std::optional<std::uint64_t> last_seen_frame;  ///< Of the newest detection.
   std::vector<Naming> namings;           ///< Most detections first, then by class, then detector.
   std::vector<std::uint8_t> directions;  ///< Bearing bins with a detection, ascending.
   MissedDetections missed_detections;

@@ -9,10 +9,14 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace hypermap {
 
-/// By kind: a class, in any spelling, or the id of a confirmed object.
+/// In any spelling, of kOn: what rests on the floor (SupportKind::kFloor), which is no object.
+inline constexpr std::string_view kFloorName = "floor";
+
+/// By kind: a class, in any spelling, or the id of a confirmed object; of kOn also `kFloorName`.
 using RelatedTo = std::map<RelationKind, std::string>;
 
 /// The objects that fulfil the query and that are, for each kind, related to one that `related`
@@ -21,7 +25,8 @@ using RelatedTo = std::map<RelationKind, std::string>;
 ///
 /// Boundary: an empty list is a normal answer.
 /// Errors: those of query_map; kNotFound, naming the key of the kind ("part_of") as the field, when
-/// there is no confirmed object of that class or with that id.
+/// there is no confirmed object of that class, which names those that there are, or with that id;
+/// when the map has no confirmed object at all, as one of 2D layers alone.
 [[nodiscard]] Result<MapAnswers> query_related(const MapArchive& archive,
                                                const RelationGraph& graph,
                                                const RelatedTo& related,

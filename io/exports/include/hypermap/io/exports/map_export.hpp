@@ -55,12 +55,17 @@ struct ExportRequest {
   RelationOptions rules = {};  ///< kGeojson and kRelations: of relations.
 };
 
+/// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",
+/// "--complete", "--class", and the formats that it goes with.
+[[nodiscard]] Result<void> validate(const ExportRequest& request);
+
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
 /// files that were written; none, and nothing is written, when the export would be empty.
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
-/// is not known; kInvalidArgument for an output name that the format does not allow, and for a
-/// layer or classes that it does not have, or, as kTiles, a folder with other files; kIo.
+/// is not known; kUnsupported for a layer of another kind than the format needs; those of validate;
+/// kInvalidArgument for an output name that the format does not allow, or, as kTiles, a folder with
+/// other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 
