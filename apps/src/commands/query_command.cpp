@@ -286,7 +286,7 @@ void add_query_command(CLI::App& program, Action& action) {
                 {"hypermap query lab.hmap --layer objects --string chair",
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
                  "hypermap query lab.hmap --nearest sofa --at 1.5,2",
-                 "hypermap query lab.hmap --on table --string cup",
+                 "hypermap query lab.hmap --beside chair",
                  "hypermap query lab.hmap --why 4"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);

@@ -22,6 +22,7 @@ TEST(ColumnSurface, KeepsTheLowestAndTheHighestPointOfEachSquare) {
 
 TEST(ColumnSurface, FindsTheColumnsInAndAroundAPolygon) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(10);
   for (int i = 0; i < 10; ++i) points.emplace_back(0.1 * i + 0.05, 0.05, 1.0);
   const ColumnSurface surface(points, 0.1);
   const Polygon square = make_polygon({{0.3, 0.0}, {0.6, 0.0}, {0.6, 0.1}, {0.3, 0.1}}).value();
@@ -31,6 +32,7 @@ TEST(ColumnSurface, FindsTheColumnsInAndAroundAPolygon) {
 
 TEST(ColumnSurface, AHeightThatAShareReaches) {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(10);
   for (int i = 0; i < 10; ++i) points.emplace_back(i, 0, 0.1 * i);
   const ColumnSurface surface(points, 0.5);
   EXPECT_DOUBLE_EQ(surface.height_reached_by(0.1), 0.9);

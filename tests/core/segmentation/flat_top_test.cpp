@@ -31,8 +31,9 @@ struct FrontOfABox {
   FrontOfABox() {
     window.rect = {0, 0, kColumns, kRows};
     window.box = {0, kBoxTop, kColumns, kRows};
+    constexpr int kMiddle = kColumns / 2;
     for (int x = 0; x < kColumns; ++x) {
-      window.slope_x.push_back(static_cast<float>(x - kColumns / 2) / 50.0F);
+      window.slope_x.push_back(static_cast<float>(x - kMiddle) / 50.0F);
     }
     for (int y = 0; y < kRows; ++y) {
       window.slope_y.push_back(static_cast<float>(y - 50) / 200.0F);
