@@ -14,6 +14,7 @@
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "stack_area.hpp"
 
 #include <CLI/Validators.hpp>
@@ -204,7 +205,7 @@ Result<std::optional<std::size_t>> StackArguments::cells_without_class(
   return std::optional(count);
 }
 
-Result<StackOfFile> StackArguments::make() const {
+Result<StackOfFile> StackArguments::make(const CommonOptions& common) const {
   HYPERMAP_ASSIGN_OR_RETURN(MapArchive whole_map, map());
   std::optional<SensedStackReport> report;
   auto cut = [&]() -> Result<GridStack> {
@@ -216,7 +217,10 @@ Result<StackOfFile> StackArguments::make() const {
     for (const std::string& name : layers) {
       asked.layers.push_back(full_layer_name(stack.options(), name));
     }
-    auto part = cut_out(stack, asked);
+    Progress progress("cutting out layers", common.progress);
+    auto part = cut_out(stack, asked, [&progress](std::size_t done, std::size_t total) {
+      return progress.update(done, total);
+    });
     if (part) return part;
     if (part.error().field == "layers") return Unexpected(of_option(part.error(), "--layer"));
     if (part.error().code != ErrorCode::kLimit) return part;

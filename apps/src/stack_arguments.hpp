@@ -3,6 +3,7 @@
 /// The options by which commands say which stack they make of a map.
 #pragma once
 
+#include "command.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
@@ -53,7 +54,7 @@ struct StackArguments {
   /// The stack with the frames asked for, cut out as asked; of tiles the map has nothing else.
   /// Errors: those of loading, stack_of_map or read_tile_map, fuse_frames and cut_out; kUnsupported
   /// when the layer to take it from is no stack.
-  [[nodiscard]] Result<StackOfFile> make() const;
+  [[nodiscard]] Result<StackOfFile> make(const CommonOptions& common) const;
   /// Saves the map with the layers that were made, where an archive is asked for; gives its path.
   [[nodiscard]] Result<std::vector<std::filesystem::path>> save(StackOfFile made,
                                                                 std::vector<Layer> further) const;

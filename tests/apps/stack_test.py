@@ -42,6 +42,12 @@ class Stacks(StackLab):
         self.assertIn(f"combined (maximum): {last['occupied']} cells occupied, {last['free']} free, {last['unknown']} unknown; "
                       f"in its map {counts['occupied']}, {counts['free']}, {counts['unknown']}\n", told)
 
+    def test_progress_is_shown_layer_by_layer(self):
+        for command in ("stack", "cells"):
+            told = run("--progress", "always", command, self.archive, "--output", self.folder / command).stderr
+            count = len(self.classes_with_a_grid())
+            self.assertIn(f"cutting out layers {count}/{count} (100 %)", told)
+
     def test_what_has_no_class_is_said_unless_occupancy_is_fused(self):
         result = run("stack", self.archive, "--output", self.folder / "a", "--json")
         without = json.loads(result.stdout)["cells_without_class"]

@@ -83,13 +83,13 @@ Result<void> check_cells_folder(const std::filesystem::path& folder) {
                           folder.string()});
 }
 
-Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
+Result<CellsAnswer> find_cells(const CellsCommand& arguments, const CommonOptions& common) {
   HYPERMAP_TRY(check_cells_folder(arguments.output));
   ClassPalette palette;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
+  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make(common));
   CellsAnswer answer;
   answer.sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(made.stack, arguments.options));
@@ -151,8 +151,8 @@ ExitCode report_unknown(const CellsAnswer& answer, const CellsCommand& arguments
                   .field = "--path"}});
 }
 
-ExitCode run_cells(const CellsCommand& arguments) {
-  const auto answer = find_cells(arguments);
+ExitCode run_cells(const CellsCommand& arguments, const CommonOptions& common) {
+  const auto answer = find_cells(arguments, common);
   if (!answer) return report(answer.error());
   arguments.json ? print_cells_json(*answer) : print_cells_text(*answer);
   const bool is_path_missing = answer->way && !answer->way->path;
@@ -193,7 +193,7 @@ void add_supercell_options(CLI::App& command, SupercellOptions& options) {
 
 }  // namespace
 
-void add_cells_command(CLI::App& program, Action& action) {
+void add_cells_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<CellsCommand>();
   CLI::App& command = *program.add_subcommand(
       "cells", "Regions of a map that are of one kind, and the graph of them");
@@ -226,7 +226,7 @@ void add_cells_command(CLI::App& program, Action& action) {
                 {"hypermap cells lab.hmap --output cells",
                  "hypermap cells lab.hmap --fuse occupancy --path 1,-2,-1,1.5 --avoid occupancy "
                  "--total --output cells"});
-  command.callback([arguments, &action] {
+  command.callback([arguments, &common, &action] {
     keep_apart("--output",
                arguments->output,
                {arguments->stack.file,
@@ -239,7 +239,7 @@ void add_cells_command(CLI::App& program, Action& action) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");
       if (!ends) throw CLI::ValidationError("--path", ends.error().what);
     }
-    action = [arguments] { return run_cells(*arguments); };
+    action = [arguments, &common] { return run_cells(*arguments, common); };
   });
 }
 

@@ -68,9 +68,9 @@ Result<GridCounts> counts_of(const std::string& name, const LogOddsGrid& grid) {
                     .map = map.counts()};
 }
 
-Result<WrittenStack> write_stack(const StackCommand& arguments) {
+Result<WrittenStack> write_stack(const StackCommand& arguments, const CommonOptions& common) {
   HYPERMAP_TRY(check_stack_folder(arguments.output));
-  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
+  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make(common));
   const GridStack stack = made.stack;
   WrittenStack written{.geometry = stack.geometry(),
                        .frame_id = stack.options().frame_id,
@@ -176,8 +176,8 @@ void tell_outvoted(const WrittenStack& written) {
                most->occupied);
 }
 
-ExitCode run_stack(const StackCommand& arguments) {
-  const auto written = write_stack(arguments);
+ExitCode run_stack(const StackCommand& arguments, const CommonOptions& common) {
+  const auto written = write_stack(arguments, common);
   if (!written) return report(written.error());
   const ExitCode worst = report_skipped(written->sensed);
   tell_cells_without_class("stack", written->cells_without_class);
@@ -202,7 +202,7 @@ ExitCode run_stack(const StackCommand& arguments) {
 
 }  // namespace
 
-void add_stack_command(CLI::App& program, Action& action) {
+void add_stack_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<StackCommand>();
   CLI::App& command = *program.add_subcommand(
       "stack", "A map as semantic occupancy grids: a layer for each class, and all of them pooled");
@@ -229,13 +229,13 @@ void add_stack_command(CLI::App& program, Action& action) {
                  "--pool bayesian --output grids",
                  "hypermap stack lab.hmap --input lab --sensor depth,detections=0.5 --output grids",
                  "hypermap stack --tiles drive --area 10,10,16,16 --output grids"});
-  command.callback([arguments, &action] {
+  command.callback([arguments, &common, &action] {
     keep_apart(
         "--output",
         arguments->output,
         {arguments->stack.file, arguments->stack.tiles, arguments->stack.sensed.dataset.input});
     arguments->stack.finish();
-    action = [arguments] { return run_stack(*arguments); };
+    action = [arguments, &common] { return run_stack(*arguments, common); };
   });
 }
 
