@@ -30,8 +30,8 @@ CommandLine::CommandLine()
   add_config_command(program, action);
   add_query_command(program, action);
   add_export_command(program, action);
-  add_stack_command(program, action);
-  add_cells_command(program, action);
+  add_stack_command(program, common, action);
+  add_cells_command(program, common, action);
   add_snapshot_command(program, action);
   add_eval_command(program, action);
   add_tune_command(program, action);

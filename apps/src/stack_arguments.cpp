@@ -3,6 +3,7 @@
 
 #include "choices.hpp"
 #include "command.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_table.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
@@ -13,14 +14,13 @@
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
-#include "tables.hpp"
+#include "progress.hpp"
+#include "stack_area.hpp"
 
 #include <CLI/Validators.hpp>
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <cstdio>
 #include <utility>
 
 namespace hypermap::app {
@@ -33,60 +33,10 @@ std::vector<std::string> rule_names() {
   return {row->choices.begin(), row->choices.end()};
 }
 
-/// Cells of a side; what is less than a millionth of a cell is rounding.
-int cells_along(double length_m, double resolution_m) {
-  constexpr double kSlack = 1e-6;
-  return static_cast<int>(std::clamp(std::ceil(length_m / resolution_m - kSlack), 0.0, 1e9));
-}
-
 FusedLayer parse_fused(const std::string& text) {
   const auto parsed = parse_weighted(text, "--fuse");
   if (!parsed) throw CLI::ValidationError("--fuse", parsed.error().what);
   return {.name = parsed->name, .weight = parsed->weight};
-}
-
-Result<std::optional<std::vector<double>>> parse_area(const std::optional<std::string>& text) {
-  if (!text) return std::optional<std::vector<double>>();
-  HYPERMAP_ASSIGN_OR_RETURN(std::vector<double> corners, parse_numbers(*text, 4, 4, "--area"));
-  if (corners[0] < corners[2] && corners[1] < corners[3]) return std::optional(std::move(corners));
-  return fail(ErrorCode::kInvalidArgument,
-              "must be X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1, is '" + printable(*text) + "'",
-              "--area");
-}
-
-/// Where the stack is to be had: all of it, or the area, at the resolution asked for.
-Result<GridGeometry> geometry_asked_for(const StackArguments& arguments,
-                                        const GridGeometry& whole) {
-  GridGeometry geometry = whole;
-  geometry.resolution_m = arguments.resolution_m.value_or(whole.resolution_m);
-  double width_m = whole.cols * whole.resolution_m;
-  double height_m = whole.rows * whole.resolution_m;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto corners, parse_area(arguments.area));
-  if (corners) {
-    geometry.origin = Eigen::Vector2d((*corners)[0], (*corners)[1]);
-    geometry.yaw_rad = arguments.yaw_deg * std::numbers::pi / 180.0;
-    width_m = (*corners)[2] - (*corners)[0];
-    height_m = (*corners)[3] - (*corners)[1];
-  }
-  geometry.cols = cells_along(width_m, geometry.resolution_m);
-  geometry.rows = cells_along(height_m, geometry.resolution_m);
-  if (geometry.num_cells() > 0) return geometry;
-  return fail(ErrorCode::kInvalidArgument,
-              "has no cell of " + number_text(geometry.resolution_m) + " m",
-              "--area");
-}
-
-/// Errors: kNotFound for an area in which the stack has no cell.
-Result<void> check_overlap(const GridGeometry& asked, const GridGeometry& whole) {
-  const Rect there = bounds(whole);
-  const Rect part = bounds(asked);
-  const bool meets =
-      (part.min.array() < there.max.array()).all() && (there.min.array() < part.max.array()).all();
-  if (meets) return {};
-  return fail(ErrorCode::kNotFound,
-              "lies outside: there are cells in " + corners_text(there) + ", the area is " +
-                  corners_text(part),
-              "--area");
 }
 
 /// A layer of the map that is a stack.
@@ -98,33 +48,20 @@ Result<GridStack> stored_stack(const MapArchive& map, const std::string& name) {
   return fail(ErrorCode::kUnsupported, "layer " + printable(name) + " is no stack", "--from");
 }
 
-/// What must be read of a map for the area, with all that a cell of it may be made from.
-Result<std::optional<Rect>> rect_around_area(const StackArguments& arguments) {
-  constexpr double kMargin = 10.0;  // in metres: the largest cells
-  HYPERMAP_ASSIGN_OR_RETURN(const auto corners, parse_area(arguments.area));
-  if (!corners) return std::optional<Rect>();
-  const Eigen::Vector2d corner((*corners)[0], (*corners)[1]);
-  const Eigen::Vector2d size(Eigen::Vector2d((*corners)[2], (*corners)[3]) - corner);
-  const Eigen::Rotation2Dd turn(arguments.yaw_deg * std::numbers::pi / 180.0);
-  Rect rect{corner, corner};
-  for (const Eigen::Vector2d& share : {Eigen::Vector2d(1, 0), {0, 1}, {1, 1}}) {
-    const Eigen::Vector2d point = corner + turn * share.cwiseProduct(size);
-    rect.min = rect.min.cwiseMin(point);
-    rect.max = rect.max.cwiseMax(point);
-  }
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
-  return std::optional(Rect{rect.min - margin, rect.max + margin});
-}
-
 }  // namespace
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
   return name.starts_with('/') ? name : options.parent + "/" + name;
 }
 
-std::string corners_text(const Rect& rect) {
-  return fixed(rect.min.x(), 3) + "," + fixed(rect.min.y(), 3) + "," + fixed(rect.max.x(), 3) +
-         "," + fixed(rect.max.y(), 3);
+void tell_cells_without_class(const char* command, std::optional<std::size_t> num_cells) {
+  if (!num_cells || *num_cells == 0) return;
+  std::fprintf(
+      stderr,
+      "%s: what is occupied in %s of the map has no class (walls, say): every class counts "
+      "that as free; --fuse occupancy adds it as a layer\n",
+      command,
+      count_text(*num_cells, "cell").c_str());
 }
 
 void StackArguments::add_to(CLI::App& command) {
@@ -153,10 +90,11 @@ void StackArguments::add_to(CLI::App& command) {
       ->delimiter(',')
       ->excludes(tiles_option);
   command
-      .add_option(
-          "--fuse",
-          fused,
-          "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; may be repeated")
+      .add_option("--fuse",
+                  fused,
+                  "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; without "
+                  "one what is "
+                  "occupied but has no class, as walls, counts as free; may be repeated")
       ->delimiter(',')
       ->excludes(tiles_option);
   command
@@ -263,7 +201,16 @@ Result<GridStack> StackArguments::uncut_stack(const MapArchive& map) const {
   return stack;
 }
 
-Result<StackOfFile> StackArguments::make() const {
+Result<std::optional<std::size_t>> StackArguments::cells_without_class(
+    const MapArchive& map) const {
+  const bool is_of_voxels = !from && tiles.empty();
+  if (!is_of_voxels || !request.fused.empty()) return std::optional<std::size_t>();
+  HYPERMAP_ASSIGN_OR_RETURN(const std::size_t count,
+                            num_cells_without_class(map, request.of_classes.band));
+  return std::optional(count);
+}
+
+Result<StackOfFile> StackArguments::make(const CommonOptions& common) const {
   HYPERMAP_ASSIGN_OR_RETURN(MapArchive whole_map, map());
   std::optional<SensedStackReport> report;
   auto cut = [&]() -> Result<GridStack> {
@@ -275,15 +222,21 @@ Result<StackOfFile> StackArguments::make() const {
     for (const std::string& name : layers) {
       asked.layers.push_back(full_layer_name(stack.options(), name));
     }
-    auto part = cut_out(stack, asked);
+    Progress progress("cutting out layers", common.progress);
+    auto part = cut_out(stack, asked, [&progress](std::size_t done, std::size_t total) {
+      return progress.update(done, total);
+    });
     if (part) return part;
     if (part.error().field == "layers") return Unexpected(of_option(part.error(), "--layer"));
     if (part.error().code != ErrorCode::kLimit) return part;
     return Unexpected(of_option(part.error(), "--area, --resolution"));
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
-  return StackOfFile{
-      .map = std::move(whole_map), .stack = std::move(*cut), .sensed = std::move(report)};
+  HYPERMAP_ASSIGN_OR_RETURN(const auto without_class, cells_without_class(whole_map));
+  return StackOfFile{.map = std::move(whole_map),
+                     .stack = std::move(*cut),
+                     .sensed = std::move(report),
+                     .cells_without_class = without_class};
 }
 
 Result<std::vector<std::filesystem::path>> StackArguments::save(StackOfFile made,

@@ -3,8 +3,8 @@
 /// The options by which commands say which stack they make of a map.
 #pragma once
 
+#include "command.hpp"
 #include "hypermap/core/base/result.hpp"
-#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
@@ -13,6 +13,7 @@
 
 #include <CLI/App.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,7 +26,12 @@ struct StackOfFile {
   MapArchive map;
   GridStack stack;
   std::optional<SensedStackReport> sensed = std::nullopt;  ///< Of the frames that were fused.
+  /// As num_cells_without_class, where the stack is of voxels and no occupancy layer was fused.
+  std::optional<std::size_t> cells_without_class = std::nullopt;
 };
+
+/// Says on stderr, after the command's name, what cells without a class count as; nothing of none.
+void tell_cells_without_class(const char* command, std::optional<std::size_t> num_cells);
 
 struct StackArguments {
   std::string file;                    ///< Empty where the stack comes from tiles.
@@ -48,7 +54,7 @@ struct StackArguments {
   /// The stack with the frames asked for, cut out as asked; of tiles the map has nothing else.
   /// Errors: those of loading, stack_of_map or read_tile_map, fuse_frames and cut_out; kUnsupported
   /// when the layer to take it from is no stack.
-  [[nodiscard]] Result<StackOfFile> make() const;
+  [[nodiscard]] Result<StackOfFile> make(const CommonOptions& common) const;
   /// Saves the map with the layers that were made, where an archive is asked for; gives its path.
   [[nodiscard]] Result<std::vector<std::filesystem::path>> save(StackOfFile made,
                                                                 std::vector<Layer> further) const;
@@ -58,10 +64,8 @@ struct StackArguments {
   void keep_heights_in_order() const;
   [[nodiscard]] Result<MapArchive> map() const;
   [[nodiscard]] Result<GridStack> uncut_stack(const MapArchive& map) const;
+  [[nodiscard]] Result<std::optional<std::size_t>> cells_without_class(const MapArchive& map) const;
 };
-
-/// "X0,Y0,X1,Y1" to the millimetre.
-[[nodiscard]] std::string corners_text(const Rect& rect);
 
 /// The full name of a layer that may be named without its parent.
 [[nodiscard]] std::string full_layer_name(const GridStackOptions& options, const std::string& name);

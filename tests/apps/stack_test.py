@@ -27,6 +27,52 @@ class Stacks(StackLab):
         for path in yamls:
             self.assertEqual(run("check", path).returncode, 0, path)
 
+    def test_counts_are_those_of_the_written_maps(self):
+        stack = self.answer("stack")
+        for layer in [*stack["layers"], stack["combined"]]:
+            path = next(p for p in stack["files"] if pathlib.Path(p).name == layer["name"].split("/")[-1] + ".yaml")
+            yaml = dict(line.split(": ", 1) for line in pathlib.Path(path).read_text().splitlines())
+            image = pathlib.Path(path).with_name(yaml["image"].strip("\"'")).read_bytes()
+            pixels = image[-stack["cols"] * stack["rows"]:]
+            occupied = sum((255 - p) / 255 > float(yaml["occupied_thresh"]) for p in pixels)
+            free = sum((255 - p) / 255 < float(yaml["free_thresh"]) for p in pixels)
+            self.assertEqual(layer["map"], {"occupied": occupied, "free": free, "unknown": len(pixels) - occupied - free})
+        told = run("stack", self.archive, "--output", self.folder / "stack").stdout
+        last, counts = stack["combined"], stack["combined"]["map"]
+        self.assertIn(f"combined (maximum): {last['occupied']} cells occupied, {last['free']} free, {last['unknown']} unknown; "
+                      f"in its map {counts['occupied']}, {counts['free']}, {counts['unknown']}\n", told)
+
+    def test_progress_is_shown_layer_by_layer(self):
+        for command in ("stack", "cells"):
+            told = run("--progress", "always", command, self.archive, "--output", self.folder / command).stderr
+            count = len(self.classes_with_a_grid())
+            self.assertIn(f"cutting out layers {count}/{count} (100 %)", told)
+
+    def test_what_has_no_class_is_said_unless_occupancy_is_fused(self):
+        result = run("stack", self.archive, "--output", self.folder / "a", "--json")
+        without = json.loads(result.stdout)["cells_without_class"]
+        # Each occupied cell of the map has a class or has none.
+        occupied = next(layer for layer in json.loads(run("info", self.archive, "--json").stdout)["layers"]
+                        if layer["name"] == "occupancy")["cells"]["occupied"]
+        self.assertEqual(without, occupied - json.loads(result.stdout)["combined"]["occupied"])
+        self.assertGreater(without, 0)
+        self.assertRegex(result.stderr, rf"^stack: what is occupied in {without} cells of the map has no class")
+        self.assertEqual(result.returncode, 0)
+        fused = run("stack", self.archive, "--output", self.folder / "b", "--fuse", "occupancy", "--json")
+        self.assertEqual(fused.stderr, "")
+        self.assertNotIn("cells_without_class", json.loads(fused.stdout))
+        way = run("cells", self.archive, "--output", self.folder / "c", "--path=-1,-1,1,1")
+        self.assertIn(f"cells: what is occupied in {without} cells", way.stderr)
+
+    def test_a_sum_that_has_less_than_one_layer_is_said(self):
+        result = run("stack", self.archive, "--output", self.folder / "a", "--pool", "bayesian", "--json")
+        stack = json.loads(result.stdout)
+        most = max(stack["layers"], key=lambda layer: layer["occupied"])
+        self.assertLess(stack["combined"]["occupied"], most["occupied"])
+        self.assertIn(f"where {most['name']} has {most['occupied']}: what other layers say against a cell outvotes it; --pool maximum", result.stderr)
+        self.assertEqual(result.returncode, 0)
+        self.assertNotIn("outvotes", run("stack", self.archive, "--output", self.folder / "b").stderr)
+
     def test_pose_size_resolution_and_layers_are_those_asked_for(self):
         name = self.classes_with_a_grid()[0]
         stack = self.answer("stack", "--area=-1,-1,1,0.5", "--yaw", 90, "--resolution", 0.25, "--layer", name,
@@ -46,9 +92,11 @@ class Stacks(StackLab):
         x, y = stack["origin"][:2]
         area = f"--area={x},{y},{x + stack['cols'] * 0.1},{y + stack['rows'] * 0.1}"
         for command in ("stack", "cells"):
-            ours = run(command, "--tiles", tiles, area, "--output", self.folder / "from-tiles", "--json")
+            ours = run(command, "--tiles", tiles, area, "--output", self.folder / f"{command}-of-tiles", "--json")
             self.assertEqual(ours.returncode, 0, ours.stderr)
-            self.assertEqual(json.loads(ours.stdout) | {"files": []}, self.answer(command) | {"files": []})
+            of_map = self.answer(command)
+            of_map.pop("cells_without_class", None)  # tiles do not know
+            self.assertEqual(json.loads(ours.stdout) | {"files": []}, of_map | {"files": []})
         kept = self.folder / "kept.hmap"
         whole = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "whole", "--archive", kept, "--json").stdout)
         again = run("stack", kept, "--from", "stack", "--output", self.folder / "again", "--json")
@@ -76,7 +124,8 @@ class Stacks(StackLab):
             self.assertIn("2 x 2 cells", run("check", tiles / name).stdout)
         stack = json.loads(run("stack", "--tiles", tiles, "--output", self.folder / "out", "--json").stdout)
         self.assertEqual((stack["cols"], stack["rows"], stack["resolution_m"]), (4, 2, 1))
-        self.assertEqual(stack["layers"], [{"name": "/ism/amiro6/ism/cam", "occupied": 6, "free": 1, "unknown": 1}])
+        self.assertEqual(stack["layers"], [{"name": "/ism/amiro6/ism/cam", "occupied": 6, "free": 1, "unknown": 1,
+                                            "map": {"occupied": 6, "free": 0, "unknown": 2}}])
         (tiles / name).write_bytes(b"\x10")
         for command in (["stack", "--tiles", tiles, "--output", self.folder / "out2"], ["check", tiles / name]):
             result = run(*command)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cells_text.hpp"
+#include "cells_way.hpp"
 #include "command.hpp"
 #include "hypermap/core/base/count_text.hpp"
-#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
+#include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/io/exports/supercell_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
@@ -36,21 +37,9 @@ struct CellsCommand {
   double at_least = 0.5;
   std::optional<std::string> path;
   std::optional<std::string> avoid;
+  bool known = false;
   bool json = false;
 };
-
-std::string place_text(double x, double y) {
-  return number_text(x) + "," + number_text(y);
-}
-
-/// The supercell at a place that was asked for. Errors: kNotFound outside the grid.
-Result<int> supercell_below(const Supercells& supercells, double x, double y) {
-  if (const auto number = supercell_at(supercells, {x, y})) return *number;
-  return fail(ErrorCode::kNotFound,
-              "no cell is at " + place_text(x, y) + ", there are cells in " +
-                  corners_text(bounds(supercells.geometry)),
-              "--path");
-}
 
 std::string full_name(const CellsCommand& arguments, const std::string& layer) {
   return full_layer_name(arguments.stack.request.of_classes.options, layer);
@@ -63,37 +52,6 @@ Result<std::vector<int>> found_of(const TopometricGraph& graph,
   auto found = supercells_of(graph, full_name(arguments, layer), Probability(at_least));
   if (!found) return Unexpected(of_option(found.error(), "--of"));
   return found;
-}
-
-/// The place of the layer to avoid among those of the graph. Errors: kNotFound.
-Result<std::size_t> avoided_layer(const TopometricGraph& graph, const CellsCommand& arguments) {
-  const std::string name = full_name(arguments, *arguments.avoid);
-  const auto known = supercells_of(graph, name);
-  if (!known) return Unexpected(of_option(known.error(), "--avoid"));
-  return static_cast<std::size_t>(std::ranges::find(graph.layers, name) - graph.layers.begin());
-}
-
-/// Adds a way that leads through no supercell that is more probably of the layer to avoid than not.
-/// Its ends are where they are: those in what is to be avoided are told.
-Result<void> find_path(CellsAnswer& answer, const CellsCommand& arguments) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto ends, parse_numbers(*arguments.path, 4, 4, "--path"));
-  HYPERMAP_ASSIGN_OR_RETURN(const int from, supercell_below(answer.supercells, ends[0], ends[1]));
-  HYPERMAP_ASSIGN_OR_RETURN(const int to, supercell_below(answer.supercells, ends[2], ends[3]));
-  if (!arguments.avoid) {
-    answer.path = shortest_path(answer.graph, from, to);
-    return {};
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(const std::size_t avoided, avoided_layer(answer.graph, arguments));
-  const auto is_passable = [avoided](const SupercellNode& node) {
-    return node.mean[avoided] <= LogOdds();
-  };
-  for (const AvoidedEnd& end : {AvoidedEnd{"start", place_text(ends[0], ends[1]), from},
-                                AvoidedEnd{"end", place_text(ends[2], ends[3]), to}}) {
-    if (is_passable(answer.graph.nodes[static_cast<std::size_t>(end.supercell)])) continue;
-    answer.avoided_ends.push_back(end);
-  }
-  answer.path = shortest_path(answer.graph, from, to, is_passable);
-  return {};
 }
 
 Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
@@ -109,12 +67,29 @@ Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
   return arguments.save(std::move(made), std::move(layers));
 }
 
-Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
+WayRequest way_asked_for(const CellsCommand& arguments) {
+  WayRequest request{.ends = *arguments.path, .known = arguments.known};
+  if (arguments.avoid) request.avoid = full_name(arguments, *arguments.avoid);
+  return request;
+}
+
+/// Errors: kInvalidArgument for a folder with a stack's maps, which a later stack would not replace
+/// for what cells puts there.
+Result<void> check_cells_folder(const std::filesystem::path& folder) {
+  HYPERMAP_ASSIGN_OR_RETURN(const bool has_stack, holds_stack_maps(folder));
+  if (!has_stack) return {};
+  return Unexpected(Error{ErrorCode::kInvalidArgument,
+                          "holds the maps of 'stack': cells needs another",
+                          folder.string()});
+}
+
+Result<CellsAnswer> find_cells(const CellsCommand& arguments, const CommonOptions& common) {
+  HYPERMAP_TRY(check_cells_folder(arguments.output));
   ClassPalette palette;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make());
+  HYPERMAP_ASSIGN_OR_RETURN(StackOfFile made, arguments.stack.make(common));
   CellsAnswer answer;
   answer.sensed = made.sensed;
   HYPERMAP_ASSIGN_OR_RETURN(answer.supercells, extract_supercells(made.stack, arguments.options));
@@ -125,9 +100,11 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
         answer.of_layer,
         found_of(answer.graph, arguments, *arguments.of_layer, arguments.at_least));
   }
-  answer.is_path_asked = arguments.path.has_value();
-  if (answer.is_path_asked) {
-    HYPERMAP_TRY(find_path(answer, arguments));
+  if (arguments.path) {
+    HYPERMAP_ASSIGN_OR_RETURN(
+        answer.way,
+        find_way(made.stack, answer.supercells, answer.graph, way_asked_for(arguments)));
+    answer.cells_without_class = made.cells_without_class;
   }
   HYPERMAP_ASSIGN_OR_RETURN(const auto saved, save_cells(answer, std::move(made), arguments.stack));
   auto files = write_supercells(answer.supercells, answer.graph, arguments.output, palette);
@@ -137,29 +114,53 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments) {
   return answer;
 }
 
+/// What is wrong with an end of the way.
+std::string why_avoided(const AvoidedEnd& end, const std::string& layer) {
+  const std::string number = std::to_string(end.supercell);
+  const std::string place = std::string("its ") + end.name + " " + end.place;
+  const std::string so = " more probably of " + printable(layer) + " than not";
+  return end.is_of_supercell
+             ? place + " lies in supercell " + number + ", which is" + so
+             : place + " lies in a cell that is" + so + ", as supercell " + number + " is not";
+}
+
 ExitCode report_avoided_ends(const CellsAnswer& answer, const CellsCommand& arguments) {
   ExitCode worst = ExitCode::kDone;
-  for (const AvoidedEnd& end : answer.avoided_ends) {
-    worst =
-        report({Severity::kWarning,
-                {.code = ErrorCode::kInvalidArgument,
-                 .what = std::string("its ") + end.name + " " + end.place + " lies in supercell " +
-                         std::to_string(end.supercell) + ", which is more probably of " +
-                         printable(full_name(arguments, *arguments.avoid)) +
-                         " than not: the way touches there what --avoid names",
-                 .field = "--path"}});
+  if (!answer.way) return worst;
+  for (const AvoidedEnd& end : answer.way->avoided_ends) {
+    worst = report({Severity::kWarning,
+                    {.code = ErrorCode::kInvalidArgument,
+                     .what = why_avoided(end, full_name(arguments, *arguments.avoid)) +
+                             ": the way touches there what --avoid names",
+                     .field = "--path"}});
   }
   return worst;
 }
 
-ExitCode run_cells(const CellsCommand& arguments) {
-  const auto answer = find_cells(arguments);
+ExitCode report_unknown(const CellsAnswer& answer, const CellsCommand& arguments) {
+  if (!answer.way || answer.way->unknown.empty()) return ExitCode::kDone;
+  const std::size_t num_unknown = answer.way->unknown.size();
+  return report({Severity::kWarning,
+                 {.code = ErrorCode::kInvalidArgument,
+                  .what = std::to_string(num_unknown) + " of the way's " +
+                          count_text(answer.way->path->nodes.size(), "supercell") +
+                          (num_unknown == 1 ? " is" : " are") +
+                          " unknown: no layer says anything of more than half of their cells" +
+                          (arguments.known ? "; --known keeps the ends of the way where they are"
+                                           : "; --known leads around them"),
+                  .field = "--path"}});
+}
+
+ExitCode run_cells(const CellsCommand& arguments, const CommonOptions& common) {
+  const auto answer = find_cells(arguments, common);
   if (!answer) return report(answer.error());
   arguments.json ? print_cells_json(*answer) : print_cells_text(*answer);
-  const bool is_path_missing = answer->is_path_asked && !answer->path;
+  const bool is_path_missing = answer->way && !answer->way->path;
   if (is_path_missing) std::fprintf(stderr, "cells: no way leads there\n");
-  const ExitCode worst =
-      std::max(report_skipped(answer->sensed), report_avoided_ends(*answer, arguments));
+  if (answer->way) tell_cells_without_class("cells", answer->cells_without_class);
+  const ExitCode worst = std::max({report_skipped(answer->sensed),
+                                   report_avoided_ends(*answer, arguments),
+                                   report_unknown(*answer, arguments)});
   return is_path_missing ? std::max(worst, ExitCode::kFindings) : worst;
 }
 
@@ -192,7 +193,7 @@ void add_supercell_options(CLI::App& command, SupercellOptions& options) {
 
 }  // namespace
 
-void add_cells_command(CLI::App& program, Action& action) {
+void add_cells_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<CellsCommand>();
   CLI::App& command = *program.add_subcommand(
       "cells", "Regions of a map that are of one kind, and the graph of them");
@@ -206,15 +207,18 @@ void add_cells_command(CLI::App& program, Action& action) {
       ->check(number_in(0.0, 1.0))
       ->needs(of_layer)
       ->capture_default_str();
-  CLI::Option* path = command.add_option(
-      "--path",
-      arguments->path,
-      "X,Y,X,Y: the shortest way over supercells, from the first point to the second");
+  CLI::Option* path = command.add_option("--path",
+                                         arguments->path,
+                                         "X,Y,X,Y: the shortest way over supercells, from the "
+                                         "first point to the second, through unknown "
+                                         "ones too, which is said");
   command
       .add_option(
           "--avoid",
           arguments->avoid,
           "layer that the way must not lead through; its two ends may lie in it, which is said")
+      ->needs(path);
+  command.add_flag("--known", arguments->known, "the way must not lead through unknown supercells")
       ->needs(path);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_flag("--json", arguments->json, "one JSON document");
@@ -222,7 +226,7 @@ void add_cells_command(CLI::App& program, Action& action) {
                 {"hypermap cells lab.hmap --output cells",
                  "hypermap cells lab.hmap --fuse occupancy --path 1,-2,-1,1.5 --avoid occupancy "
                  "--total --output cells"});
-  command.callback([arguments, &action] {
+  command.callback([arguments, &common, &action] {
     keep_apart("--output",
                arguments->output,
                {arguments->stack.file,
@@ -235,7 +239,7 @@ void add_cells_command(CLI::App& program, Action& action) {
       const auto ends = parse_numbers(*arguments->path, 4, 4, "--path");
       if (!ends) throw CLI::ValidationError("--path", ends.error().what);
     }
-    action = [arguments] { return run_cells(*arguments); };
+    action = [arguments, &common] { return run_cells(*arguments, common); };
   });
 }
 

@@ -20,6 +20,14 @@ std::string list_of(const std::vector<int>& numbers) {
   return text.empty() ? "none" : text;
 }
 
+void print_way(const Way& way) {
+  std::printf("path: %s; %.3f m\n", list_of(way.path->nodes).c_str(), way.path->length_m);
+  if (way.num_avoided_cells == 0) return;
+  std::printf("its supercells hold %s more probably of %s than not\n",
+              count_text(way.num_avoided_cells, "cell").c_str(),
+              printable(way.avoided_layer).c_str());
+}
+
 }  // namespace
 
 std::vector<std::string> layers_without_supercell(const GridStack& stack,
@@ -47,13 +55,15 @@ void print_cells_json(const CellsAnswer& answer) {
                 {"without_supercell", answer.without_supercell},
                 {"files", std::move(files)}};
   if (answer.of_layer) document["of"] = *answer.of_layer;
-  if (answer.is_path_asked) {
+  if (answer.way) {
+    const Way& way = *answer.way;
     document["path"] =
-        answer.path ? Json{{"supercells", answer.path->nodes}, {"length_m", answer.path->length_m}}
-                    : Json();
+        way.path ? Json{{"supercells", way.path->nodes}, {"length_m", way.path->length_m}} : Json();
     Json avoided = Json::array();
-    for (const AvoidedEnd& end : answer.avoided_ends) avoided.push_back(end.name);
+    for (const AvoidedEnd& end : way.avoided_ends) avoided.push_back(end.name);
     document["avoided_ends"] = std::move(avoided);
+    document["avoided_cells"] = way.num_avoided_cells;
+    document["unknown_supercells"] = way.unknown;
   }
   std::printf("%s\n", document.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
@@ -65,13 +75,13 @@ void print_cells_text(const CellsAnswer& answer) {
               answer.supercells.energy,
               answer.supercells.first_energy);
   for (const std::string& layer : answer.without_supercell) {
-    std::printf("no supercell is more probably of %s than not: its cells are too few for one\n",
-                printable(layer).c_str());
+    std::printf(
+        "no supercell is more probably of %s than not: what says so is outweighed by the "
+        "other cells of its supercells\n",
+        printable(layer).c_str());
   }
   if (answer.of_layer) std::printf("found: %s\n", list_of(*answer.of_layer).c_str());
-  if (answer.path) {
-    std::printf("path: %s; %.3f m\n", list_of(answer.path->nodes).c_str(), answer.path->length_m);
-  }
+  if (answer.way && answer.way->path) print_way(*answer.way);
   for (const auto& path : answer.files) std::printf("%s\n", path.c_str());
 }
 

@@ -3,11 +3,13 @@
 /// How the program tells what supercells it found.
 #pragma once
 
+#include "cells_way.hpp"
 #include "hypermap/io/jobs/sensed_stack.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
 #include "hypermap/projection/supercells/topometric_graph.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,22 +17,15 @@
 
 namespace hypermap::app {
 
-/// An end of the way that lies in what it is to avoid.
-struct AvoidedEnd {
-  const char* name;  ///< "start", "end".
-  std::string place;
-  int supercell = 0;
-};
-
 /// What was found, written and asked.
 struct CellsAnswer {
   Supercells supercells;
   TopometricGraph graph;
   std::vector<std::filesystem::path> files;
   std::optional<std::vector<int>> of_layer = {};
-  bool is_path_asked = false;
-  std::optional<GraphPath> path = {};
-  std::vector<AvoidedEnd> avoided_ends = {};
+  std::optional<Way> way = {};  ///< Where one was asked for.
+  /// Of the map, as num_cells_without_class, where a way was asked for.
+  std::optional<std::size_t> cells_without_class = {};
   std::optional<SensedStackReport> sensed = {};
   std::vector<std::string> without_supercell = {};  ///< Names of layers.
 };

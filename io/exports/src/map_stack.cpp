@@ -3,6 +3,8 @@
 
 #include "export_folder.hpp"
 #include "export_parts.hpp"
+#include "hypermap/core/base/caught.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/staged_folder.hpp"
@@ -77,38 +79,112 @@ Result<std::set<std::string>> files_of_maps(const std::filesystem::path& folder)
       Error{ErrorCode::kIo, "cannot be looked at: " + failed.message(), folder.string()});
 }
 
-/// As map_server tells cells apart.
-Result<OccupancyGrid> trinary(const LogOddsGrid& grid) {
-  const MapMetadata usual;
-  std::vector<std::int8_t> cells;
-  cells.reserve(grid.cells().size());
-  for (const LogOddsSteps steps : grid.cells()) {
-    const double p = from_steps(steps).probability().value();
-    const std::int8_t known = p < usual.free_thresh ? kFreeCell : kUnknownCell;
-    cells.push_back(p > usual.occupied_thresh ? kOccupiedCell : known);
+/// Whether files of maps, as files_of_maps gives them, are those of a stack.
+bool is_stack(const std::set<std::string>& maps) {
+  return maps.contains(std::string(kCombinedName) + ".yaml");
+}
+
+std::string comma_list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return text;
+}
+
+bool bears_class(const LeafSample& leaf) {
+  return leaf.occupied && leaf.best_class.has_value();
+}
+
+/// The error of class_stack: what is not found is of the flag of classes, or of those of heights.
+Error of_flags(Error error) {
+  if (error.code == ErrorCode::kNotFound && error.field.empty()) {
+    error.field = "--min-height, --max-height";
   }
-  return OccupancyGrid::create(grid.geometry(), std::move(cells));
+  return error;
+}
+
+/// Why a stack has no layer.
+Error without_layers(const LeafSource& leaves, const ClassStackRequest& asked) {
+  const std::string in_band = "between heights of " + number_text(asked.band.min_m) + " and " +
+                              number_text(asked.band.max_m) + " m";
+  if (!asked.classes.empty()) {
+    return {ErrorCode::kNotFound,
+            "no voxel of " + comma_list(asked.classes) + " lies " + in_band,
+            "--class"};
+  }
+  bool has_class = false;
+  leaves([&has_class](const LeafSample& leaf) { has_class = has_class || bears_class(leaf); });
+  if (has_class) {
+    return {ErrorCode::kNotFound,
+            "no voxel that has a class lies " + in_band,
+            "--min-height, --max-height"};
+  }
+  return {
+      ErrorCode::kNotFound,
+      "the map's voxels have no class, so that there is no layer; --fuse occupancy makes one of "
+      "what is occupied"};
 }
 
 }  // namespace
+
+Result<OccupancyGrid> trinary_cells(const LogOddsGrid& grid) {
+  return guarded(ErrorCode::kInvalidArgument, "the map", [&]() -> Result<OccupancyGrid> {
+    const MapMetadata usual;
+    std::vector<std::int8_t> cells;
+    cells.reserve(grid.cells().size());
+    for (const LogOddsSteps steps : grid.cells()) {
+      const double p = from_steps(steps).probability().value();
+      const std::int8_t known = p < usual.free_thresh ? kFreeCell : kUnknownCell;
+      cells.push_back(p > usual.occupied_thresh ? kOccupiedCell : known);
+    }
+    return OccupancyGrid::create(grid.geometry(), std::move(cells));
+  });
+}
+
+Result<std::size_t> num_cells_without_class(const MapArchive& archive, const HeightBand& band) {
+  HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, projection_geometry(leaves, band));
+  return guarded(ErrorCode::kInvalidArgument, "the cells", [&]() -> Result<std::size_t> {
+    std::vector<bool> is_occupied(geometry.num_cells(), false);
+    std::vector<bool> has_class(geometry.num_cells(), false);
+    leaves([&](const LeafSample& leaf) {
+      if (!leaf.occupied) return;
+      for_each_column(geometry, band, leaf, [&](Cell cell, double /*covered*/, double /*height*/) {
+        is_occupied[geometry.index(cell)] = true;
+        if (bears_class(leaf)) has_class[geometry.index(cell)] = true;
+      });
+    });
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < is_occupied.size(); ++i) {
+      if (is_occupied[i] && !has_class[i]) ++count;
+    }
+    return count;
+  });
+}
 
 Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
   ClassStackRequest of_classes = request.of_classes;
   of_classes.options.frame_id = shown_frame_id(archive);
-  HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, class_stack(leaves, archive.classes, of_classes));
+  auto of_voxels = class_stack(leaves, archive.classes, of_classes);
+  if (!of_voxels) return Unexpected(of_flags(of_voxels.error()));
+  GridStack stack = std::move(*of_voxels);
   for (const FusedLayer& fused : request.fused) {
     HYPERMAP_TRY(fuse_layer(stack, archive, fused, request.resampling));
   }
   if (!stack.layers().empty()) return stack;
-  return fail(ErrorCode::kNotFound, "no class that was asked for stands between these heights");
+  return Unexpected(without_layers(leaves, of_classes));
+}
+
+Result<bool> holds_stack_maps(const std::filesystem::path& folder) {
+  HYPERMAP_ASSIGN_OR_RETURN(const std::set<std::string> maps, files_of_maps(folder));
+  return is_stack(maps);
 }
 
 Result<void> check_stack_folder(const std::filesystem::path& folder) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::set<std::string> maps, files_of_maps(folder));
-  const bool is_stack = maps.contains(std::string(kCombinedName) + ".yaml");
+  const bool may_replace = is_stack(maps);
   return require_replaceable(folder, "part of a stack's maps", [&](const std::string& name) {
-    return is_stack && maps.contains(name);
+    return may_replace && maps.contains(name);
   });
 }
 
@@ -120,7 +196,7 @@ Result<WrittenFiles> write_stack_maps(const GridStack& stack,
   FileNames names;
   WrittenFiles written;
   const auto write = [&](const std::string& name, const LogOddsGrid& grid) -> Result<void> {
-    HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid cells, trinary(grid));
+    HYPERMAP_ASSIGN_OR_RETURN(OccupancyGrid cells, trinary_cells(grid));
     HYPERMAP_ASSIGN_OR_RETURN(const MapFileSet files,
                               map_files(OccupancyLayer(std::move(cells)), name, false));
     for (const NamedBytes& file : {files.yaml, files.image, files.world}) {

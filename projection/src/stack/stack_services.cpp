@@ -49,14 +49,21 @@ std::span<const std::string_view> pooling_names() {
   return kPoolingNames;
 }
 
-Result<GridStack> cut_out(const GridStack& stack, const StackRequest& request) {
+Result<GridStack> cut_out(const GridStack& stack,
+                          const StackRequest& request,
+                          const JobProgress& progress) {
   HYPERMAP_TRY(check_asked_names(stack, request.layers));
   HYPERMAP_ASSIGN_OR_RETURN(GridStack cut, GridStack::create(request.geometry, stack.options()));
-  for (const auto& [name, grid] : stack.layers()) {
-    if (!is_asked_for(name, request.layers)) continue;
+  std::vector<std::string> asked = names_of(stack);
+  std::erase_if(asked,
+                [&](const std::string& name) { return !is_asked_for(name, request.layers); });
+  std::size_t num_done = 0;
+  for (const std::string& name : asked) {
+    const LogOddsGrid& grid = stack.layers().at(name);
     HYPERMAP_TRY(cut.fuse({.layer = name, .frame_id = stack.options().frame_id, .grid = grid},
                           Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
                           request.resampling));
+    if (progress && !progress(++num_done, asked.size())) return interrupted();
   }
   return cut;
 }

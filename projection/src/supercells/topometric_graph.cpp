@@ -101,7 +101,7 @@ Reached reach_from(const TopometricGraph& graph, int from, int to, const IsPassa
     for (const int next : node.neighbours) {
       const auto n = static_cast<std::size_t>(next);
       const SupercellNode& other = graph.nodes[n];
-      if (next != to && is_passable && !is_passable(other)) continue;
+      if (next != to && is_passable && !is_passable(next)) continue;
       const double further_m = distance_m + (other.centroid - node.centroid).norm();
       if (further_m >= reached.distance_m[n]) continue;
       reached.distance_m[n] = further_m;
@@ -144,6 +144,29 @@ Result<std::vector<int>> supercells_of(const TopometricGraph& graph,
     if (is_known && mean.probability() >= at_least) numbers.push_back(static_cast<int>(i));
   }
   return numbers;
+}
+
+Result<std::vector<bool>> unknown_supercells(const GridStack& stack, const Supercells& supercells) {
+  HYPERMAP_TRY(check_match(stack, supercells));
+  return guarded(ErrorCode::kInvalidArgument, "the supercells", [&]() -> Result<std::vector<bool>> {
+    std::vector<bool> is_known(stack.geometry().num_cells(), false);
+    for (const auto& [name, grid] : stack.layers()) {
+      for (std::size_t i = 0; i < is_known.size(); ++i) {
+        if (grid.cells()[i] != 0) is_known[i] = true;
+      }
+    }
+    const auto count = static_cast<std::size_t>(supercells.count);
+    std::vector<std::size_t> num_cells(count, 0);
+    std::vector<std::size_t> num_known(count, 0);
+    for (std::size_t i = 0; i < is_known.size(); ++i) {
+      const auto number = static_cast<std::size_t>(supercells.labels[i]);
+      ++num_cells[number];
+      if (is_known[i]) ++num_known[number];
+    }
+    std::vector<bool> is_unknown(count, false);
+    for (std::size_t n = 0; n < count; ++n) is_unknown[n] = 2 * num_known[n] < num_cells[n];
+    return is_unknown;
+  });
 }
 
 std::optional<std::size_t> best_layer(const SupercellNode& node) {

@@ -20,6 +20,7 @@
 namespace hypermap {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -120,9 +121,49 @@ TEST(MapStack, WhatIsNotThereIsSaid) {
   EXPECT_THAT(what({.of_classes = {.band = kThin, .classes = {"chiar"}}}), HasSubstr("chair"));
   EXPECT_THAT(what({.of_classes = {.band = {.min_m = 4, .max_m = 3}}}), HasSubstr("height_band"));
   EXPECT_FALSE(stack_of_map(MapArchive{}, {}));
+  EXPECT_THAT(what({.of_classes = {.band = {.min_m = 0.3, .max_m = 0.4}}}),
+              HasSubstr("--min-height, --max-height: no voxel lies between heights of 0.3"));
+}
+
+TEST(MapStack, WhyThereIsNoLayerIsSaid) {
+  const auto why = [](const MapArchive& archive, const std::vector<std::string>& classes) {
+    const auto failed = stack_of_map(archive, {.of_classes = {.band = kThin, .classes = classes}});
+    EXPECT_EQ(failed.error().code, ErrorCode::kNotFound);
+    return to_string(failed.error());
+  };
   const MapArchive without = archive_of({"chair"}, {{2.0}});
-  EXPECT_EQ(stack_of_map(without, {.of_classes = {.band = kThin}}).error().code,
-            ErrorCode::kNotFound);
+  EXPECT_THAT(why(without, {}),
+              AllOf(HasSubstr("the map's voxels have no class"), HasSubstr("--fuse occupancy")));
+  const std::string in_band = "lies between heights of 0.5 and 0.55 m";
+  EXPECT_THAT(why(archive_of({"chair", "cup"}, {{2.0, 0}}), {"cup"}),
+              HasSubstr("--class: no voxel of cup " + in_band));
+  MapArchive above = without;
+  const auto key = above.octree->grid().key(PointInMap{{kEdge / 2, kEdge / 2, 1.025}});
+  VoxelLabel chair;
+  chair.classes[0] = {0, 2000};
+  EXPECT_TRUE(above.octree->set_leaf({.key = key.value(), .log_odds = 2000, .label = chair}));
+  EXPECT_THAT(why(above, {}),
+              HasSubstr("--min-height, --max-height: no voxel that has a class " + in_band));
+}
+
+TEST(MapStack, CellsWithoutAClassAreCounted) {
+  // A chair, a wall twice, free space.
+  const MapArchive archive = archive_of({"chair"}, {{2.0, 0}, {2.0}, {1.0}, {-1.5}});
+  EXPECT_EQ(num_cells_without_class(archive, kThin).value(), 2U);
+  EXPECT_EQ(num_cells_without_class(archive, {.min_m = 3, .max_m = 4}).value(), 0U);
+  EXPECT_EQ(num_cells_without_class(MapArchive{}, kThin).error().code, ErrorCode::kNotFound);
+}
+
+TEST(MapStack, ItsMapsAreKnownInAFolder) {
+  const MapArchive archive = archive_of({"chair"}, {{2.0, 0}});
+  const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();
+  const test::TempDir dir;
+  EXPECT_FALSE(holds_stack_maps(dir / "grids").value());
+  const LogOddsGrid combined = pooled(stack, Pooling::kMaximum).value();
+  ASSERT_TRUE(write_stack_maps(stack, combined, dir / "grids"));
+  EXPECT_TRUE(holds_stack_maps(dir / "grids").value());
+  std::filesystem::remove(dir / "grids" / "combined.yaml");
+  EXPECT_FALSE(holds_stack_maps(dir / "grids").value());
 }
 
 TEST(MapStack, IsWrittenAsMapsOfMapServer) {
@@ -139,6 +180,7 @@ TEST(MapStack, IsWrittenAsMapsOfMapServer) {
     return std::vector<int>(map.value.grid.cells().begin(), map.value.grid.cells().end());
   };
   EXPECT_THAT(cells("combined.yaml"), ElementsAre(100, -1, -1, 0));
+  EXPECT_THAT(trinary_cells(combined).value().cells(), ElementsAre(100, -1, -1, 0));
   // Log-odds 2, -3, -1.5 and -1.2: P = 0.88, 0.05, 0.18, 0.23.
   EXPECT_THAT(cells("chair.yaml"), ElementsAre(100, 0, 0, -1));
   EXPECT_THAT(cells("combined-2.yaml"), ElementsAre(0, 100, 0, -1));  // a class of that name

@@ -108,6 +108,14 @@ TEST(Pooling, SaturatesInsteadOfOverflowingAndKnowsNothingOfNothing) {
 TEST(CutOut, GivesTheStackItselfOnItsOwnCells) {
   const GridStack stack = random_stack(sized(9, 5), {"/ism/a", "/ism/b"}, 13'000);
   EXPECT_EQ(cut_out(stack, {.geometry = stack.geometry()}).value(), stack);
+  std::vector<std::size_t> last_call;
+  const JobProgress until_first = [&last_call](std::size_t done, std::size_t total) {
+    last_call = {done, total};
+    return false;
+  };
+  EXPECT_EQ(cut_out(stack, {.geometry = stack.geometry()}, until_first).error().code,
+            ErrorCode::kInterrupted);
+  EXPECT_THAT(last_call, testing::ElementsAre(1U, stack.layers().size()));
 }
 
 TEST(CutOut, PoseSizeAndResolutionAreThoseAskedFor) {

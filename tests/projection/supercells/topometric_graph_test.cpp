@@ -112,7 +112,7 @@ std::vector<std::vector<double>> all_distances(const TopometricGraph& graph,
     }
   }
   for (std::size_t via = 0; via < n; ++via) {
-    if (!is_passable(graph.nodes[via])) continue;
+    if (!is_passable(static_cast<int>(via))) continue;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < n; ++k) d[i][k] = std::min(d[i][k], d[i][via] + d[via][k]);
     }
@@ -125,8 +125,8 @@ TEST(ShortestPath, IsTheShortestOfAllOnRandomGraphs) {
   const auto found = extract_supercells(stack, {.num_levels = 2}).value();
   const auto graph = topometric_graph(stack, found).value();
   ASSERT_EQ(graph.nodes.size(), 70U);
-  const IsPassable is_passable = [](const SupercellNode& node) {
-    return node.mean[0].value() < 0.1;
+  const IsPassable is_passable = [&graph](int number) {
+    return graph.nodes[static_cast<std::size_t>(number)].mean[0].value() < 0.1;
   };
   const auto distances = all_distances(graph, is_passable);
   int num_without = 0;
@@ -162,12 +162,27 @@ TEST(ShortestPath, GoesAroundWhatIsNotPassable) {
   });
   const auto graph = topometric_graph(stack, labelled(geometry, {0, 1, 2, 3, 3, 3})).value();
   EXPECT_THAT(shortest_path(graph, 0, 2)->nodes, ElementsAre(0, 1, 2));
-  const IsPassable is_free = [](const SupercellNode& node) { return node.mean[0] < LogOdds(); };
+  const IsPassable is_free = [&graph](int number) {
+    return graph.nodes[static_cast<std::size_t>(number)].mean[0] < LogOdds();
+  };
   const auto around = shortest_path(graph, 0, 2, is_free);
   EXPECT_THAT(around->nodes, ElementsAre(0, 3, 2));
   EXPECT_NEAR(around->length_m, 0.2 * std::numbers::sqrt2, 1e-12);
   EXPECT_THAT(shortest_path(graph, 1, 1, is_free)->nodes, ElementsAre(1));
-  EXPECT_FALSE(shortest_path(graph, 0, 2, [](const SupercellNode&) { return false; }));
+  EXPECT_FALSE(shortest_path(graph, 0, 2, [](int) { return false; }));
+}
+
+TEST(UnknownSupercells, AreThoseOfWhichMostCellsNoLayerKnows) {
+  // Cells: 0 0 0 | 1 1 | 2. The first layer knows a cell of 0, the second one a cell of 1.
+  const GridGeometry geometry = cells_of(6, 1);
+  const GridStack stack = stack_from(geometry, 2, [](int layer, Cell cell) {
+    const bool is_known = (layer == 0 && cell.col == 0) || (layer == 1 && cell.col == 3);
+    return is_known ? 0.3 : 0.5;
+  });
+  const Supercells supercells = labelled(geometry, {0, 0, 0, 1, 1, 2});
+  EXPECT_THAT(unknown_supercells(stack, supercells).value(), ElementsAre(true, false, true));
+  const GridStack other = random_stack(cells_of(3, 1), 1, 1);
+  EXPECT_EQ(unknown_supercells(other, supercells).error().field, "supercells");
 }
 
 TEST(TopometricGraph, SupercellsOfAnotherStackAreRefused) {

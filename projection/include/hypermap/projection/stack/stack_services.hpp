@@ -6,6 +6,7 @@
 /// Source: [sogm] III-D, III-D.1, figure 4.
 #pragma once
 
+#include "hypermap/core/base/job_progress.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 
@@ -25,10 +26,12 @@ struct StackRequest {
   ResamplingOptions resampling = {};
 };
 
-/// The layers on other cells, by the same names.
-/// Errors: kNotFound for a name that is no layer's, telling those that there are; those of
-/// `GridStack::create` and `resampled`.
-[[nodiscard]] Result<GridStack> cut_out(const GridStack& stack, const StackRequest& request);
+/// The layers on other cells, by the same names. `progress` is called after each layer.
+/// Errors: kInterrupted; kNotFound for a name that is no layer's, telling those that there are;
+/// those of `GridStack::create` and `resampled`.
+[[nodiscard]] Result<GridStack> cut_out(const GridStack& stack,
+                                        const StackRequest& request,
+                                        const JobProgress& progress = {});
 
 /// How layers become one.
 enum class Pooling : std::uint8_t {

@@ -61,14 +61,19 @@ struct TopometricGraph {
 /// What its layers say of a node together, the best one by `best_layer`. Valid as long as `graph`.
 [[nodiscard]] PlaceEvidence evidence_of(const SupercellNode& node, const TopometricGraph& graph);
 
+/// Of each supercell, whether no layer says anything of more than half of its cells.
+/// Errors: as topometric_graph. Cost: O(cells * layers).
+[[nodiscard]] Result<std::vector<bool>> unknown_supercells(const GridStack& stack,
+                                                           const Supercells& supercells);
+
 /// From node to neighbouring node.
 struct GraphPath {
   std::vector<int> nodes;  ///< The first and the last one included.
   double length_m = 0.0;   ///< Between centroids.
 };
 
-/// Whether a way may lead through a supercell.
-using IsPassable = std::function<bool(const SupercellNode&)>;
+/// Whether a way may lead through the supercell of a number.
+using IsPassable = std::function<bool(int)>;
 
 /// The shortest way over passable nodes (Dijkstra); none when there is none. Of equally short ones
 /// always the same. Requires: both are nodes.

@@ -6,8 +6,12 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/projection/grids/occupancy_grid.hpp"
+#include "hypermap/projection/grids/occupancy_projection.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
+#include "hypermap/projection/stack/log_odds_grid.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,10 +34,26 @@ struct MapStackRequest {
 /// in the largest region of the map, and the layers asked for, by their frames.
 ///
 /// Errors: kNotFound when no voxel, or none of the classes asked for, lies in the band and no layer
-/// is fused, a class is not known or a layer not there;
+/// is fused (of "--class" or of "--min-height, --max-height", as the reason is), a class is not
+/// known or a layer not there;
 /// kUnsupported for a layer that is no occupancy grid; those of GridStack::fuse.
 [[nodiscard]] Result<GridStack> stack_of_map(const MapArchive& archive,
                                              const MapStackRequest& request);
+
+/// Cells of the map's class grids above which voxels are occupied in the band, none of which bears
+/// a class (walls, where these have none): every class of stack_of_map counts them as free.
+/// Errors: kNotFound when the map has no voxels; those of projection_geometry. Cost: two passes
+/// over the leaves.
+[[nodiscard]] Result<std::size_t> num_cells_without_class(const MapArchive& archive,
+                                                          const HeightBand& band);
+
+/// The grid as map_server reads it from the maps of write_stack_maps: occupied, free or unknown.
+/// Boundary: maps of a turned stack are turned back, which this is not. Errors: kOutOfMemory.
+[[nodiscard]] Result<OccupancyGrid> trinary_cells(const LogOddsGrid& grid);
+
+/// Whether the maps of a stack, as write_stack_maps leaves them, lie in a folder; not where there
+/// is no folder. Errors: kIo when it cannot be looked at.
+[[nodiscard]] Result<bool> holds_stack_maps(const std::filesystem::path& folder);
 
 /// Whether maps of a stack may be written to a folder: it is not there, empty, or holds what
 /// write_stack_maps wrote and nothing else but such maps.
