@@ -217,9 +217,9 @@ void add_stack_command(CLI::App& program, const CommonOptions& common, Action& a
   command
       .add_option("--pool",
                   arguments->pooling,
-                  "how layers become the combined map: the largest evidence of a cell, or the sum "
-                  "of it, in "
-                  "which many layers that say free outvote one that says occupied")
+                  "how layers become the combined map: maximum takes the largest evidence of a "
+                  "cell, bayesian the sum of it, in which many layers that say free outvote one "
+                  "that says occupied")
       ->transform(one_of(pooling_names()))
       ->capture_default_str();
   command.add_flag("--json", arguments->json, "one JSON document");
