@@ -139,10 +139,10 @@ Result<std::vector<TileIndex>> TileFolder::list() const {
   for (const std::string& name : names) {
     const auto index = index_in(name, lattice_);
     if (!index) {
-      return folder_error(ErrorCode::kMalformedFile,
-                          "is not called as a tile of " + text_of(lattice_) +
-                              expected_name_text(path_ / name),
-                          path_ / name);
+      return folder_error(
+          ErrorCode::kMalformedFile,
+          "is not called as a tile of " + text_of(lattice_) + expected_name_text(path_ / name),
+          path_ / name);
     }
     tiles.push_back(*index);
   }

@@ -57,9 +57,9 @@ struct SensedStackJob {
 };
 
 struct SensedStackReport {
-  std::size_t num_frames = 0;  ///< That were fused.
+  std::size_t num_frames = 0;      ///< That were fused.
   std::size_t num_detections = 0;  ///< In them.
-  std::vector<Error> skipped;  ///< Frames that could not be read, with the reason.
+  std::vector<Error> skipped;      ///< Frames that could not be read, with the reason.
   std::size_t num_registered = 0;
   /// Frames whose registration was refused, by the reason's field ("rivals"): fused as posed.
   std::map<std::string, std::size_t> num_refused;
