@@ -171,7 +171,7 @@ class Pipeline(unittest.TestCase):
 
     def test_an_object_says_why_it_is_there(self):
         shown = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
-        for thing in shown:
+        for thing in shown[:4]:
             why = json.loads(run("query", self.archive, "--why", thing["id"], "--json").stdout)
             self.assertTrue(why["shown"])
             self.assertEqual(why["name"], thing["name"])
@@ -194,15 +194,17 @@ class Pipeline(unittest.TestCase):
                 self.assertIn(f"--why: must be the id of an object, a whole number in 1 .. 4294967295, is '{value}'",
                               wrong.stderr)
 
-    def test_why_says_of_every_object_what_is_true_of_it_then(self):
+    def test_why_says_of_shown_and_withheld_objects_what_is_true_of_them_then(self):
         lines = [json.loads(line) for line in self.members(self.archive)["objects.jsonl"].splitlines()]
-        objects = [line["id"] for line in lines if "id" in line]
-        withheld = 0
-        for thing in objects:
+        found = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
+        shown = [thing["id"] for thing in found]
+        withheld = [line["id"] for line in lines if "id" in line and line["id"] not in shown]
+        self.assertTrue(withheld, "some object of the map is withheld")
+        for thing in shown[:3] + withheld[:3]:
             why = json.loads(run("query", self.archive, "--why", thing, "--json").stdout)
             lines = run("query", self.archive, "--why", thing).stdout.splitlines()
             text = "\n".join(lines)
-            withheld += not why["shown"]
+            self.assertEqual(why["shown"], thing in shown)
             hidden, removed = (why["removal"][key] for key in ("looks_until_gone", "looks_until_removed"))
             self.assertEqual("hidden after" in text, why["shown"] and 0 < hidden < removed, text)
             self.assertEqual("such look" in text, "hidden after" in text, text)
@@ -215,7 +217,6 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(belief.count(",") + 1, max(1, len(listed)), belief)
             if listed:
                 self.assertEqual("other" in belief, bool(counted), belief)
-        self.assertTrue(withheld, "some object of the map is withheld")
 
     def test_a_place_says_why_it_shows_nothing(self):
         thing = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]
