@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 
-GROUPS = ("octree", "pipeline", "cloud", "snapshot", "occlusion", "archive", "scale")
+GROUPS = ("octree", "pipeline", "cloud", "snapshot", "occlusion", "archive", "scale", "crowd")
 
 
 def load(folder):
@@ -187,6 +187,14 @@ def scale_table(figures):
     return lines
 
 
+def crowd_table(figures):
+    return table(figures["crowd"],
+                 {"objects": ("objects", ".0f"), "in range": ("in_range", ".0f"), "associate ms": ("associate_ms", ".1f"),
+                  "visibility ms": ("visibility_ms", ".1f"), "confirm ms": ("confirm_ms", ".0f"),
+                  "kB an object": ("kb_an_object", ".2f"), "save objects s": ("objects_save_s", ".1f"),
+                  "save all s": ("save_s", ".1f"), "load s": ("load_s", ".1f"), "archive MB": ("archive_mb", ".1f")})
+
+
 def pyplot():
     """Matplotlib without a screen; who only wants the tables does without it."""
     import matplotlib
@@ -239,7 +247,7 @@ def plot_scale(plt, figures, path):
 TABLES = {"targets": (GROUPS, targets), "octree": (("octree",), octree_tables), "frame": (("pipeline",), frame_table),
           "cloud": (("cloud",), cloud_table), "snapshot": (("snapshot",), snapshot_tables),
           "occlusion": (("occlusion",), occlusion_table), "archive": (("archive",), archive_table),
-          "scale": (("scale",), scale_table)}
+          "scale": (("scale",), scale_table), "crowd": (("crowd",), crowd_table)}
 
 
 def filled(text, figures):

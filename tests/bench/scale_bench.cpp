@@ -5,6 +5,7 @@
 //
 // HYPERMAP_SCALE_FRAMES: how many frames (1,000); 10,000 go the whole way.
 #include "bench/cpu_time.hpp"
+#include "bench/painted_world.hpp"
 #include "bench/run_benchmarks.hpp"
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
@@ -28,31 +29,13 @@ namespace hypermap::test {
 namespace {
 
 constexpr double kCorridorLengthM = 500.0;
-constexpr double kViewRangeM = 6.0;
 constexpr std::size_t kNumTenths = 10;
-constexpr std::uint32_t kNumClasses = 8;
-const PinholeCamera kCamera{160, 120, 131.0, 131.0, 79.5, 59.5};
-
-struct Cupboard {
-  Box box;
-  ClassId class_id;
-};
-
-/// A box that one is in, and cupboards along its way.
-struct World {
-  Box walls;
-  std::vector<Cupboard> cupboards;  ///< By ascending x.
-};
-
-Cupboard cupboard(std::uint32_t number, double x, double y, double height_m) {
-  return {{{x, y, 0.0}, {x + 0.8, y + 0.4, height_m}}, ClassId{number % kNumClasses}};
-}
 
 World corridor() {
   World world{.walls = {{0.0, 0.0, 0.0}, {kCorridorLengthM + 10.0, 2.6, 2.6}}, .cupboards = {}};
   for (std::uint32_t i = 0; 2.0 * i < kCorridorLengthM + 8.0; ++i) {
     const double y = i % 2 == 0 ? 0.05 : 2.15;
-    world.cupboards.push_back(cupboard(i, 2.0 * i + 1.0, y, 0.6 + 0.2 * (i % 5)));
+    world.cupboards.push_back(cupboard(i, 2.0 * i + 1.0, y, {0.8, 0.4, 0.6 + 0.2 * (i % 5)}));
   }
   return world;
 }
@@ -61,7 +44,7 @@ World room() {
   World world{.walls = {{0.0, 0.0, 0.0}, {8.0, 6.0, 2.6}}, .cupboards = {}};
   for (std::uint32_t i = 0; i < 8; ++i) {
     const double y = i % 2 == 0 ? 0.05 : 5.55;
-    world.cupboards.push_back(cupboard(i, 0.5 + 0.9 * i, y, 0.6 + 0.2 * (i % 5)));
+    world.cupboards.push_back(cupboard(i, 0.5 + 0.9 * i, y, {0.8, 0.4, 0.6 + 0.2 * (i % 5)}));
   }
   return world;
 }
@@ -78,90 +61,6 @@ MapFromCamera along_corridor(std::size_t i) {
 MapFromCamera round_room(std::size_t i) {
   const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / 200.0;
   return camera_at({4.0 + 1.5 * std::cos(turn), 3.0 + std::sin(turn), 1.3}, turn, kPitchRad);
-}
-
-/// What one ray meets.
-struct Hit {
-  double depth_m;
-  int cupboard;  ///< -1: a wall.
-};
-
-class Painter {
- public:
-  Painter(const World& world, const MapFromCamera& pose) : walls_(world.walls) {
-    origin_ = pose.origin().xyz;
-    for (const Cupboard& c : world.cupboards) {
-      const bool near = (c.box.centre() - origin_).norm() < kViewRangeM + 1.0;
-      if (near) near_.push_back(&c);
-    }
-  }
-
-  [[nodiscard]] Hit look(const Eigen::Vector3d& ray) const {
-    Hit hit{span(walls_, ray)[1], -1};
-    for (std::size_t i = 0; i < near_.size(); ++i) {
-      const auto [enter, leave] = span(near_[i]->box, ray);
-      if (enter > 0.0 && enter <= leave && enter < hit.depth_m) hit = {enter, static_cast<int>(i)};
-    }
-    return hit;
-  }
-  [[nodiscard]] const std::vector<const Cupboard*>& near() const { return near_; }
-
- private:
-  [[nodiscard]] std::array<double, 2> span(const Box& box, const Eigen::Vector3d& ray) const {
-    const Eigen::Array3d a = (box.min_in_map - origin_).array() / ray.array();
-    const Eigen::Array3d b = (box.max_in_map - origin_).array() / ray.array();
-    return {a.min(b).maxCoeff(), a.max(b).minCoeff()};
-  }
-
-  Box walls_;
-  Eigen::Vector3d origin_;
-  std::vector<const Cupboard*> near_;
-};
-
-std::vector<ClassEvidence> class_vector(ClassId id) {
-  std::vector<ClassEvidence> scores;
-  for (std::uint32_t i = 0; i < kNumClasses; ++i) {
-    scores.push_back({ClassId{i}, Probability(ClassId{i} == id ? 0.72 : 0.04)});
-  }
-  return scores;
-}
-
-RgbdFrame paint(const World& world, const MapFromCamera& pose, std::size_t index) {
-  RgbdFrame frame;
-  frame.index = index;
-  frame.camera = kCamera;
-  frame.map_from_camera = pose;
-  frame.depth_m = DepthImage(kCamera.width_px, kCamera.height_px);
-  const Painter painter(world, pose);
-  std::vector<PixelBox> boxes(painter.near().size(), PixelBox{1e9, 1e9, 0, 0});
-  std::vector<int> num_pixels(boxes.size(), 0);
-  const Eigen::Matrix3d rotation = pose.isometry().linear();
-  for (int v = 0; v < kCamera.height_px; ++v) {
-    for (int u = 0; u < kCamera.width_px; ++u) {
-      const Hit hit = painter.look(rotation * kCamera.unproject(u, v, 1.0).xyz);
-      // Millimetres, with a ripple in the place of noise.
-      const double ripple_m =
-          0.001 * static_cast<double>((static_cast<std::size_t>(u * 7 + v * 13) + index * 31) % 5);
-      frame.depth_m.at(u, v) =
-          static_cast<float>(std::round(1e3 * (hit.depth_m + ripple_m)) * 1e-3);
-      if (hit.cupboard < 0 || hit.depth_m > kViewRangeM) continue;
-      PixelBox& box = boxes[static_cast<std::size_t>(hit.cupboard)];
-      box = {std::min(box.u_min_px, u + 0.0),
-             std::min(box.v_min_px, v + 0.0),
-             std::max(box.u_max_px, u + 1.0),
-             std::max(box.v_max_px, v + 1.0)};
-      ++num_pixels[static_cast<std::size_t>(hit.cupboard)];
-    }
-  }
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (num_pixels[i] < 100) continue;
-    frame.detections.push_back({.box_px = boxes[i],
-                                .class_scores = class_vector(painter.near()[i]->class_id),
-                                .score = Probability(0.72),
-                                .detector = {},
-                                .mask = {}});
-  }
-  return frame;
 }
 
 std::size_t resident_bytes() {

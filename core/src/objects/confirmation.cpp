@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace hypermap {
@@ -64,6 +65,50 @@ bool is_same_place(const PointSet& weaker,
          c.diagonal_ratio >= options.same_place_diagonal;
 }
 
+/// Objects in whose place nothing stronger stands.
+class OwnPlaces {
+ public:
+  OwnPlaces(const ObjectMap& objects, const ConfirmationOptions& options)
+      : objects_(objects), options_(options) {}
+
+  /// The strongest of them in whose place the object lies, too. None: it has a place of its own.
+  /// Points are compared of objects alone whose boxes meet.
+  [[nodiscard]] const Object* stronger_than(const Object& object) {
+    std::vector<std::size_t> met;
+    for (const ObjectId id : objects_.query(object.box)) {
+      if (const auto rank = rank_of_.find(id.value); rank != rank_of_.end())
+        met.push_back(rank->second);
+    }
+    std::sort(met.begin(), met.end());
+    for (const std::size_t rank : met) {
+      const Object& stronger = *by_rank_[rank];
+      if (is_same_place(points_of(object), points_of(stronger), options_) &&
+          !stood_beside_in_most_frames(object, stronger, options_))
+        return &stronger;
+    }
+    return nullptr;
+  }
+
+  /// Requires: not stronger than those added before.
+  void add(const Object& object) {
+    rank_of_.emplace(object.id.value, by_rank_.size());
+    by_rank_.push_back(&object);
+  }
+
+ private:
+  const PointSet& points_of(const Object& object) {
+    const auto [place, is_new] = points_.try_emplace(object.id.value);
+    if (is_new) place->second = point_set_of(object, kNearM);
+    return place->second;
+  }
+
+  const ObjectMap& objects_;
+  const ConfirmationOptions& options_;
+  std::vector<const Object*> by_rank_;
+  std::unordered_map<std::uint32_t, std::size_t> rank_of_;
+  std::unordered_map<std::uint32_t, PointSet> points_;
+};
+
 }  // namespace
 
 std::vector<ConfirmationResult> confirmation_results(const ObjectMap& objects,
@@ -83,23 +128,13 @@ std::vector<ConfirmationResult> confirmation_results(const ObjectMap& objects,
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return is_stronger(*a.object, *b.object);
   });
-  struct Taken {
-    const Object* object;
-    PointSet points;
-  };
-  std::vector<Taken> taken;
+  OwnPlaces places(objects, options);
   for (const Candidate& candidate : candidates) {
-    const Object& object = *candidate.object;
-    PointSet points = point_set_of(object, kNearM);
-    const auto stronger = std::find_if(taken.begin(), taken.end(), [&](const Taken& other) {
-      return is_same_place(points, other.points, options) &&
-             !stood_beside_in_most_frames(object, *other.object, options);
-    });
-    if (stronger == taken.end()) {
-      taken.push_back({&object, std::move(points)});
-    } else {
+    if (const Object* stronger = places.stronger_than(*candidate.object)) {
       results[candidate.result].missed.push_back(
-          {.condition = Condition::kOwnPlace, .stronger = stronger->object->id});
+          {.condition = Condition::kOwnPlace, .stronger = stronger->id});
+    } else {
+      places.add(*candidate.object);
     }
   }
   return results;

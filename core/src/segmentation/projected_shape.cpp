@@ -4,7 +4,16 @@
 #include "hypermap/core/base/number_text.hpp"
 #include "voxel_grid.hpp"
 
+#include <cmath>
+
 namespace hypermap {
+namespace {
+
+double on_millimetres(float coordinate_m) {
+  return std::round(static_cast<double>(coordinate_m) * 1e3) / 1e3;
+}
+
+}  // namespace
 
 Result<Polygon> projected_hull(std::span<const Eigen::Vector3f> points_in_map, double leaf_size_m) {
   if (!(leaf_size_m >= 0.0)) {
@@ -15,7 +24,7 @@ Result<Polygon> projected_hull(std::span<const Eigen::Vector3f> points_in_map, d
   for (Eigen::Vector3f& point : on_floor) point.z() = 0.0F;
   std::vector<Eigen::Vector2d> thinned;
   for (const Eigen::Vector3f& centroid : voxel_grid(on_floor, leaf_size_m).centroids) {
-    thinned.emplace_back(centroid.head<2>().cast<double>());
+    thinned.emplace_back(on_millimetres(centroid.x()), on_millimetres(centroid.y()));
   }
   return convex_hull(thinned);
 }

@@ -86,6 +86,34 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
   }
 }
 
+TEST(ObjectJson, VersionOneListsCellsAndVotesAsNumbers) {
+  const ObjectMap objects = sample(1);
+  std::string text =
+      with_replaced(write_objects(objects).value(), "\"version\":2", "\"version\":1");
+  std::string votes = "\"votes\":[";
+  for (const PointVote& vote : objects.at(ObjectId{1}).points.state().votes) {
+    votes += (votes.back() == '[' ? "[" : ",[") + std::to_string(vote.cell.x) + "," +
+             std::to_string(vote.cell.y) + "," + std::to_string(vote.cell.z) + "," +
+             std::to_string(vote.votes) + "]";
+  }
+  const std::size_t from = text.find("\"origin\":");
+  const std::size_t to = text.find("},\"ledger\"");
+  ASSERT_NE(to, std::string::npos);
+  const auto again = parse_objects(text.replace(from, to - from, votes + "]"), kObjectsSource);
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_TRUE(*again == objects);
+}
+
+TEST(ObjectJson, DamagedCellsAreNamed) {
+  const std::string text = write_objects(sample(1)).value();
+  EXPECT_THAT(objects_error(with_replaced(text, "\"cells\":\"", "\"cells\":\"0")),
+              HasSubstr("a.hmap!objects.jsonl:2: $.points.cells"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"levels\":", "\"levels\":9")),
+              HasSubstr("$.points.levels: must be in 0 .. 32"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"origin\":[", "\"origin\":[1,")),
+              HasSubstr("$.points.origin"));
+}
+
 TEST(ObjectJson, TheNextIdSurvivesErasing) {
   const auto again = parse_objects(write_objects(sample(3)).value(), kObjectsSource);
   ASSERT_TRUE(again);
@@ -115,7 +143,7 @@ TEST(ObjectJson, ErrorsNameMemberLineAndPath) {
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":1,\"color\":2,")),
               HasSubstr("unknown key"));
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":0,")), HasSubstr("a.hmap"));
-  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":1", "\"version\":7")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":2", "\"version\":7")),
               HasSubstr("written by a newer version 7"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "hypermap/io/codec/json_fields.hpp"
 #include "hypermap/io/codec/value_limits.hpp"
+#include "voted_points_from_json.hpp"
 
 #include <cmath>
 #include <optional>
@@ -88,37 +89,6 @@ Result<Box> parse_box(const JsonNode& node) {
   return box;
 }
 
-Result<PointVote> parse_vote(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 4));
-  PointVote vote;
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.x, integer_of<std::int32_t>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.y, integer_of<std::int32_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.z, integer_of<std::int32_t>(node.at(2)));
-  HYPERMAP_ASSIGN_OR_RETURN(vote.votes, integer_of<std::uint32_t>(node.at(3)));
-  return vote;
-}
-
-Result<OccupancyVotes> parse_points(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(
-      node,
-      {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"},
-      {"min_block_share"}));
-  OccupancyVotesOptions options;
-  OccupancyVotesState state;
-  HYPERMAP_ASSIGN_OR_RETURN(options.edge_m, number_at(node, "first_edge_m"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.max_cells, integer_at<std::uint32_t>(node, "max_cells"));
-  HYPERMAP_ASSIGN_OR_RETURN(options.min_vote_share, number_at(node, "min_vote_share"));
-  options.min_block_share = 0.0;  // an older file does not ask for it
-  if (node.find("min_block_share")) {
-    HYPERMAP_ASSIGN_OR_RETURN(options.min_block_share, number_at(node, "min_block_share"));
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(state.edge_m, number_at(node, "edge_m"));
-  HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
-                            integer_at<std::uint32_t>(node, "num_observations"));
-  HYPERMAP_ASSIGN_OR_RETURN(state.votes, list_at(node, "votes", parse_vote));
-  return validated(node, OccupancyVotes::from_state(options, std::move(state)));
-}
-
 /// Kind and visibility are stored as their numbers.
 template <class Enum>
 Result<Enum> enum_of(const JsonNode& node, int num_values) {
@@ -202,7 +172,7 @@ class ObjectReader {
     HYPERMAP_ASSIGN_OR_RETURN(object.shapes, part(node, "shapes", [this](const JsonNode& shapes) {
                                 return parse_shapes(shapes);
                               }));
-    HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", parse_points));
+    HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", voted_points_from_json));
     HYPERMAP_ASSIGN_OR_RETURN(object.observation_log, part(node, "ledger", parse_observation_log));
     HYPERMAP_ASSIGN_OR_RETURN(object.first_seen.ns,
                               integer_at<std::int64_t>(node, "first_seen_ns"));

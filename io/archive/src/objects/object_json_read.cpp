@@ -27,8 +27,8 @@ Result<Head> parse_head(const JsonNode& node, const ObjectFileLimits& limits) {
   HYPERMAP_TRY(expect_keys(node, {"format", "version", "num_objects", "next_id"}));
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode format, node.require("format"));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string_view format_name, format.string());
-  if (format_name != "hypermap-objects" || version != kObjectsVersion)
-    return format.error(ErrorCode::kMalformedFile, "expected hypermap-objects of version 1");
+  if (format_name != "hypermap-objects" || version < 1)
+    return format.error(ErrorCode::kMalformedFile, "expected hypermap-objects of version 1 or 2");
   Head head;
   HYPERMAP_ASSIGN_OR_RETURN(head.num_objects, integer_at<std::uint32_t>(node, "num_objects"));
   HYPERMAP_ASSIGN_OR_RETURN(head.next_id.value, integer_at<std::uint32_t>(node, "next_id"));

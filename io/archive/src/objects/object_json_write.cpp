@@ -3,9 +3,11 @@
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/json_text.hpp"
+#include "voted_cells_text.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <string>
@@ -44,7 +46,9 @@ class ObjectWriter {
     return json_number(value);
   }
   std::string number(LogOdds value) { return number(value.value()); }
-  std::string number(float value) { return number(static_cast<double>(value)); }
+  std::string number(float value) {
+    return std::isfinite(value) ? json_single(value) : number(static_cast<double>(value));
+  }
   std::string count(std::uint64_t value) {
     ok_ = ok_ && value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     return std::to_string(value);
@@ -105,17 +109,19 @@ class ObjectWriter {
   std::string json_of(const OccupancyVotes& evidence) {
     const OccupancyVotesOptions& options = evidence.options();
     const OccupancyVotesState& state = evidence.state();
+    const VotedCellsText cells = voted_cells_text(state.votes);
     return json_object({{"first_edge_m", number(options.edge_m)},
                         {"max_cells", count(options.max_cells)},
                         {"min_vote_share", number(options.min_vote_share)},
                         {"min_block_share", number(options.min_block_share)},
                         {"edge_m", number(state.edge_m)},
                         {"num_observations", count(state.num_observations)},
-                        {"votes", json_array(state.votes, [](const PointVote& vote) {
-                           return "[" + std::to_string(vote.cell.x) + "," +
-                                  std::to_string(vote.cell.y) + "," + std::to_string(vote.cell.z) +
-                                  "," + std::to_string(vote.votes) + "]";
-                         })}});
+                        {"origin",
+                         json_array(std::array{cells.origin.x, cells.origin.y, cells.origin.z},
+                                    [](std::int32_t c) { return std::to_string(c); })},
+                        {"levels", std::to_string(cells.levels)},
+                        {"cells", json_quoted(cells.masks)},
+                        {"votes", json_quoted(cells.votes)}});
   }
 
   /// Kind, visibility and the rest in the order of ObservationLogEntry's fields.

@@ -37,7 +37,7 @@ std::string json_line_of(const TrueSurface& surface) {
   for (const Eigen::Vector3f& vertex : surface.vertices)
     vertices.push_back({vertex.x(), vertex.y(), vertex.z()});
   const auto whole = [](auto number) { return std::to_string(number); };
-  const auto real = [](float number) { return json_number(static_cast<double>(number)); };
+  const auto real = [](float number) { return json_single(number); };
   std::string line = json_object({{"id", std::to_string(surface.id.value)},
                                   {"class", json_quoted(surface.class_name)},
                                   {"nameable", surface.is_nameable ? "true" : "false"},

@@ -160,10 +160,22 @@ std::string json_quoted(std::string_view text) {
   return out + '"';
 }
 
-std::string json_number(double value) {
+namespace {
+
+template <class Number>
+std::string shortest_text(Number value) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::string json_number(double value) {
+  return shortest_text(value);
+}
+std::string json_single(float value) {
+  return shortest_text(value);
 }
 
 }  // namespace hypermap

@@ -2,8 +2,11 @@
 #include "hypermap/io/codec/json_fields.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace hypermap {
 
@@ -38,11 +41,13 @@ Result<double> number_at(const JsonNode& object, std::string_view key) {
 }
 
 Result<float> float_of(const JsonNode& node) {
-  HYPERMAP_ASSIGN_OR_RETURN(const double value, node.number());
-  const auto narrow = static_cast<float>(value);
-  if (static_cast<double>(narrow) != value || !std::isfinite(narrow))
+  HYPERMAP_TRY(node.number());
+  const std::string_view text = node.number_text();
+  float value = 0.0F;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end.ec != std::errc() || !std::isfinite(value))
     return node.error(ErrorCode::kMalformedFile, "expected a number of single precision");
-  return narrow;
+  return value;
 }
 
 }  // namespace hypermap

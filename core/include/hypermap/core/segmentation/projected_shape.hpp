@@ -13,7 +13,8 @@
 namespace hypermap {
 
 /// Projects the points to the map's x-y plane, thins them by a plane grid of `leaf_size_m` (one
-/// mean per cell; 0 keeps all) and takes the convex hull.
+/// mean per cell; 0 keeps all) and takes the convex hull. Vertices lie on whole millimetres: depth
+/// is no better known, and short numbers make small files.
 ///
 /// Errors: kInvalidArgument when the points span no area, or leaf_size_m < 0.
 /// Cost: O(n log n).

@@ -96,5 +96,7 @@ class JsonDocument {
 
 /// Shortest text that reads back as the same number. Requires: finite.
 [[nodiscard]] std::string json_number(double value);
+/// Shortest text that reads back as the same number of single precision. Requires: finite.
+[[nodiscard]] std::string json_single(float value);
 
 }  // namespace hypermap

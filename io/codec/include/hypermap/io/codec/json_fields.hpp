@@ -46,7 +46,8 @@ template <class T>
   return integer_of<T>(node);
 }
 
-/// A number that a float holds exactly.
+/// The number of single precision that is nearest to the text. Errors: also kMalformedFile beyond
+/// the largest one.
 [[nodiscard]] Result<float> float_of(const JsonNode& node);
 
 template <int Size>

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voted_cells_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace hypermap {
+namespace {
+
+constexpr std::string_view kHexDigits = "0123456789abcdef";
+constexpr std::string_view kVoteDigits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr unsigned kBitsOfVoteDigit = 5;
+constexpr std::uint32_t kMoreDigits = 1U << kBitsOfVoteDigit;
+constexpr int kMaxLevels = 32;
+
+/// A cell relative to the origin.
+struct RelativeVote {
+  std::array<std::uint32_t, 3> at;
+  std::uint32_t votes;
+};
+
+/// Of differences of two 32-bit integers, which a 32-bit one holds when they are not negative.
+std::uint32_t offset(std::int32_t value, std::int32_t origin) {
+  return static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(origin);
+}
+
+class CellWriter {
+ public:
+  explicit CellWriter(VotedCellsText& text) : text_(text) {}
+
+  void write(std::span<RelativeVote> cells, int level) {
+    if (level == 0) return put_votes(cells.front().votes);
+    const auto children = split(cells, level - 1);
+    std::uint32_t mask = 0;
+    for (std::size_t k = 0; k < children.size(); ++k) {
+      if (!children[k].empty()) mask |= 1U << k;
+    }
+    text_.masks += {kHexDigits[mask >> 4U], kHexDigits[mask & 15U]};
+    for (const std::span<RelativeVote> child : children) {
+      if (!child.empty()) write(child, level - 1);
+    }
+  }
+
+ private:
+  static std::array<std::span<RelativeVote>, 8> split(std::span<RelativeVote> cells, int bit) {
+    std::array<std::span<RelativeVote>, 8> parts{cells};
+    for (std::size_t axis = 0, stride = 4; axis < 3; ++axis, stride /= 2) {
+      for (std::size_t k = 0; k < parts.size(); k += 2 * stride) {
+        const auto is_low = [&](const RelativeVote& cell) {
+          return (cell.at.at(axis) >> static_cast<unsigned>(bit) & 1U) == 0;
+        };
+        const auto middle = std::partition(parts.at(k).begin(), parts.at(k).end(), is_low);
+        const auto num_low = static_cast<std::size_t>(middle - parts.at(k).begin());
+        parts.at(k + stride) = parts.at(k).subspan(num_low);
+        parts.at(k) = parts.at(k).first(num_low);
+      }
+    }
+    return parts;
+  }
+
+  void put_votes(std::uint32_t votes) {
+    for (; votes >= kMoreDigits; votes >>= kBitsOfVoteDigit)
+      text_.votes += kVoteDigits[votes % kMoreDigits + kMoreDigits];
+    text_.votes += kVoteDigits[votes];
+  }
+
+  VotedCellsText& text_;
+};
+
+class CellReader {
+ public:
+  CellReader(const VotedCellsText& text, std::uint32_t max_cells)
+      : text_(text), max_cells_(max_cells), masks_(text.masks), votes_(text.votes) {}
+
+  Result<std::vector<PointVote>> read() {
+    if (text_.levels < 0 || text_.levels > kMaxLevels)
+      return fail(ErrorCode::kMalformedFile,
+                  "must be in 0 .. 32, is " + std::to_string(text_.levels),
+                  "levels");
+    cells_.reserve(std::min<std::size_t>(votes_.size(), max_cells_));
+    if (!votes_.empty()) HYPERMAP_TRY(read_node({0, 0, 0}, text_.levels));
+    if (!masks_.empty() || !votes_.empty())
+      return fail(ErrorCode::kMalformedFile,
+                  "has digits beyond the last cell",
+                  masks_.empty() ? "votes" : "cells");
+    std::sort(cells_.begin(), cells_.end());
+    return std::move(cells_);
+  }
+
+ private:
+  Result<void> read_node(const std::array<std::uint32_t, 3>& low, int level) {
+    if (level == 0) return read_cell(low);
+    HYPERMAP_ASSIGN_OR_RETURN(const std::uint32_t mask, take_mask());
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      if ((mask >> k & 1U) == 0) continue;
+      const auto shift = static_cast<unsigned>(level - 1);
+      HYPERMAP_TRY(read_node({low[0] + ((k >> 2U & 1U) << shift),
+                              low[1] + ((k >> 1U & 1U) << shift),
+                              low[2] + ((k & 1U) << shift)},
+                             level - 1));
+    }
+    return {};
+  }
+
+  Result<void> read_cell(const std::array<std::uint32_t, 3>& at) {
+    const auto x = coordinate(text_.origin.x, at[0]);
+    const auto y = coordinate(text_.origin.y, at[1]);
+    const auto z = coordinate(text_.origin.z, at[2]);
+    if (!x || !y || !z) return fail(ErrorCode::kMalformedFile, "has a cell beyond 2^31", "cells");
+    if (cells_.size() == max_cells_) {
+      return fail(ErrorCode::kMalformedFile,
+                  "are of more cells than max_cells = " + std::to_string(max_cells_),
+                  "votes");
+    }
+    HYPERMAP_ASSIGN_OR_RETURN(const std::uint32_t votes, take_votes());
+    cells_.push_back({.cell = {*x, *y, *z}, .votes = votes});
+    return {};
+  }
+
+  static std::optional<std::int32_t> coordinate(std::int32_t origin, std::uint32_t offset) {
+    const std::int64_t sum = std::int64_t{origin} + std::int64_t{offset};
+    if (sum > std::numeric_limits<std::int32_t>::max()) return std::nullopt;
+    return static_cast<std::int32_t>(sum);
+  }
+
+  Result<std::uint32_t> take_mask() {
+    const std::string_view digits = masks_.substr(0, 2);
+    const std::size_t high =
+        digits.size() < 2 ? std::string_view::npos : kHexDigits.find(digits[0]);
+    const std::size_t low = digits.size() < 2 ? std::string_view::npos : kHexDigits.find(digits[1]);
+    if (high == std::string_view::npos || low == std::string_view::npos || high + low == 0)
+      return fail(ErrorCode::kMalformedFile,
+                  "ends, or has no mask of children, where one is expected",
+                  "cells");
+    masks_.remove_prefix(2);
+    return static_cast<std::uint32_t>(high << 4U | low);
+  }
+
+  Result<std::uint32_t> take_votes() {
+    std::uint64_t votes = 0;
+    for (unsigned shift = 0; shift < 32; shift += kBitsOfVoteDigit) {
+      const std::size_t digit =
+          votes_.empty() ? std::string_view::npos : kVoteDigits.find(votes_.front());
+      if (digit == std::string_view::npos) break;
+      votes_.remove_prefix(1);
+      votes |= std::uint64_t{digit % kMoreDigits} << shift;
+      if (digit >= kMoreDigits) continue;
+      if (votes > std::numeric_limits<std::uint32_t>::max()) break;
+      return static_cast<std::uint32_t>(votes);
+    }
+    return fail(ErrorCode::kMalformedFile,
+                "ends, or has no number of 32 bits, where votes of a cell are expected",
+                "votes");
+  }
+
+  const VotedCellsText& text_;
+  std::uint32_t max_cells_;
+  std::string_view masks_;
+  std::string_view votes_;
+  std::vector<PointVote> cells_;
+};
+
+}  // namespace
+
+VotedCellsText voted_cells_text(std::span<const PointVote> votes) {
+  VotedCellsText text;
+  if (votes.empty()) return text;
+  text.origin = votes.front().cell;
+  for (const PointVote& vote : votes) {
+    text.origin = {std::min(text.origin.x, vote.cell.x),
+                   std::min(text.origin.y, vote.cell.y),
+                   std::min(text.origin.z, vote.cell.z)};
+  }
+  std::vector<RelativeVote> cells;
+  cells.reserve(votes.size());
+  std::uint32_t bits = 0;
+  for (const PointVote& vote : votes) {
+    cells.push_back({{offset(vote.cell.x, text.origin.x),
+                      offset(vote.cell.y, text.origin.y),
+                      offset(vote.cell.z, text.origin.z)},
+                     vote.votes});
+    bits |= cells.back().at[0] | cells.back().at[1] | cells.back().at[2];
+  }
+  text.levels = static_cast<int>(std::bit_width(bits));
+  text.votes.reserve(votes.size());
+  CellWriter(text).write(cells, text.levels);
+  return text;
+}
+
+Result<std::vector<PointVote>> voted_cells(const VotedCellsText& text, std::uint32_t max_cells) {
+  return CellReader(text, max_cells).read();
+}
+
+}  // namespace hypermap

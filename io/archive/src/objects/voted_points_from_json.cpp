@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voted_points_from_json.hpp"
+
+#include "hypermap/io/codec/json_fields.hpp"
+#include "voted_cells_text.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+Result<std::string> text_at(const JsonNode& object, std::string_view key) {
+  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode node, object.require(key));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string_view text, node.string());
+  return std::string(text);
+}
+
+Result<PointVote> parse_vote(const JsonNode& node) {
+  HYPERMAP_TRY(expect_array(node, 4));
+  PointVote vote;
+  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.x, integer_of<std::int32_t>(node.at(0)));
+  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.y, integer_of<std::int32_t>(node.at(1)));
+  HYPERMAP_ASSIGN_OR_RETURN(vote.cell.z, integer_of<std::int32_t>(node.at(2)));
+  HYPERMAP_ASSIGN_OR_RETURN(vote.votes, integer_of<std::uint32_t>(node.at(3)));
+  return vote;
+}
+
+/// Of version 2. Errors: those of voted_cells, at the key that they name.
+Result<std::vector<PointVote>> parse_voted_cells(const JsonNode& node, std::uint32_t max_cells) {
+  VotedCellsText text;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto origin, list_at(node, "origin", integer_of<std::int32_t>));
+  HYPERMAP_TRY(expect_array(*node.find("origin"), 3));
+  text.origin = {.x = origin[0], .y = origin[1], .z = origin[2]};
+  HYPERMAP_ASSIGN_OR_RETURN(text.levels, integer_at<std::int32_t>(node, "levels"));
+  HYPERMAP_ASSIGN_OR_RETURN(text.masks, text_at(node, "cells"));
+  HYPERMAP_ASSIGN_OR_RETURN(text.votes, text_at(node, "votes"));
+  auto votes = voted_cells(text, max_cells);
+  if (votes) return votes;
+  return node.find(votes.error().field)->error(votes.error().code, votes.error().what);
+}
+
+/// Version 1 lists cells and votes as numbers.
+Result<std::vector<PointVote>> parse_votes(const JsonNode& points, std::uint32_t max_cells) {
+  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode votes, points.require("votes"));
+  return votes.is(JsonKind::kString) ? parse_voted_cells(points, max_cells)
+                                     : list_of(votes, parse_vote);
+}
+
+}  // namespace
+
+Result<OccupancyVotes> voted_points_from_json(const JsonNode& node) {
+  HYPERMAP_TRY(expect_keys(
+      node,
+      {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"},
+      {"min_block_share", "origin", "levels", "cells"}));
+  OccupancyVotesOptions options;
+  OccupancyVotesState state;
+  HYPERMAP_ASSIGN_OR_RETURN(options.edge_m, number_at(node, "first_edge_m"));
+  HYPERMAP_ASSIGN_OR_RETURN(options.max_cells, integer_at<std::uint32_t>(node, "max_cells"));
+  HYPERMAP_ASSIGN_OR_RETURN(options.min_vote_share, number_at(node, "min_vote_share"));
+  options.min_block_share = 0.0;  // an older file does not ask for it
+  if (node.find("min_block_share")) {
+    HYPERMAP_ASSIGN_OR_RETURN(options.min_block_share, number_at(node, "min_block_share"));
+  }
+  HYPERMAP_TRY(validated(node, validate(options)));  // max_cells bounds what is read
+  HYPERMAP_ASSIGN_OR_RETURN(state.edge_m, number_at(node, "edge_m"));
+  HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
+                            integer_at<std::uint32_t>(node, "num_observations"));
+  HYPERMAP_ASSIGN_OR_RETURN(state.votes, parse_votes(node, options.max_cells));
+  return validated(node, OccupancyVotes::from_state(options, std::move(state)));
+}
+
+}  // namespace hypermap

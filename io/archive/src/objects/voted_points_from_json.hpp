@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where an object's observations had points, from its JSON line.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/occupancy_votes.hpp"
+#include "hypermap/io/codec/bounded_json.hpp"
+
+namespace hypermap {
+
+/// Of either version. Errors: those of parse_objects, naming line and path.
+[[nodiscard]] Result<OccupancyVotes> voted_points_from_json(const JsonNode& node);
+
+}  // namespace hypermap
