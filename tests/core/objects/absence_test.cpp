@@ -48,6 +48,16 @@ TEST(Absences, WhatIsVisibleAndNotDetectedLosesAFifth) {
   EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kVisible)), 4.8);
 }
 
+TEST(Absences, FromASideOnWhichItWasNeverDetectedAThirdIsLost) {
+  // [smap] 3.5.2, figure 3.18: detected from -90 degrees alone, missed from +90: 5 - 0.2 / 3.
+  VisibilityResult behind = result_of(Visibility::kVisible);
+  behind.bearing_rad = M_PI / 2;
+  EXPECT_DOUBLE_EQ(existence_after(behind), 5.0 - 0.2 / 3.0);
+  EXPECT_DOUBLE_EQ(existence_after(behind, {.unseen_side_factor = 1.0}), 4.8);
+  behind.state = Visibility::kAbsent;
+  EXPECT_DOUBLE_EQ(existence_after(behind), 5.0 - 1.0 / 3.0);
+}
+
 TEST(Absences, WhatIsHiddenOrOutOfViewLosesNothing) {
   EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kOccluded)), 5.0);
   EXPECT_DOUBLE_EQ(existence_after(result_of(Visibility::kOutOfView)), 5.0);

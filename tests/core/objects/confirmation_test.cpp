@@ -107,16 +107,16 @@ TEST(Confirmation, ASmallThingOnALargeOneIsPublished) {
 }
 
 TEST(Confirmation, TheConfidenceRuleAsksForTheConfidence) {
-  // [smap] Eq. (3.27): seen once from 2.2 m: tp1 = 0.973, tp2 = 0.8, tp3 = 0 (0.57 is below the
-  // 0.847 of p = 0.7): (3.89 + 0.8) / 6 = 0.78.
+  // [smap] Eq. (3.27): seen once from 2.2 m: tp1 = 0.973, tp2 = 0.8, tp3 = 1 (nothing speaks
+  // against it): (3.89 + 0.8 + 1) / 6 = 0.95.
   ObjectMap map;
   (void)map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 1));
   ConfirmationOptions options{.min_real_probability = std::nullopt,
-                              .min_confidence = Probability(0.77),
+                              .min_confidence = Probability(0.94),
                               .confidence = {ConfidenceRule::kWeighted},
                               .min_observations = 1};
   EXPECT_EQ(confirmed_objects(map, options).size(), 1U);
-  options.min_confidence = Probability(0.79);
+  options.min_confidence = Probability(0.96);
   EXPECT_TRUE(confirmed_objects(map, options).empty());
 }
 

@@ -36,7 +36,7 @@ TEST(Object, ConfidenceIsTheWeightedSumOfThreeTerms) {
 
 TEST(Object, NothingIsKnownOfAnEmptyOne) {
   EXPECT_FALSE(best_class(Object{}).has_value());
-  EXPECT_NEAR(object_confidence(Object{}, {ConfidenceRule::kWeighted}).value(), 0.5 / 6.0, 1e-12);
+  EXPECT_NEAR(object_confidence(Object{}, {ConfidenceRule::kWeighted}).value(), 1.5 / 6.0, 1e-12);
   for (const auto policy : {ShapePolicy::kBest, ShapePolicy::kHull, ShapePolicy::kVoxels}) {
     EXPECT_EQ(footprint(Object{}, policy).error().code, ErrorCode::kNotFound);
   }

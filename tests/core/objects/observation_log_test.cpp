@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace hypermap {
 namespace {
@@ -185,6 +186,20 @@ TEST(ObservationLog, WhatIsStoredComesBackAndNonsenseIsRefused) {
   auto nan = observation_log.state();
   nan.newest[0].score = NAN;
   EXPECT_FALSE(ObservationLog::from_state(nan).has_value());
+}
+
+TEST(ObservationLog, ASideIsOneFromWhichADetectionWasRecorded) {
+  // Bins of 20 degrees: 350 degrees is bin 17; bins 16 and 0 lie beside it, bins 15 and 1 do not.
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  ObservationLog log;
+  EXPECT_TRUE(was_detected_from(log, 1.0)) << "of no side anything is known";
+  log.add({.kind = ObservationKind::kMissedDetection, .bearing_rad = static_cast<float>(M_PI)});
+  EXPECT_TRUE(was_detected_from(log, 1.0));
+  log.add({.bearing_rad = static_cast<float>(-10.0 * kDegree)});
+  for (const double bearing_deg : {-39.0, -10.0, 1.0, 19.0, 350.0, 361.0})
+    EXPECT_TRUE(was_detected_from(log, bearing_deg * kDegree)) << bearing_deg;
+  for (const double bearing_deg : {-41.0, 21.0, 180.0, -180.0})
+    EXPECT_FALSE(was_detected_from(log, bearing_deg * kDegree)) << bearing_deg;
 }
 
 }  // namespace

@@ -67,8 +67,24 @@ TEST(VisibilityHistogram, ConfidenceIsTheShareOfBinsThatSayVisible) {
   bins[2] = LogOdds(0.84);
   bins[3] = LogOdds(-0.41);
   bins[4] = LogOdds(-0.40);
-  EXPECT_NEAR(VisibilityHistogram::from_bins({}, bins).value().confidence(), 2.0 / 3.0, 1e-12);
-  EXPECT_DOUBLE_EQ(VisibilityHistogram().confidence(), 0.0);
+  const VisibilityHistogramOptions counted{.confidence = HistogramConfidence::kCounted};
+  EXPECT_NEAR(VisibilityHistogram::from_bins(counted, bins).value().confidence(), 2.0 / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(VisibilityHistogram(counted).confidence(), 0.0);
+}
+
+TEST(VisibilityHistogram, ConfidenceIsTheShareOfTheEvidenceThatSpeaksForIt) {
+  // Three for, one against: 3 / 4. What was never looked at, [smap] 3.5.2, speaks neither way.
+  std::vector<LogOdds> bins(18);
+  bins[0] = LogOdds(2.5);
+  bins[9] = LogOdds(0.5);
+  bins[17] = LogOdds(-1.0);
+  EXPECT_NEAR(VisibilityHistogram::from_bins({}, bins).value().confidence(), 0.75, 1e-12);
+  bins[17] = LogOdds();
+  EXPECT_DOUBLE_EQ(VisibilityHistogram::from_bins({}, bins).value().confidence(), 1.0);
+  EXPECT_DOUBLE_EQ(VisibilityHistogram().confidence(), 1.0);
+  // Continuous: a bin on either side of 0 changes little, where (3.26) jumps at its thresholds.
+  bins[5] = LogOdds(-1e-6);
+  EXPECT_NEAR(VisibilityHistogram::from_bins({}, bins).value().confidence(), 1.0, 1e-6);
 }
 
 TEST(VisibilityHistogram, AnglesDifferByAtMostHalfATurn) {

@@ -18,9 +18,9 @@ bool is_expected(const Object& object, const VisibilityResult& result, double ra
 }
 
 /// C.2 and step 8 of [smap] figure 3.23; the existence is that of [hypermap] 3.4.5.
-Decay decay_for(const Object& object,
-                const VisibilityResult& result,
-                const AbsenceOptions& options) {
+Decay full_decay_for(const Object& object,
+                     const VisibilityResult& result,
+                     const AbsenceOptions& options) {
   const bool expected = is_expected(object, result, options.expected_range_factor);
   const LogOdds missed = expected ? options.missed_decay : LogOdds{};
   switch (result.state) {
@@ -36,6 +36,16 @@ Decay decay_for(const Object& object,
       return {options.absent_decay, 1.0};
   }
   return {};
+}
+
+/// Less from a side on which it was never detected. Source: [smap] 3.5.2, figure 3.18.
+Decay decay_for(const Object& object,
+                const VisibilityResult& result,
+                const AbsenceOptions& options) {
+  const Decay full = full_decay_for(object, result, options);
+  if (was_detected_from(object.observation_log, result.bearing_rad)) return full;
+  const double share = options.unseen_side_factor;
+  return {share * full.existence, share * full.absence};
 }
 
 void count(AbsenceReport& report, Visibility state) {

@@ -15,6 +15,7 @@ using Belief = ClassBeliefOptions;
 using Histogram = VisibilityHistogramOptions;
 
 constexpr std::string_view kSaturationNames[] = {"clamp", "shift"};
+constexpr std::string_view kHistogramConfidenceNames[] = {"evidence", "counted"};
 constexpr std::string_view kTemperingNames[] = {"none", "views"};
 
 /// The presets have the printed bounds where the default of an object's belief is wider.
@@ -79,6 +80,13 @@ constexpr OptionRow kHistogramRows[] = {
                                              {.unit = "probability",
                                               .source = "[smap] table D.2, f_ohc",
                                               .effect = "A bin below it says hidden."}),
+    option::choice<&Histogram::confidence>(
+        "confidence",
+        kHistogramConfidenceNames,
+        {.source = "[smap] Eq. (3.26)",
+         .effect = "Share of the evidence that speaks for the object, or of the bins.",
+         .smap = HistogramConfidence::kCounted,
+         .hypermap = HistogramConfidence::kCounted}),
 };
 
 template <class Options>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -182,6 +183,18 @@ std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) 
   return static_cast<std::size_t>(std::count_if(of_a.begin(), of_a.end(), [&](const auto& frame) {
     return std::binary_search(of_b.begin(), of_b.end(), frame);
   }));
+}
+
+bool was_detected_from(const ObservationLog& log, double bearing_rad) {
+  const int side = log_bearing_bin(bearing_rad);
+  bool was_detected = false;
+  for (const ObservationLogSummary& summary : log.state().summaries) {
+    if (summary.kind != ObservationKind::kDetection) continue;
+    const int bins_apart = std::abs(summary.bearing_bin - side);
+    if (std::min(bins_apart, ObservationLog::kNumBearingBins - bins_apart) <= 1) return true;
+    was_detected = true;
+  }
+  return !was_detected;
 }
 
 std::uint8_t log_bearing_bin(double bearing_rad) {

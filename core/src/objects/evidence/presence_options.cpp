@@ -61,6 +61,12 @@ constexpr OptionRow kAbsenceRows[] = {
         "occluded_factor",
         {0, 1},
         {.source = "[smap] 3.5.2", .effect = "Share of the decay when occluded.", .smap = 0.1}),
+    option::number<&Absence::unseen_side_factor>(
+        "unseen_side_factor",
+        {0, 1},
+        {.source = "[smap] 3.5.2",
+         .effect = "Share of the decay from a side on which it was never detected.",
+         .hypermap = 1.0}),
     option::flag<&Absence::spare_seen>("spare_seen",
                                        {.effect = "Objects that this frame detected lose nothing.",
                                         .smap = false,

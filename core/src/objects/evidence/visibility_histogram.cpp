@@ -69,6 +69,21 @@ void VisibilityHistogram::add(double bearing_rad, double increment) {
 }
 
 double VisibilityHistogram::confidence() const {
+  return options_.confidence == HistogramConfidence::kEvidence ? share_of_evidence()
+                                                               : share_of_bins();
+}
+
+double VisibilityHistogram::share_of_evidence() const {
+  double positive = 0.0;
+  double all = 0.0;
+  for (const LogOdds l : bins_) {
+    positive += std::max(l.value(), 0.0);
+    all += std::abs(l.value());
+  }
+  return positive == all ? 1.0 : positive / all;
+}
+
+double VisibilityHistogram::share_of_bins() const {
   std::size_t visible = 0;
   std::size_t hidden = 0;
   for (const LogOdds l : bins_) {

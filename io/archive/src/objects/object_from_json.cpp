@@ -54,6 +54,16 @@ Result<ClassBelief> parse_belief(const JsonNode& node) {
   return validated(node, ClassBelief::from_entries(options, std::move(entries)));
 }
 
+/// An older file, which does not say it, counts bins.
+Result<HistogramConfidence> histogram_confidence_at(const JsonNode& histogram) {
+  const auto rule = histogram.find("confidence");
+  if (!rule) return HistogramConfidence::kCounted;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string_view name, rule->string());
+  if (name != "evidence" && name != "counted")
+    return rule->error(ErrorCode::kMalformedFile, "expected evidence or counted");
+  return name == "evidence" ? HistogramConfidence::kEvidence : HistogramConfidence::kCounted;
+}
+
 Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
   HYPERMAP_TRY(expect_keys(node,
                            {"base_increment",
@@ -62,7 +72,8 @@ Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
                             "min_log_odds",
                             "visible_above",
                             "hidden_below",
-                            "bins"}));
+                            "bins"},
+                           {"confidence"}));
   VisibilityHistogramOptions options;
   HYPERMAP_ASSIGN_OR_RETURN(options.base_increment, number_at(node, "base_increment"));
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode weights, node.require("weights"));
@@ -74,6 +85,7 @@ Result<VisibilityHistogram> parse_histogram(const JsonNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(options.min_log_odds, log_odds_at(node, "min_log_odds"));
   HYPERMAP_ASSIGN_OR_RETURN(options.visible_above, number_at(node, "visible_above"));
   HYPERMAP_ASSIGN_OR_RETURN(options.hidden_below, number_at(node, "hidden_below"));
+  HYPERMAP_ASSIGN_OR_RETURN(options.confidence, histogram_confidence_at(node));
   HYPERMAP_ASSIGN_OR_RETURN(auto bins, list_at(node, "bins", [](const JsonNode& bin) {
                               return bin.number().map([](double l) { return LogOdds(l); });
                             }));

@@ -85,6 +85,8 @@ class ObjectWriter {
          {"min_log_odds", number(options.min_log_odds)},
          {"visible_above", number(options.visible_above)},
          {"hidden_below", number(options.hidden_below)},
+         {"confidence",
+          options.confidence == HistogramConfidence::kEvidence ? "\"evidence\"" : "\"counted\""},
          {"bins", json_array(histogram.bins(), [this](LogOdds bin) { return number(bin); })}});
   }
 

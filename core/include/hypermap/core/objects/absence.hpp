@@ -63,6 +63,10 @@ struct AbsenceOptions {
   double partly_occluded_factor = 0.0;
   /// The same when occluded: "a small decay"; off by default.
   double occluded_factor = 0.0;
+  /// Share of any decay that applies from a side on which the object was never detected, see
+  /// `was_detected_from`: something may hide it there. 1: all sides are alike.
+  /// Source: [smap] 3.5.2, figure 3.18, without a number.
+  double unseen_side_factor = 1.0 / 3.0;
   /// Objects that this frame did detect lose nothing.
   bool spare_seen = true;
   /// Farther than this times the farthest distance at which it was ever detected, a detection is

@@ -106,6 +106,12 @@ static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
                   std::size_t{16} * 1024,
               "an observation log takes at most 16 KB");
 
+/// Whether a detection was ever recorded from the bearing's bin or one beside it. Looks through the
+/// object's place change nothing of it, as they would of the visibility histogram.
+/// Boundary: true of a log without detections, which knows of no side.
+/// Cost: linear in the log's summaries.
+[[nodiscard]] bool was_detected_from(const ObservationLog& log, double bearing_rad);
+
 /// How regularly a log's object was detected, from the sums over all its entries.
 struct DetectionRegularity {
   std::uint64_t num_detections = 0;

@@ -17,6 +17,16 @@ namespace hypermap {
 
 struct OptionTable;
 
+/// How far a histogram speaks for its object.
+enum class HistogramConfidence {
+  /// Sum of the positive over the sum of the absolute log-odds of all bins; 1 where nothing speaks
+  /// against. Ours: a bin of p = 0.5 is undefined ([smap] 3.5.2), so it counts for neither.
+  kEvidence,
+  /// Bins that say "visible" over bins that say anything; 0 when none does.
+  /// Source: [smap] Eq. (3.26), table D.2.
+  kCounted,
+};
+
 struct VisibilityHistogramOptions {
   int num_bins = 18;            ///< Bins of a full turn: 20 degrees each.
   double base_increment = 2.0;  ///< Log-odds that a near observation adds.
@@ -27,6 +37,7 @@ struct VisibilityHistogramOptions {
   LogOdds min_log_odds{-10.0};  ///< Lower bound of a bin.
   double visible_above = 0.7;   ///< A bin above this probability says "visible".
   double hidden_below = 0.4;    ///< A bin below this probability says "not".
+  HistogramConfidence confidence = HistogramConfidence::kEvidence;
 
   friend bool operator==(const VisibilityHistogramOptions&,
                          const VisibilityHistogramOptions&) = default;
@@ -63,8 +74,7 @@ class VisibilityHistogram {
   /// Adds the evidence of another histogram of the same object. Requires: the same options.
   void merge(const VisibilityHistogram& other);
 
-  /// Bins that say "visible" over bins that say anything; 0 when none does.
-  /// Source: [smap] Eq. (3.26), table D.2.
+  /// By the options' rule, in [0, 1].
   [[nodiscard]] double confidence() const;
 
   /// The bin of a bearing; bin 0 starts at 0, counter-clockwise. Source: [smap] figure 3.19.
@@ -75,6 +85,8 @@ class VisibilityHistogram {
 
  private:
   void add(double bearing_rad, double increment);
+  [[nodiscard]] double share_of_evidence() const;
+  [[nodiscard]] double share_of_bins() const;
 
   VisibilityHistogramOptions options_;
   std::vector<LogOdds> bins_;
