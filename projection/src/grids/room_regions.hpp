@@ -24,7 +24,7 @@ struct RoomRegions {
 
 /// The cells of the mask, flooded from the largest clearance down: where two regions meet they are
 /// one unless the gap parts them (`RoomOptions::doorway_m`, `max_gap_share`).
-/// Requires: `clearance` is that of `mask`. Cost: O(n log n).
+/// Requires: `clearance` is that of a mask that holds `mask`. Cost: O(n log n).
 [[nodiscard]] RoomRegions flood_regions(const CellMask& mask,
                                         const std::vector<std::int64_t>& clearance,
                                         double resolution_m,

@@ -108,6 +108,15 @@ CellMask floor_of(const OccupancyGrid& grid, const RoomOptions& options) {
   return floor;
 }
 
+/// The floor and what is unknown: all that no wall is seen in.
+CellMask unblocked(const OccupancyGrid& grid, const CellMask& floor) {
+  CellMask open = floor;
+  for (std::size_t i = 0; i < open.is_in.size(); ++i) {
+    if (grid.cells()[i] == kUnknownCell) open.is_in[i] = 1;
+  }
+  return open;
+}
+
 Cell cell_of_place(const GridGeometry& geometry, std::size_t place) {
   const auto cols = static_cast<std::size_t>(geometry.cols);
   return {.col = static_cast<int>(place % cols), .row = static_cast<int>(place / cols)};
@@ -214,7 +223,7 @@ OccupancyGrid without_obstacles(OccupancyGrid grid, std::span<const Polygon> obs
 RoomPlan find_rooms(const OccupancyGrid& grid, const RoomOptions& options) {
   const GridGeometry& geometry = grid.geometry();
   const CellMask floor = floor_of(grid, options);
-  const std::vector<std::int64_t> clearance = squared_clearance(floor);
+  const std::vector<std::int64_t> clearance = squared_clearance(unblocked(grid, floor));
   const double cell_m2 = geometry.resolution_m * geometry.resolution_m;
   const auto min_cells = static_cast<std::size_t>(std::ceil(options.min_room_m2 / cell_m2));
   RoomRegions regions = flood_regions(floor, clearance, geometry.resolution_m, options);

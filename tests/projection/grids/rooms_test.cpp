@@ -161,6 +161,15 @@ TEST(FindRooms, APartitionBetweenTwoDoorsIsAWall) {
   EXPECT_THAT(found.doorways, SizeIs(2));
 }
 
+TEST(FindRooms, WhatNobodySawNarrowsNoGap) {
+  // A hall of 3 m, of which only a strip of 0.8 m was seen in the middle of its length.
+  Plan plan(8, 3);
+  plan.free(0, 0, 8, 3).set(3.5, 0, 4.5, 1.1, kUnknownCell).set(3.5, 1.9, 4.5, 3, kUnknownCell);
+  EXPECT_THAT(plan.rooms({.max_island_m2 = 0}).rooms, SizeIs(1));
+  plan.wall(3.5, 0, 4.5, 1.1).wall(3.5, 1.9, 4.5, 3);
+  EXPECT_THAT(plan.rooms({.max_island_m2 = 0}).rooms, SizeIs(2)) << "walls do";
+}
+
 TEST(FindRooms, ANicheIsPartOfItsRoom) {
   Plan plan(6, 4);
   plan.free(0, 0, 4, 4).free(4, 1, 4.6, 1.8);  // 0.6 m deep: too narrow for a room

@@ -77,7 +77,8 @@ struct RoomPlan {
 [[nodiscard]] OccupancyGrid without_obstacles(OccupancyGrid grid,
                                               std::span<const Polygon> obstacles);
 
-/// Free are cells of 0 to 49; what is not known bounds rooms as a wall does.
+/// Free are cells of 0 to 49. What is not known is in no room, but only what is occupied narrows a
+/// gap: where nobody looked there need not be a wall.
 ///
 /// Parts of what is not free that lie alone in the free floor, do not reach the grid's edge and are
 /// small (`max_island_m2`) are pillars, furniture and noise and count as free, unless they are long
