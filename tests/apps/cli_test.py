@@ -368,6 +368,27 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn(".local.geojson", result.stderr)
 
+    def test_rooms_places_and_ways_are_told(self):
+        rooms = json.loads(run("query", self.archive, "--rooms", "--json").stdout)["rooms"]
+        self.assertEqual([room["room"] for room in rooms], list(range(1, len(rooms) + 1)))
+        room_of = {one["id"]: room["room"] for room in rooms for one in room["objects"]}
+        self.assertTrue(room_of)
+        first, last = min(room_of), max(room_of)
+        told = json.loads(run("query", self.archive, "--place", first, "--json").stdout)["results"]
+        self.assertEqual([(one["id"], one["in"]["room"]) for one in told], [(first, room_of[first])])
+        self.assertIn(f" {first} is in ", run("query", self.archive, "--place", first).stdout)
+        way = json.loads(run("query", self.archive, "--route", f"{first},{last}", "--json").stdout)
+        self.assertEqual((way["from"]["id"], way["to"]["id"]), (first, last))
+        self.assertEqual(len(way["rooms"]), len(way["doorways"]) + 1)
+        self.assertEqual((way["rooms"][0]["room"], way["rooms"][-1]["room"]), (room_of[first], room_of[last]))
+        for code, flags in ((4, ("--rooms", "--layer", "objects")), (4, ("--rooms", "--place", first)),
+                            (4, ("--route", first)), (4, ("--places", "x.yaml")), (2, ("--place", "unicorn")),
+                            (2, ("--route", f"{first},unicorn")), (3, ("--rooms", "--places", "/nonexistent.yaml"))):
+            with self.subTest(flags):
+                result = run("query", self.archive, *flags)
+                self.assertEqual(result.returncode, code, result.stderr)
+                self.assertNotEqual(result.stderr.strip(), "")
+
     def test_relations_are_told_asked_for_and_missed(self):
         objects = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
         beside = {(one["id"], other["id"]) for one in objects for other in one["relations"]

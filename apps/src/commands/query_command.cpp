@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: the flags of one command, and which of them go together, are read side by side.
 #include "command.hpp"
 #include "completeness.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
@@ -9,6 +10,7 @@
 #include "hypermap/io/options/relation_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
+#include "places.hpp"
 #include "query_text.hpp"
 #include "why.hpp"
 
@@ -50,6 +52,7 @@ struct QueryArguments {
   /// By kind: the class or the id of what others are on, in, under, beside, part of.
   std::map<RelationKind, std::string> related = {};
   std::string rules;
+  PlaceArguments places;
   std::optional<std::uint32_t> why;
   std::optional<std::string> why_not;
   LoadArguments load;
@@ -123,17 +126,23 @@ CLI::Validator id_of_object() {
   return {check, "1 .. 4294967295"};
 }
 
+/// Whether layers, conditions or relations are asked for.
+bool asks_layers(const QueryArguments& arguments) {
+  return arguments.layer || arguments.at || arguments.area || arguments.text || arguments.value ||
+         arguments.nearest || arguments.complete || !arguments.frame.empty() ||
+         !arguments.related.empty();
+}
+
 /// What must be given together; the texts are for people.
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (arguments.why || arguments.why_not) {
-    const bool asks_more = arguments.layer || arguments.at || arguments.area || arguments.text ||
-                           arguments.value || arguments.nearest || arguments.complete ||
-                           !arguments.frame.empty() || !arguments.related.empty();
+    const bool asks_more = asks_layers(arguments) || asks_places(arguments.places);
     if (asks_more || (arguments.why && arguments.why_not)) {
       return "--why and --why-not ask one thing each: no other condition goes with them";
     }
     return std::nullopt;
   }
+  if (asks_places(arguments.places)) return fault_of(arguments.places, asks_layers(arguments));
   if (arguments.nearest) {
     if (!arguments.at) return "--nearest needs --at X,Y";
     if (arguments.text) return "--nearest names the class: --string goes without it";
@@ -147,9 +156,8 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
     return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
   }
   if (!arguments.layer && arguments.related.empty()) {
-    return "one of --layer, --nearest, --why, --why-not, --on, --in, --under, --beside and "
-           "--part-of is "
-           "needed";
+    return "one of --layer, --nearest, --why, --why-not, --on, --in, --under, --beside, "
+           "--part-of, --rooms, --place and --route is needed";
   }
   if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
     return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
@@ -216,6 +224,14 @@ ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
 
+ExitCode tell_places(const MapArchive& archive, const QueryRequest& request) {
+  const auto graph = relations_for(archive, request);
+  if (!graph) return report(graph.error());
+  const QueryArguments& arguments = request.arguments;
+  const auto printed = print_places(archive, arguments.places, *graph, arguments.json);
+  return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
+}
+
 ExitCode run(const QueryRequest& request) {
   const auto loaded = load_archive(request.arguments.file,
                                    request.arguments.load.limits,
@@ -223,6 +239,7 @@ ExitCode run(const QueryRequest& request) {
                                    stop_when_interrupted());
   if (!loaded) return report(loaded.error());
   if (request.arguments.why || request.why_not) return tell_why(loaded->value, request);
+  if (asks_places(request.arguments.places)) return tell_places(loaded->value, request);
   const auto graph = relations_for(loaded->value, request);
   if (!graph) return report(graph.error());
   auto answers = run_query(loaded->value, *graph, request);
@@ -273,6 +290,7 @@ void add_query_command(CLI::App& program, Action& action) {
             "; with --string those of one class");
   }
   command.add_option("--rules", arguments->rules, kRulesHelp);
+  add_place_options(command, arguments->places);
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
   command.add_flag("--complete",
@@ -287,6 +305,8 @@ void add_query_command(CLI::App& program, Action& action) {
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
                  "hypermap query lab.hmap --nearest sofa --at 1.5,2",
                  "hypermap query lab.hmap --beside chair",
+                 "hypermap query flat.hmap --place cup",
+                 "hypermap query flat.hmap --route kitchen,bed",
                  "hypermap query lab.hmap --why 4"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);

@@ -13,8 +13,12 @@ std::string part_text(const Relation& relation, ObjectId id, const ObjectNaming&
 
 }  // namespace
 
-std::string sentence_of(const RelationGraph& graph, ObjectId id, const ObjectNaming& naming) {
+std::string sentence_of(const RelationGraph& graph,
+                        ObjectId id,
+                        const ObjectNaming& naming,
+                        std::string_view place) {
   std::vector<std::string> parts;
+  if (!place.empty()) parts.emplace_back(place);
   const auto support = support_of(graph, id);
   if (support && support->kind == SupportKind::kFloor) parts.emplace_back("on the floor");
   for (const Relation& relation : relations_of(graph, id)) {

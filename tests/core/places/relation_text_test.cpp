@@ -26,6 +26,10 @@ TEST(Sentence, SaysWhatAnObjectIsToOthers) {
             "object 7 is beside object 12; what it stands on was not seen or has no class");
   EXPECT_EQ(sentence_of(graph, ObjectId{8}, numbered),
             "object 8: what it stands on was not seen or has no class");
+  EXPECT_EQ(sentence_of(graph, ObjectId{12}, numbered, "in the kitchen (room 2)"),
+            "object 12 is in the kitchen (room 2), on object 3, beside object 7");
+  EXPECT_EQ(sentence_of(graph, ObjectId{8}, numbered, "in room 1"),
+            "object 8 is in room 1; what it stands on was not seen or has no class");
 }
 
 }  // namespace

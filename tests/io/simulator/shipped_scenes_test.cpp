@@ -114,7 +114,8 @@ TEST_P(ShippedScene, ShowsWhatItHolds) {
 INSTANTIATE_TEST_SUITE_P(
     All,
     ShippedScene,
-    testing::Values("flat", "floor", "hall", "laboratory", "office", "store_room", "workshop"),
+    testing::Values(
+        "apartment", "flat", "floor", "hall", "laboratory", "office", "store_room", "workshop"),
     [](const auto& scene) { return std::string(scene.param); });
 
 /// The camera's way shows every nameable object of the laboratory well enough to count.

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace hypermap {
 
@@ -14,10 +15,12 @@ namespace hypermap {
 using ObjectNaming = std::function<std::string(ObjectId)>;
 
 /// "cup 12 is on diningtable 3, beside bottle 7"; what rests on the floor is said to, and of what
-/// nothing supports (kUnknown), that what it stands on was not seen or has no class.
+/// nothing supports (kUnknown), that what it stands on was not seen or has no class. `place` stands
+/// first: "cup 12 is in the kitchen (room 2), on diningtable 3"; empty: nothing is said of it.
 /// Requires: the graph knows the object.
 [[nodiscard]] std::string sentence_of(const RelationGraph& graph,
                                       ObjectId id,
-                                      const ObjectNaming& naming);
+                                      const ObjectNaming& naming,
+                                      std::string_view place = {});
 
 }  // namespace hypermap

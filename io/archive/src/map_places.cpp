@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_places.hpp"
+
+#include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <span>
+#include <system_error>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::string_view kFloorLayer = "occupancy";
+/// An object whose shape is in no room: beyond the wall that it hangs at.
+constexpr double kRoomReachM = 0.5;
+
+std::span<const SemanticObject> shapes_of(const MapArchive& archive) {
+  const auto* layer = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
+  return layer == nullptr ? std::span<const SemanticObject>() : layer->objects();
+}
+
+/// The floor without what stands on it. Errors: those of map_places.
+Result<OccupancyGrid> floor_of(const MapArchive& archive) {
+  const auto* occupancy = archive.hypermap.find_as<OccupancyLayer>(kFloorLayer);
+  if (occupancy == nullptr) {
+    return fail(ErrorCode::kNotFound,
+                "the map has no occupancy grid of that name, by which rooms are told",
+                std::string(kFloorLayer));
+  }
+  const Layer* semantic = archive.hypermap.find(kSemanticLayer);
+  const std::string& frame_id = archive.hypermap.find(kFloorLayer)->info.frame_id;
+  if (semantic != nullptr && semantic->info.frame_id != frame_id) {
+    return fail(ErrorCode::kUnsupported,
+                "must be in the frame of the occupancy grid, " + printable(frame_id) + ", is in " +
+                    printable(semantic->info.frame_id),
+                std::string(kSemanticLayer));
+  }
+  std::vector<Polygon> furniture;
+  for (const SemanticObject& object : shapes_of(archive)) {
+    furniture.insert(furniture.end(), object.parts.begin(), object.parts.end());
+  }
+  return without_obstacles(occupancy->grid, furniture);
+}
+
+RoomNumber room_of_shape(const RoomPlan& plan, const SemanticObject& object) {
+  std::map<RoomNumber, double> cells;
+  for (const Polygon& part : object.parts) {
+    for_each_covered_cell(plan.geometry, part, [&](Cell cell, double covered) {
+      const RoomNumber room = plan.cells[plan.geometry.index(cell)];
+      if (room != kNoRoom) cells[room] += covered;
+    });
+  }
+  const auto most = std::ranges::max_element(
+      cells, [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most != cells.end() ? most->first : room_at(plan, position_of(object), kRoomReachM);
+}
+
+/// How many objects of each class are in a room.
+ClassAmounts amounts_in(const MapArchive& archive, const std::vector<std::uint64_t>& ids) {
+  const auto* shapes = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
+  std::vector<ObjectBeliefs> beliefs;
+  ClassAmounts named;
+  for (const std::uint64_t id : ids) {
+    const Object* object = archive.objects.find(ObjectId{static_cast<std::uint32_t>(id)});
+    if (object != nullptr) {
+      beliefs.push_back(object_beliefs(*object));
+    } else {
+      named[canonical_class_name(shapes->find(id)->name)] += 1.0;
+    }
+  }
+  ClassAmounts amounts = class_amounts(beliefs, archive.classes);
+  for (const auto& [name, amount] : named) amounts[name] += amount;
+  return amounts;
+}
+
+std::optional<std::uint64_t> number_in(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+Result<RouteEnd> end_at_object(const MapPlaces& places, const SemanticObject& object) {
+  const RoomNumber room = places.room_of.at(object.id);
+  const std::string name = object.name + " " + std::to_string(object.id);
+  if (room == kNoRoom) return fail(ErrorCode::kNotFound, printable(name) + " is in no room");
+  return RouteEnd{.name = name, .object = object.id, .position = position_of(object), .room = room};
+}
+
+RouteEnd end_in_room(const MapPlaces& places, RoomNumber room) {
+  return {.name = room_name(places, room),
+          .position = places.rooms[room - 1].room.middle,
+          .room = room};
+}
+
+/// The room that a text names; none when it names none.
+std::optional<RoomNumber> room_named(const MapPlaces& places, std::string_view text) {
+  constexpr std::string_view kRoom = "room ";
+  if (text.starts_with(kRoom)) {
+    const auto number = number_in(text.substr(kRoom.size()));
+    if (number && *number > 0 && *number <= places.rooms.size()) {
+      return static_cast<RoomNumber>(*number);
+    }
+  }
+  const auto found = std::ranges::find_if(places.rooms, [&](const MapRoom& one) {
+    return one.place && is_spelling_of(*one.place, text);
+  });
+  if (found == places.rooms.end()) return std::nullopt;
+  return found->room.number;
+}
+
+}  // namespace
+
+Result<MapPlaces> map_places(const MapArchive& archive,
+                             const PlaceClassifier& classifier,
+                             const RoomOptions& options) {
+  HYPERMAP_ASSIGN_OR_RETURN(const OccupancyGrid floor, floor_of(archive));
+  MapPlaces places{.plan = find_rooms(floor, options), .rooms = {}, .room_of = {}};
+  places.rooms.reserve(places.plan.rooms.size());
+  for (const Room& room : places.plan.rooms) places.rooms.push_back({.room = room});
+  for (const SemanticObject& object : shapes_of(archive)) {
+    const RoomNumber room = room_of_shape(places.plan, object);
+    places.room_of[object.id] = room;
+    if (room != kNoRoom) places.rooms[room - 1].objects.push_back(object.id);
+  }
+  for (MapRoom& room : places.rooms) {
+    room.belief = classifier.classify(amounts_in(archive, room.objects));
+    room.place = classifier.decide(room.belief);
+  }
+  return places;
+}
+
+std::string room_name(const MapPlaces& places, RoomNumber room) {
+  if (room == kNoRoom) return "no room";
+  const std::string number = "room " + std::to_string(room);
+  const auto& place = places.rooms[room - 1].place;
+  return place ? "the " + *place + " (" + number + ")" : number;
+}
+
+Result<RouteEnd> route_end(const MapArchive& archive,
+                           const MapPlaces& places,
+                           std::string_view text) {
+  const std::span<const SemanticObject> shapes = shapes_of(archive);
+  if (const auto id = number_in(text)) {
+    const auto found = std::ranges::find(shapes, *id, &SemanticObject::id);
+    if (found != shapes.end()) return end_at_object(places, *found);
+    return fail(ErrorCode::kNotFound, "no object has the id " + std::string(text));
+  }
+  if (const auto room = room_named(places, text)) return end_in_room(places, *room);
+  const auto of_class = std::ranges::find_if(
+      shapes, [&](const SemanticObject& one) { return is_spelling_of(one.name, text); });
+  if (of_class != shapes.end()) return end_at_object(places, *of_class);
+  std::set<std::string> known;
+  for (const SemanticObject& one : shapes) known.insert(one.name);
+  for (const MapRoom& one : places.rooms) {
+    known.insert("room " + std::to_string(one.room.number));
+    if (one.place) known.insert(*one.place);
+  }
+  const std::vector<std::string> names(known.begin(), known.end());
+  return fail(ErrorCode::kNotFound, nothing_named("room, place or class of objects", text, names));
+}
+
+Result<PlaceRoute> find_place_route(const MapPlaces& places,
+                                    const RouteEnd& from,
+                                    const RouteEnd& to) {
+  auto doorways = doorways_between(places.plan, from.room, to.room);
+  if (!doorways) {
+    return fail(ErrorCode::kNotFound,
+                "no doorways that the map knows lead from " + room_name(places, from.room) +
+                    " to " + room_name(places, to.room));
+  }
+  PlaceRoute route{.from = from, .to = to, .rooms = {from.room}, .doorways = {}, .length_m = 0.0};
+  Eigen::Vector2d at = from.position;
+  for (const Doorway& doorway : *doorways) {
+    route.length_m += (doorway.position - at).norm();
+    at = doorway.position;
+    const bool is_forward = doorway.from == route.rooms.back();
+    route.rooms.push_back(is_forward ? doorway.to : doorway.from);
+  }
+  route.length_m += (to.position - at).norm();
+  route.doorways = std::move(*doorways);
+  return route;
+}
+
+}  // namespace hypermap
