@@ -15,6 +15,7 @@ void fuzz_config(std::string_view bytes);
 void fuzz_dataset(std::string_view bytes);
 void fuzz_deflate(std::string_view bytes);
 void fuzz_detections(std::string_view bytes);
+void fuzz_embeddings(std::string_view bytes);
 void fuzz_intrinsics(std::string_view bytes);
 void fuzz_jpeg(std::string_view bytes);
 void fuzz_json(std::string_view bytes);
@@ -55,6 +56,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"dataset", fuzz_dataset},
                                       {"deflate", fuzz_deflate},
                                       {"detections", fuzz_detections},
+                                      {"embeddings", fuzz_embeddings},
                                       {"intrinsics", fuzz_intrinsics},
                                       {"jpeg", fuzz_jpeg},
                                       {"json", fuzz_json},

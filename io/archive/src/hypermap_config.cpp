@@ -37,6 +37,7 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kClassGridFormat,
                                    kProvenanceFormat,
                                    kCheckpointFormat,
+                                   kEmbeddingsFormat,
                                    kTrueSurfacesFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;

@@ -17,9 +17,13 @@ Result<FileSummary> check_archive(const std::filesystem::path& path,
                                   const FileCheckOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded, load_archive(path, options.limits, archive_layer_types(), options.stop));
-  return FileSummary{"archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
-                         " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)",
-                     std::move(loaded.findings)};
+  std::string text = "archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
+                     " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)";
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dimensions, embedding_dimensions(loaded.value.objects));
+  for (const auto& [model, dimension] : dimensions.models()) {
+    text += ", embeddings of " + printable(model) + " (" + std::to_string(dimension) + " numbers)";
+  }
+  return FileSummary{std::move(text), std::move(loaded.findings)};
 }
 
 Result<FileSummary> check_octree(const std::filesystem::path& path) {

@@ -185,8 +185,12 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
     run.previous = std::move(loaded.value);
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
-                            open_dataset(job.input, dataset_options(job), run.classes));
+  DatasetOptions reading = dataset_options(job);
+  if (run.previous) {
+    HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,
+                              embedding_dimensions(run.previous->objects));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(run.dataset, open_dataset(job.input, reading, run.classes));
   if (job.poses) {
     HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
                               with_corrected_poses(std::move(run.dataset), *job.poses));

@@ -83,12 +83,13 @@ struct MapArchive {
 
 struct ArchiveLimits {
   ZipLimits zip = {};
-  std::uint64_t max_text_bytes = std::uint64_t{16} << 20;    ///< Of a YAML entry.
-  std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;  ///< Of the objects, a line each.
-  std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;   ///< Of an octree.
-  std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;  ///< Of our own octree.
-  BudgetLimits sums = {};                                    ///< Of all members together.
-  FileReach reach = FileReach::kAnywhere;                    ///< Of a bare configuration.
+  std::uint64_t max_text_bytes = std::uint64_t{16} << 20;       ///< Of a YAML entry.
+  std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;     ///< Of the objects, a line each.
+  std::uint64_t max_embeddings_bytes = std::uint64_t{2} << 30;  ///< Of the objects' embeddings.
+  std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;      ///< Of an octree.
+  std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;     ///< Of our own octree.
+  BudgetLimits sums = {};                                       ///< Of all members together.
+  FileReach reach = FileReach::kAnywhere;                       ///< Of a bare configuration.
 };
 
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or
