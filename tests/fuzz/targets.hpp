@@ -34,6 +34,7 @@ void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
+void fuzz_vector(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
 void fuzz_zip(std::string_view bytes);
@@ -75,6 +76,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"surfaces", fuzz_surfaces},
                                       {"tile", fuzz_tile},
                                       {"trajectory", fuzz_trajectory},
+                                      {"vector", fuzz_vector},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},
                                       {"zip", fuzz_zip}};

@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/semantic_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/embedding_file.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 
 #include <system_error>
@@ -78,6 +79,13 @@ Result<FileSummary> check_semantic(const std::filesystem::path& path,
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_semantic_layer(path, {}, budget));
   return FileSummary{std::to_string(loaded.value.objects().size()) + " object(s)",
                      std::move(loaded.findings)};
+}
+
+Result<FileSummary> check_embedding(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const EmbeddingFile file, read_embedding_file(path));
+  const std::string model = file.model ? " of " + printable(*file.model) : "";
+  return FileSummary{"embedding" + model + " of " + std::to_string(file.vector.size()) + " numbers",
+                     {}};
 }
 
 }  // namespace hypermap
