@@ -198,7 +198,7 @@ std::size_t set_object_embeddings(ObjectMap& objects, ObjectEmbeddings embedding
       ++num_absent;
       continue;
     }
-    objects.modify(id, [&means](Object& object) { object.embeddings = std::move(means); });
+    objects.modify(id, [&means = means](Object& object) { object.embeddings = std::move(means); });
   }
   return num_absent;
 }
