@@ -16,6 +16,7 @@ import unittest
 import zipfile
 
 from program import run
+from tiny_dataset import make_dataset
 
 DIMENSION = 16
 
@@ -177,6 +178,42 @@ class OpenVocabulary(unittest.TestCase):
         models = stored(output)
         self.assertEqual({name: len(next(iter(means.values()))) for name, means in models.items()}, {"clip": 16, "dino": 8})
         self.assertTrue(set(models["clip"]) & set(models["dino"]))
+
+    def test_the_best_view_of_each_object_is_kept(self):
+        self.assertEqual(json.loads(run("info", self.map, "--json").stdout)["views"], 0)
+        none = run("export", self.map, "--format", "views", "--output", self.folder / "none")
+        self.assertEqual(none.returncode, 2)
+        self.assertIn("the map holds no views", none.stderr)
+        output = self.folder / "seen.hmap"
+        mapped = run("map", "--input", self.dataset, "--detections", self.planted, "--output", output, "--views")
+        self.assertEqual(mapped.returncode, 0, mapped.stderr)
+        count = json.loads(run("info", output, "--json").stdout)["views"]
+        self.assertRegex(run("info", output).stdout, rf"(?m)^views of {count} objects$")
+        shown = json.loads(run("query", output, "--layer", "objects", "--json").stdout)["results"]
+        self.assertGreaterEqual(count, len(shown))
+        for _ in range(2):  # the second time in place of the first
+            written = run("export", output, "--format", "views", "--output", self.folder / "views")
+            self.assertEqual(written.returncode, 0, written.stderr)
+        files = sorted((self.folder / "views").iterdir())
+        self.assertEqual(sorted(written.stdout.splitlines()), [str(file) for file in files])
+        self.assertEqual({int(file.name.split("-")[0]) for file in files}, {one["id"] for one in shown})
+        for file in files:
+            content = file.read_bytes()
+            self.assertLessEqual(len(content), 16384)
+            self.assertEqual((content[:2], content[-2:]), (b"\xff\xd8", b"\xff\xd9"))
+        (self.folder / "views/note.txt").write_text("mine")
+        refused = run("export", output, "--format", "views", "--output", self.folder / "views")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("note.txt", refused.stderr)
+        kept = run("map", "--input", self.dataset, "--output", output, "--append", "--same-world", "--force")
+        self.assertIn(kept.returncode, (0, 1), kept.stderr)
+        self.assertGreater(json.loads(run("info", output, "--json").stdout)["views"], 0)
+
+    def test_without_colour_no_view_is_said_once(self):
+        output = self.folder / "grey.hmap"
+        told = run("map", "--input", make_dataset(self.folder / "grey"), "--up", "-y", "--output", output, "--views")
+        self.assertEqual(told.returncode, 1, told.stderr)
+        self.assertEqual(told.stderr.count("no frame has a colour image"), 1, told.stderr)
 
 
 if __name__ == "__main__":

@@ -35,6 +35,7 @@ void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_vector(std::string_view bytes);
+void fuzz_views(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
 void fuzz_zip(std::string_view bytes);
@@ -77,6 +78,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"tile", fuzz_tile},
                                       {"trajectory", fuzz_trajectory},
                                       {"vector", fuzz_vector},
+                                      {"views", fuzz_views},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},
                                       {"zip", fuzz_zip}};

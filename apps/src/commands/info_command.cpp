@@ -106,6 +106,8 @@ void print(const ArchiveInfo& info) {
                 count_text(model.num_objects, "object").c_str(),
                 model.dimension);
   }
+  if (info.num_views > 0)
+    std::printf("views of %s\n", count_text(info.num_views, "object").c_str());
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
                 printable(transform.child_frame_id).c_str(),

@@ -53,6 +53,19 @@ Result<void> put_embeddings(WrittenExtensions& written, const MapArchive& archiv
   return {};
 }
 
+Result<void> put_views(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.views.empty()) return {};
+  for (const auto& [id, view] : archive.views) {
+    if (archive.objects.contains(id)) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "shows object " + std::to_string(id.value) + ", which the map does not have",
+                "views");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_object_views(archive.views));
+  put(written, entry_of(archive, kViewsFormat), std::move(bytes));
+  return {};
+}
+
 void put_classes(WrittenExtensions& written, const MapArchive& archive) {
   if (archive.classes.size() == 0) return;
   std::vector<ValueTree> names;
@@ -117,6 +130,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
   HYPERMAP_TRY(put_objects(written, archive));
   HYPERMAP_TRY(put_embeddings(written, archive));
+  HYPERMAP_TRY(put_views(written, archive));
   put_classes(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));

@@ -71,6 +71,7 @@ ArchiveInfo describe(const MapArchive& archive) {
   info.transforms.assign(transforms.begin(), transforms.end());
   info.provenance = archive.provenance;
   info.models = models_of(archive.objects);
+  info.num_views = archive.views.size();
   for (const Relation& relation : archive_relations(archive).relations) {
     ++info.num_relations[static_cast<std::size_t>(relation.kind)];
   }

@@ -146,6 +146,7 @@ std::string to_json(const ArchiveInfo& info) {
                       {"transforms", json_array(info.transforms, json)},
                       {"relations", json_of_counts(info.num_relations)},
                       {"embeddings", json_array(info.models, json)},
+                      {"views", std::to_string(info.num_views)},
                       {"provenance", json_of_runs(info.provenance)}});
 }
 

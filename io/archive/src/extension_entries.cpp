@@ -19,6 +19,9 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kEmbeddingsFormat) {
     entry.name = "embeddings";
     entry.file = "embeddings.bin";
+  } else if (format == kViewsFormat) {
+    entry.name = "views";
+    entry.file = "views.bin";
   } else if (format == kClassesFormat) {
     entry.name = "classes";
     entry.file = "classes.yaml";

@@ -38,6 +38,7 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kProvenanceFormat,
                                    kCheckpointFormat,
                                    kEmbeddingsFormat,
+                                   kViewsFormat,
                                    kTrueSurfacesFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;

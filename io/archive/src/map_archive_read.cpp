@@ -73,10 +73,11 @@ class ArchiveReader {
 
   Result<void> read_extensions(const HypermapConfig& config) {
     archive_.foreign_extensions = config.foreign_extensions;
-    // Embeddings speak of objects, which may stand behind them.
+    // Embeddings and views speak of objects, which may stand behind them.
     for (const bool of_objects : {false, true}) {
       for (std::size_t i = 0; i < config.extensions.size(); ++i) {
-        const bool is_of_objects = config.extensions[i].format == kEmbeddingsFormat;
+        const std::string& format = config.extensions[i].format;
+        const bool is_of_objects = format == kEmbeddingsFormat || format == kViewsFormat;
         if (is_of_objects == of_objects) HYPERMAP_TRY(read_one(config.extensions[i], i));
       }
     }

@@ -41,6 +41,7 @@ struct ArchiveInfo {
   /// Of the confirmed objects (`archive_relations`), as many of each of `kRelationKinds`.
   std::array<std::size_t, kRelationKinds.size()> num_relations = {};
   std::vector<ModelSummary> models = {};  ///< In ascending order of the names.
+  std::size_t num_views = 0;
 };
 
 /// Cost: one pass over cells and leaves, and that of `find_relations`.
@@ -50,9 +51,9 @@ struct ArchiveInfo {
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `transforms`, `relations` {`on`, `in`, `under`,
-/// `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}], `provenance`
-/// (of the newest run, with the others, oldest first, in its list `earlier`; null when there is
-/// none).
+/// `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}], `views`: how
+/// many, `provenance` (of the newest run, with the others, oldest first, in its list `earlier`;
+/// null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap
