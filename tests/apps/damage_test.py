@@ -49,6 +49,12 @@ def bmp(side_px):
             struct.pack("<IiiHHIIiiII", 40, side_px, side_px, 1, 24, 0, len(pixels), 2835, 2835, 0, 0) + pixels)
 
 
+def npy(numbers):
+    """A vector as NumPy writes it."""
+    header = b"{'descr': '<f8', 'fortran_order': False, 'shape': (%d,), }" % len(numbers)
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + struct.pack(f"<{len(numbers)}d", *numbers)
+
+
 def table():
     """By the name of the file: whether a cut and whether a change is always noticed."""
     rows = {}
@@ -100,6 +106,7 @@ class Damage(unittest.TestCase):
                 Sample(cls.written("a.pgm", b"P5 4 3 255\n" + bytes(range(100, 112))), "image", [(b"\x65", b"\x64")]),
                 Sample(cls.written("a.bmp", bmp(4)), "image", [(b"\x80\x80", b"\x81\x80")])],
             "text PGM": [Sample(cls.written("b.pgm", "P2 2 1 255\n7 128"), "image", [("128", "12"), ("7", "6")])],
+            "vector of NumPy, `.npy`": [Sample(cls.written("a.npy", npy([0.5, -1.0])), "embedding", [(struct.pack("<d", 0.5), struct.pack("<d", 0.25))])],
             "JPEG": cls.jpegs(),
         }
 

@@ -87,7 +87,8 @@ class DetectionsPage(unittest.TestCase):
         keys = set(re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`.*?) \|", PAGE.split("## Frame JSON")[1].split("##")[0],
                                                              re.M))))
         values = {"image": '"a.png"', "timestamp": "1.5", "width": "640", "height": "480", "detections": "[]",
-                  "label": '"chair"', "score": "0.5", "bbox": "[1, 2, 3, 4]", "scores": '{"chair": 1}', "mask": "null"}
+                  "label": '"chair"', "score": "0.5", "bbox": "[1, 2, 3, 4]", "scores": '{"chair": 1}', "mask": "null",
+                  "embedding": '{"model": "clip", "vector": [1]}'}
         frame_keys = {"image", "timestamp", "width", "height", "detections", "index", "detector"}
         source = (SOURCE / "io/dataset/src/detections/detections_json.cpp").read_text(encoding="utf-8")
         known = "".join(re.findall(r"k(?:Frame|Detection)Keys\{(.*?)\}", source, re.S))

@@ -30,6 +30,8 @@ std::string_view target_of(std::string_view member) {
   if (member.ends_with(".yaml")) return "map";
   if (member.ends_with(".png")) return "png";
   if (member.ends_with(".ot")) return "octree";
+  if (member == "embeddings.bin") return "embeddings";
+  if (member == "views.bin") return "views";
   if (member == "true_surfaces.jsonl") return "surfaces";
   if (member.ends_with(".jsonl")) return "objects";
   return "semantic";

@@ -15,6 +15,7 @@ void fuzz_config(std::string_view bytes);
 void fuzz_dataset(std::string_view bytes);
 void fuzz_deflate(std::string_view bytes);
 void fuzz_detections(std::string_view bytes);
+void fuzz_embeddings(std::string_view bytes);
 void fuzz_intrinsics(std::string_view bytes);
 void fuzz_jpeg(std::string_view bytes);
 void fuzz_json(std::string_view bytes);
@@ -33,6 +34,8 @@ void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
+void fuzz_vector(std::string_view bytes);
+void fuzz_views(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
 void fuzz_zip(std::string_view bytes);
@@ -55,6 +58,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"dataset", fuzz_dataset},
                                       {"deflate", fuzz_deflate},
                                       {"detections", fuzz_detections},
+                                      {"embeddings", fuzz_embeddings},
                                       {"intrinsics", fuzz_intrinsics},
                                       {"jpeg", fuzz_jpeg},
                                       {"json", fuzz_json},
@@ -73,6 +77,8 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"surfaces", fuzz_surfaces},
                                       {"tile", fuzz_tile},
                                       {"trajectory", fuzz_trajectory},
+                                      {"vector", fuzz_vector},
+                                      {"views", fuzz_views},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},
                                       {"zip", fuzz_zip}};

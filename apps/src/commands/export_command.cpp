@@ -55,7 +55,7 @@ void add_export_command(CLI::App& program, Action& action) {
       .add_option("--output",
                   arguments->request.output,
                   "file; for ros-map the stem or .yaml (the image beside it is named after its "
-                  "content), for class-grids and tiles a folder, for geojson a name in "
+                  "content), for class-grids, tiles and views a folder, for geojson a name in "
                   ".local.geojson, for relations such a name or one in .dot")
       ->required();
   command.add_option(
@@ -84,7 +84,8 @@ void add_export_command(CLI::App& program, Action& action) {
     keep_apart("--output",
                is_ros_map ? ros_map_yaml(output) : output,
                {arguments->file, arguments->palette, arguments->rules});
-    if (format == ExportFormat::kClassGrids) keep_out_of_datasets("--output", output);
+    const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews;
+    if (is_folder) keep_out_of_datasets("--output", output);
     if (format == ExportFormat::kGeojson &&
         !arguments->request.output.string().ends_with(".local.geojson")) {
       throw CLI::ValidationError("--output",

@@ -100,6 +100,14 @@ void print(const ArchiveInfo& info) {
         (relations.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name_of(kind));
   }
   if (!relations.empty()) std::printf("relations of objects: %s\n", relations.c_str());
+  for (const ModelSummary& model : info.models) {
+    std::printf("embeddings of %s: %s of %zu numbers\n",
+                printable(model.model).c_str(),
+                count_text(model.num_objects, "object").c_str(),
+                model.dimension);
+  }
+  if (info.num_views > 0)
+    std::printf("views of %s\n", count_text(info.num_views, "object").c_str());
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
                 printable(transform.child_frame_id).c_str(),

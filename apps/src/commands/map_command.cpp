@@ -202,6 +202,9 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                    arguments.refine_poses,
                    "mend given poses that are a little wrong by the surfaces that earlier frames "
                    "showed (refinement.rule)");
+  command.add_flag("--views",
+                   arguments.job.keep_views,
+                   "keep the best colour view of each object, a small image");
   command.add_flag("--stack",
                    arguments.class_stack,
                    "keep a layer `stack` too: log-odds for each class, which stack and cells take "

@@ -8,9 +8,9 @@
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/archive/related_query.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
-#include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "places.hpp"
+#include "query_arguments.hpp"
 #include "query_text.hpp"
 #include "why.hpp"
 
@@ -38,31 +38,12 @@ std::string flag_of(RelationKind kind) {
   return kind == RelationKind::kPartOf ? "--part-of" : "--" + std::string(name_of(kind));
 }
 
-struct QueryArguments {
-  std::string file;
-  std::optional<std::string> layer;
-  std::optional<std::string> at;
-  std::optional<std::string> area;
-  std::optional<std::string> text;
-  std::optional<std::int64_t> value;
-  std::optional<std::string> nearest;
-  std::string frame;
-  bool json = false;
-  bool complete = false;
-  /// By kind: the class or the id of what others are on, in, under, beside, part of.
-  std::map<RelationKind, std::string> related = {};
-  std::string rules;
-  PlaceArguments places;
-  std::optional<std::uint32_t> why;
-  std::optional<std::string> why_not;
-  LoadArguments load;
-};
-
 /// The arguments as the library takes them.
 struct QueryRequest {
   QueryArguments arguments;
   MapQuery query;
   std::optional<PlanPoint> why_not = std::nullopt;
+  std::optional<SimilarTo> similar_to = std::nullopt;
 };
 
 Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
@@ -99,6 +80,7 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
 Result<MapAnswers> run_query(const MapArchive& archive,
                              const RelationGraph& graph,
                              const QueryRequest& request) {
+  if (request.similar_to) return query_similar(archive, *request.similar_to, request.query);
   if (!request.arguments.related.empty()) {
     auto answers = query_related(archive, graph, request.arguments.related, request.query);
     for (const RelationKind kind : kRelationKinds) {
@@ -124,45 +106,6 @@ CLI::Validator id_of_object() {
            "'";
   };
   return {check, "1 .. 4294967295"};
-}
-
-/// Whether layers, conditions or relations are asked for.
-bool asks_layers(const QueryArguments& arguments) {
-  return arguments.layer || arguments.at || arguments.area || arguments.text || arguments.value ||
-         arguments.nearest || arguments.complete || !arguments.frame.empty() ||
-         !arguments.related.empty();
-}
-
-/// What must be given together; the texts are for people.
-std::optional<std::string> usage_fault(const QueryArguments& arguments) {
-  if (arguments.why || arguments.why_not) {
-    const bool asks_more = asks_layers(arguments) || asks_places(arguments.places);
-    if (asks_more || (arguments.why && arguments.why_not)) {
-      return "--why and --why-not ask one thing each: no other condition goes with them";
-    }
-    return std::nullopt;
-  }
-  if (asks_places(arguments.places)) return fault_of(arguments.places, asks_layers(arguments));
-  if (arguments.nearest) {
-    if (!arguments.at) return "--nearest needs --at X,Y";
-    if (arguments.text) return "--nearest names the class: --string goes without it";
-    if (!arguments.related.empty()) return "--nearest goes without relations";
-    if (arguments.layer && *arguments.layer != kObjectsLayer) {
-      return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
-    }
-    return std::nullopt;
-  }
-  if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
-    return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
-  }
-  if (!arguments.layer && arguments.related.empty()) {
-    return "one of --layer, --nearest, --why, --why-not, --on, --in, --under, --beside, "
-           "--part-of, --rooms, --place and --route is needed";
-  }
-  if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
-    return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
-  }
-  return std::nullopt;
 }
 
 /// A question that the layer cannot be asked is a wrong command line.
@@ -232,7 +175,12 @@ ExitCode tell_places(const MapArchive& archive, const QueryRequest& request) {
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
 
-ExitCode run(const QueryRequest& request) {
+ExitCode run(QueryRequest request) {
+  if (request.arguments.similar.is_asked()) {
+    auto similar_to = read_vector(request.arguments.similar);
+    if (!similar_to) return report(similar_to.error());
+    request.similar_to = std::move(*similar_to);
+  }
   const auto loaded = load_archive(request.arguments.file,
                                    request.arguments.load.limits,
                                    archive_layer_types(),
@@ -272,6 +220,7 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
+  arguments->similar.add_to(command);
   command
       .add_option("--why",
                   arguments->why,
@@ -307,6 +256,7 @@ void add_query_command(CLI::App& program, Action& action) {
                  "hypermap query lab.hmap --beside chair",
                  "hypermap query flat.hmap --place cup",
                  "hypermap query flat.hmap --route kitchen,bed",
+                 "hypermap query lab.hmap --embedding mug.npy --top 3",
                  "hypermap query lab.hmap --why 4"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);

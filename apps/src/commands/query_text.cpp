@@ -107,6 +107,7 @@ class AnswerTable {
   explicit AnswerTable(const ShownAnswers& shown)
       : shown_(shown),
         has_beliefs_(!shown.answers.found.empty() && shown.answers.found.front().beliefs),
+        has_similarity_(!shown.answers.found.empty() && shown.answers.found.front().similarity),
         table_(heading(), has_beliefs_ ? LastColumn::kText : LastColumn::kNumber) {}
 
   void add(const MapAnswer& one) {
@@ -116,6 +117,8 @@ class AnswerTable {
                                  joined(numbers_of(one.position)),
                                  fixed(one.confidence, 2),
                                  one.size_m ? joined(numbers_of(*one.size_m)) : "-"};
+    if (has_similarity_)
+      row.insert(row.begin() + 2, one.similarity ? fixed(*one.similarity, 4) : "-");
     add_completeness(row, one.id);
     if (has_beliefs_) add_beliefs(row, one);
     table_.add(std::move(row));
@@ -131,6 +134,7 @@ class AnswerTable {
                                  "position (" + printable(shown_.answers.frame_id) + ")",
                                  "confidence",
                                  "size m"};
+    if (has_similarity_) out.insert(out.begin() + 2, "similarity");
     if (!shown_.seen.empty()) out.emplace_back("seen");
     if (!shown_.seen.empty() && shown_.complete) out.emplace_back("completed size m (guess)");
     if (has_beliefs_) out.insert(out.end(), {"P(real)", "entropy nats", "runner-up", "classes"});
@@ -157,6 +161,7 @@ class AnswerTable {
 
   const ShownAnswers& shown_;
   bool has_beliefs_;
+  bool has_similarity_;
   Table table_;
 };
 
@@ -170,6 +175,7 @@ void print_json(const ShownAnswers& shown) {
                {"value", one.value},
                {"position", numbers_of(one.position)},
                {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
+    if (one.similarity) entry["similarity"] = *one.similarity;
     if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
     if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.archive.classes);
     add_completeness(entry, one, shown);

@@ -38,6 +38,7 @@ Object merged(const Object& a, const Object& b, LogOdds max_existence) {
   out.shapes.merge(younger.shapes);
   out.points.merge(younger.points);
   out.observation_log.merge(younger.observation_log);
+  out.embeddings.merge(younger.embeddings);
   out.box = out.points.agreed_box().value_or(bounding_box(a.box, b.box));
   out.centroid_in_map = out.box.centre();
   out.first_seen = std::min(a.first_seen, b.first_seen);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -67,7 +68,8 @@ Result<void> validate(const Detection& detection) {
                 "must be in 0..1, is " + number_text(detection.score.value()),
                 "score");
   }
-  return validate_class_scores(detection.class_scores);
+  HYPERMAP_TRY(validate_class_scores(detection.class_scores));
+  return validate(std::span<const Embedding>(detection.embeddings));
 }
 
 double intersection_over_union(const PixelBox& a, const PixelBox& b) noexcept {
@@ -116,6 +118,19 @@ Result<std::vector<ClassEvidence>> normalized(std::vector<ClassEvidence> scores)
     score.probability = Probability(std::min(1.0, score.probability.value() / sum));
   }
   return scores;
+}
+
+Result<EmbeddingDimensions> with_embeddings_of(std::span<const Detection> detections,
+                                               EmbeddingDimensions known) {
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    for (const Embedding& embedding : detections[i].embeddings) {
+      auto added = known.add(embedding.model, embedding.vector.size());
+      if (added) continue;
+      added.error().field = "detections[" + std::to_string(i) + "].embeddings";
+      return tl::make_unexpected(std::move(added).error());
+    }
+  }
+  return known;
 }
 
 }  // namespace hypermap

@@ -127,6 +127,18 @@ std::optional<MaskImage> united_mask(const Group& group) {
   return mask;
 }
 
+/// Of each model that of the first member which has one.
+std::vector<Embedding> embeddings_of(const Group& group) {
+  std::vector<Embedding> out;
+  for (const Detection* member : group) {
+    for (const Embedding& embedding : member->embeddings) {
+      const bool is_known = std::ranges::find(out, embedding.model, &Embedding::model) != out.end();
+      if (!is_known && out.size() < kMaxEmbeddingModels) out.push_back(embedding);
+    }
+  }
+  return out;
+}
+
 Result<Detection> join(const Group& group, const StackingOptions& options) {
   std::vector<std::vector<ClassEvidence>> likelihoods;
   std::vector<DetectorId> detectors;
@@ -145,7 +157,8 @@ Result<Detection> join(const Group& group, const StackingOptions& options) {
                    .class_scores = std::move(scores),
                    .score = group.front()->score,
                    .detector = group.front()->detector,
-                   .mask = united_mask(group)};
+                   .mask = united_mask(group),
+                   .embeddings = embeddings_of(group)};
 }
 
 constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 #include "extension_entries.hpp"
+#include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
@@ -35,6 +36,8 @@ class ExtensionReader {
       return fail(ErrorCode::kMalformedFile, "a second '" + entry_.format + "'", owner_);
     }
     if (entry_.format == kObjectsFormat) return read_objects();
+    if (entry_.format == kEmbeddingsFormat) return read_embeddings();
+    if (entry_.format == kViewsFormat) return read_views();
     if (entry_.format == kClassesFormat) return read_classes();
     if (entry_.format == kProvenanceFormat) return read_provenance();
     if (entry_.format == kTrueSurfacesFormat) return read_true_surfaces();
@@ -48,6 +51,8 @@ class ExtensionReader {
   [[nodiscard]] bool already_read() const {
     if (entry_.format == kObjectsFormat)
       return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
+    if (entry_.format == kEmbeddingsFormat) return !embeddings_of(archive_.objects).empty();
+    if (entry_.format == kViewsFormat) return !archive_.views.empty();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
     if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
     if (entry_.format == kTrueSurfacesFormat) return archive_.true_surfaces.has_value();
@@ -113,6 +118,36 @@ class ExtensionReader {
                               parse_objects(bytes, source(), {}, members_.budget()));
     keep_entry(archive_, entry_);
     return std::vector<Finding>{};
+  }
+
+  /// Requires: the objects have been read.
+  Result<std::vector<Finding>> read_embeddings() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_embeddings_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(auto embeddings, parse_object_embeddings(bytes, source()));
+    const std::size_t num_absent = set_object_embeddings(archive_.objects, std::move(embeddings));
+    keep_entry(archive_, entry_);
+    return findings_of_absent(num_absent);
+  }
+
+  /// Requires: the objects have been read.
+  Result<std::vector<Finding>> read_views() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_views_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.views, parse_object_views(bytes, source()));
+    const std::size_t num_absent = std::erase_if(
+        archive_.views, [this](const auto& one) { return !archive_.objects.contains(one.first); });
+    keep_entry(archive_, entry_);
+    return findings_of_absent(num_absent);
+  }
+
+  [[nodiscard]] std::vector<Finding> findings_of_absent(std::size_t num_objects) const {
+    if (num_objects == 0) return {};
+    return {{Severity::kWarning,
+             with_source({.code = ErrorCode::kMalformedFile,
+                          .what = "is of " + std::to_string(num_objects) +
+                                  " objects that the map does not have; theirs are left out"},
+                         source())}};
   }
 
   Result<std::vector<Finding>> read_classes() {

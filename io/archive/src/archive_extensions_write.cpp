@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 #include "extension_entries.hpp"
+#include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
@@ -41,6 +42,27 @@ Result<void> put_objects(WrittenExtensions& written, const MapArchive& archive) 
   if (archive.objects == ObjectMap()) return {};
   HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_objects(archive.objects));
   put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
+  return {};
+}
+
+Result<void> put_embeddings(WrittenExtensions& written, const MapArchive& archive) {
+  const ObjectEmbeddings embeddings = embeddings_of(archive.objects);
+  if (embeddings.empty()) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_object_embeddings(embeddings));
+  put(written, entry_of(archive, kEmbeddingsFormat), std::move(bytes));
+  return {};
+}
+
+Result<void> put_views(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.views.empty()) return {};
+  for (const auto& [id, view] : archive.views) {
+    if (archive.objects.contains(id)) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "shows object " + std::to_string(id.value) + ", which the map does not have",
+                "views");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_object_views(archive.views));
+  put(written, entry_of(archive, kViewsFormat), std::move(bytes));
   return {};
 }
 
@@ -107,6 +129,8 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_octree(written, archive));
   for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
   HYPERMAP_TRY(put_objects(written, archive));
+  HYPERMAP_TRY(put_embeddings(written, archive));
+  HYPERMAP_TRY(put_views(written, archive));
   put_classes(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));

@@ -6,7 +6,9 @@
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -33,6 +35,24 @@ LayerSummary summary_of(const Layer& layer) {
   return summary;
 }
 
+std::vector<ModelSummary> models_of(const ObjectMap& objects) {
+  std::map<std::string, ModelSummary> models;
+  for (const Object& object : objects.objects()) {
+    for (const MeanEmbedding& embedding : object.embeddings.entries()) {
+      ModelSummary& model = models[embedding.model];
+      model.dimension = embedding.mean.size();
+      ++model.num_objects;
+    }
+  }
+  std::vector<ModelSummary> out;
+  out.reserve(models.size());
+  for (auto& [name, model] : models) {
+    model.model = name;
+    out.push_back(std::move(model));
+  }
+  return out;
+}
+
 }  // namespace
 
 ArchiveInfo describe(const MapArchive& archive) {
@@ -50,6 +70,8 @@ ArchiveInfo describe(const MapArchive& archive) {
   const auto transforms = archive.hypermap.frames().transforms();
   info.transforms.assign(transforms.begin(), transforms.end());
   info.provenance = archive.provenance;
+  info.models = models_of(archive.objects);
+  info.num_views = archive.views.size();
   for (const Relation& relation : archive_relations(archive).relations) {
     ++info.num_relations[static_cast<std::size_t>(relation.kind)];
   }

@@ -130,6 +130,12 @@ std::string json_of_counts(const std::array<std::size_t, kRelationKinds.size()>&
   return text + "}";
 }
 
+std::string json_of(const ModelSummary& model) {
+  return json_object({{"model", json_quoted(model.model)},
+                      {"dimension", std::to_string(model.dimension)},
+                      {"objects", std::to_string(model.num_objects)}});
+}
+
 }  // namespace
 
 std::string to_json(const ArchiveInfo& info) {
@@ -139,6 +145,8 @@ std::string to_json(const ArchiveInfo& info) {
                       {"classes", json_of_classes(info.classes)},
                       {"transforms", json_array(info.transforms, json)},
                       {"relations", json_of_counts(info.num_relations)},
+                      {"embeddings", json_array(info.models, json)},
+                      {"views", std::to_string(info.num_views)},
                       {"provenance", json_of_runs(info.provenance)}});
 }
 

@@ -16,6 +16,12 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kObjectsFormat) {
     entry.name = "objects";
     entry.file = "objects.jsonl";
+  } else if (format == kEmbeddingsFormat) {
+    entry.name = "embeddings";
+    entry.file = "embeddings.bin";
+  } else if (format == kViewsFormat) {
+    entry.name = "views";
+    entry.file = "views.bin";
   } else if (format == kClassesFormat) {
     entry.name = "classes";
     entry.file = "classes.yaml";

@@ -37,6 +37,8 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kClassGridFormat,
                                    kProvenanceFormat,
                                    kCheckpointFormat,
+                                   kEmbeddingsFormat,
+                                   kViewsFormat,
                                    kTrueSurfacesFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;

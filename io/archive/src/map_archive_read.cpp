@@ -73,16 +73,23 @@ class ArchiveReader {
 
   Result<void> read_extensions(const HypermapConfig& config) {
     archive_.foreign_extensions = config.foreign_extensions;
-    for (std::size_t i = 0; i < config.extensions.size(); ++i) {
-      const std::string owner = "extensions[" + std::to_string(i) + "].file";
-      if (layers_.find(config.extensions[i].format) != nullptr) {
-        HYPERMAP_TRY(read_registered_layer(config.extensions[i], owner));
-        continue;
+    // Embeddings and views speak of objects, which may stand behind them.
+    for (const bool of_objects : {false, true}) {
+      for (std::size_t i = 0; i < config.extensions.size(); ++i) {
+        const std::string& format = config.extensions[i].format;
+        const bool is_of_objects = format == kEmbeddingsFormat || format == kViewsFormat;
+        if (is_of_objects == of_objects) HYPERMAP_TRY(read_one(config.extensions[i], i));
       }
-      HYPERMAP_ASSIGN_OR_RETURN(
-          auto findings, read_extension(archive_, members_, config.extensions[i], owner, limits_));
-      keep(std::move(findings));
     }
+    return {};
+  }
+
+  Result<void> read_one(const ExtensionEntry& entry, std::size_t position) {
+    const std::string owner = "extensions[" + std::to_string(position) + "].file";
+    if (layers_.find(entry.format) != nullptr) return read_registered_layer(entry, owner);
+    HYPERMAP_ASSIGN_OR_RETURN(auto findings,
+                              read_extension(archive_, members_, entry, owner, limits_));
+    keep(std::move(findings));
     return {};
   }
 

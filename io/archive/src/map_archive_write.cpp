@@ -75,6 +75,7 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
   if (!(a.hypermap == b.hypermap)) return "layers";
   if (!(a.classes == b.classes)) return "classes";
   if (!(a.objects == b.objects)) return "objects";
+  if (!(a.views == b.views)) return "views";
   if (a.octree.has_value() != b.octree.has_value() || !(tree_of(a) == tree_of(b))) return "octree";
   if (!(a.class_grids == b.class_grids)) return "class grids";
   if (!(a.provenance == b.provenance)) return "provenance";

@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/semantic_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/io/codec/embedding_file.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 
 #include <system_error>
@@ -17,9 +18,13 @@ Result<FileSummary> check_archive(const std::filesystem::path& path,
                                   const FileCheckOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded, load_archive(path, options.limits, archive_layer_types(), options.stop));
-  return FileSummary{"archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
-                         " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)",
-                     std::move(loaded.findings)};
+  std::string text = "archive of " + std::to_string(loaded.value.hypermap.layers().size()) +
+                     " layer(s), " + std::to_string(loaded.value.objects.size()) + " object(s)";
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dimensions, embedding_dimensions(loaded.value.objects));
+  for (const auto& [model, dimension] : dimensions.models()) {
+    text += ", embeddings of " + printable(model) + " (" + std::to_string(dimension) + " numbers)";
+  }
+  return FileSummary{std::move(text), std::move(loaded.findings)};
 }
 
 Result<FileSummary> check_octree(const std::filesystem::path& path) {
@@ -74,6 +79,13 @@ Result<FileSummary> check_semantic(const std::filesystem::path& path,
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_semantic_layer(path, {}, budget));
   return FileSummary{std::to_string(loaded.value.objects().size()) + " object(s)",
                      std::move(loaded.findings)};
+}
+
+Result<FileSummary> check_embedding(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const EmbeddingFile file, read_embedding_file(path));
+  const std::string model = file.model ? " of " + printable(*file.model) : "";
+  return FileSummary{"embedding" + model + " of " + std::to_string(file.vector.size()) + " numbers",
+                     {}};
 }
 
 }  // namespace hypermap

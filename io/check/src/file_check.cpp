@@ -41,6 +41,8 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
       return check_truth(path);
     case FileKind::kTile:
       return check_tile(path);
+    case FileKind::kEmbedding:
+      return check_embedding(path);
     default:
       break;
   }

@@ -48,5 +48,6 @@ struct FileSummary {
 /// A `.tile` of ours, whose name is a finding where it is not that of its content; a folder of
 /// tiles; else one of [sogm]'s public implementation.
 [[nodiscard]] Result<FileSummary> check_tile(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_embedding(const std::filesystem::path& path);
 
 }  // namespace hypermap

@@ -180,8 +180,10 @@ Result<void> read_detection_files(const DatasetOptions& options,
       files.push_back(sequence.folder / file);
     }
   }
+  DetectionReadOptions reading = options.detection_reading;
   for (const fs::path& file : files) {
-    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, options.detection_reading));
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, reading));
+    reading.embeddings = loaded.value.embeddings;
     DatasetSummary& summary = sequence.summary;
     std::move(loaded.findings.begin(), loaded.findings.end(), std::back_inserter(summary.findings));
     if (const std::size_t outside = erase_outside(loaded.value, summary.camera)) {

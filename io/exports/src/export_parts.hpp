@@ -64,5 +64,7 @@ template <class Content>
 
 [[nodiscard]] Result<WrittenFiles> export_relations(const MapArchive& archive,
                                                     const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_views(const MapArchive& archive,
+                                                const ExportRequest& request);
 
 }  // namespace hypermap

@@ -15,8 +15,15 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 8> kExportFormats{
-    "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles", "relations"};
+constexpr std::array<std::string_view, 9> kExportFormats{"ros-map",
+                                                         "class-grids",
+                                                         "octomap",
+                                                         "color-octomap",
+                                                         "ply",
+                                                         "geojson",
+                                                         "tiles",
+                                                         "relations",
+                                                         "views"};
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
@@ -150,6 +157,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_tiles(archive, request);
     case ExportFormat::kRelations:
       return export_relations(archive, request);
+    case ExportFormat::kViews:
+      return export_views(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

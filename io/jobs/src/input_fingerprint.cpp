@@ -32,6 +32,10 @@ void add(InputHash& hash, const Detection& detection) {
   }
   hash.add(bytes_of(std::span<const double>(scores)));
   if (detection.mask) hash.add(bytes_of(detection.mask->pixels()));
+  for (const Embedding& embedding : detection.embeddings) {
+    hash.add(embedding.model);
+    hash.add(bytes_of(std::span<const float>(embedding.vector)));
+  }
 }
 
 void add_stamp(InputHash& hash, Stamp stamp) {

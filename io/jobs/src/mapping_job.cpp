@@ -6,6 +6,7 @@
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "map_rescue.hpp"
+#include "mapping_counts.hpp"
 #include "mapping_run.hpp"
 #include "outlying_regions.hpp"
 
@@ -27,51 +28,6 @@ std::size_t peak_rss_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024U;
 }
 
-void count(const PoseCorrection& pose, PoseCounts& counts) {
-  switch (pose.outcome) {
-    case PoseOutcome::kGiven:
-      return;
-    case PoseOutcome::kTooFewPoints:
-      ++counts.num_too_few_points;
-      return;
-    case PoseOutcome::kAmbiguous:
-      ++counts.num_ambiguous;
-      return;
-    case PoseOutcome::kTooLarge:
-      ++counts.num_too_large;
-      return;
-    case PoseOutcome::kNoBetter:
-      ++counts.num_no_better;
-      return;
-    case PoseOutcome::kRefined:
-      break;
-  }
-  const auto share = 1.0 / static_cast<double>(++counts.num_refined);
-  counts.mean_translation_m += share * (pose.translation_m - counts.mean_translation_m);
-  counts.mean_rotation_rad += share * (pose.rotation_rad - counts.mean_rotation_rad);
-  counts.max_translation_m = std::max(counts.max_translation_m, pose.translation_m);
-  counts.max_rotation_rad = std::max(counts.max_rotation_rad, pose.rotation_rad);
-}
-
-void count(const FrameReport& frame, MappingReport& report) {
-  count(frame.pose, report.poses);
-  report.seconds.refine += frame.seconds.refine;
-  ++report.num_frames;
-  report.num_detections += frame.num_detections;
-  report.num_filtered += frame.num_transient;
-  report.num_segments += frame.num_segments;
-  report.num_visibility_skipped += frame.visibility_evaluated ? 0U : 1U;
-  report.points.num_hits += frame.integration.num_hits;
-  report.points.num_beyond_range += frame.integration.num_beyond_range;
-  report.points.num_not_measured += frame.integration.num_not_measured;
-  report.points.num_not_finite += frame.integration.num_not_finite;
-  report.points.num_outside_volume += frame.integration.num_outside_volume;
-  report.seconds.segment += frame.seconds.segment;
-  report.seconds.associate += frame.seconds.associate;
-  report.seconds.integrate += frame.seconds.integrate;
-  report.seconds.visibility += frame.seconds.visibility;
-}
-
 /// What is wrong with one frame, named; what is wrong with the machine ends the job.
 bool spares_other_frames(const Error& error) {
   return error.code != ErrorCode::kOutOfMemory && error.code != ErrorCode::kUnavailable;
@@ -85,6 +41,7 @@ Error about(Error error, const std::string& frame_name) {
 Result<FrameReport> map_frame(MappingRun& run,
                               std::size_t index,
                               Result<RgbdFrame> frame,
+                              const MappingJob& job,
                               MappingReport& report) {
   if (!frame) return Unexpected(std::move(frame).error());
   StopWatch watch;
@@ -96,6 +53,8 @@ Result<FrameReport> map_frame(MappingRun& run,
   run.next_frame_index = frame->index + 1;
   if (run.first.hash.empty()) run.first = run.last;
   run.places.push_back({index, frame->map_from_camera.origin().xyz});
+  run.views.follow(done, run.mapper->objects());
+  if (job.keep_views) HYPERMAP_TRY(run.views.add(*frame, done));
   return done;
 }
 
@@ -204,7 +163,7 @@ Result<void> map_frames(MappingRun& run,
     StopWatch watch;
     auto frame = stream.next();
     report.seconds.read += watch.lap();
-    const auto done = map_frame(run, i, std::move(frame), report);
+    const auto done = map_frame(run, i, std::move(frame), job, report);
     if (done) {
       count(*done, report);
     } else if (spares_other_frames(done.error())) {
@@ -220,6 +179,16 @@ Result<void> map_frames(MappingRun& run,
     if (progress && !progress(i + 1, total)) return interrupted();
   }
   return {};
+}
+
+/// Views were asked for, and no frame had what they are made of.
+void note_absent_color(const MappingRun& run, const MappingJob& job, MappingReport& report) {
+  if (!job.keep_views || run.views.saw_color() || report.num_frames == report.num_resumed) return;
+  report.findings.push_back({Severity::kWarning,
+                             {.code = ErrorCode::kNotFound,
+                              .what = "no frame has a colour image: there is no view of any object",
+                              .file = job.input.string(),
+                              .field = "views"}});
 }
 
 /// The error, and where the newest checkpoint is.
@@ -291,6 +260,7 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
   }
   auto findings = findings_of_layers(*derived, run, job);
   std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));
+  note_absent_color(run, job, report);
   remove_checkpoint(job, report);
   describe(archive, job, report);
   report.seconds.wall = whole.lap();

@@ -70,7 +70,7 @@ Result<SemanticMapper> open_mapper(MappingRun& run,
 /// With a network at work, detections beside the data are read only when they were asked for.
 DatasetOptions dataset_options(const MappingJob& job) {
   DatasetOptions options = job.dataset;
-  options.read_color = options.read_color && job.model.has_value();
+  options.read_color = options.read_color && (job.model.has_value() || job.keep_views);
   if (job.model) options.find_detections = false;
   return options;
 }
@@ -183,10 +183,15 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
         auto loaded, load_archive(job.output, job.limits, archive_layer_types(), job.stop));
     run.classes = loaded.value.classes;
     run.previous = std::move(loaded.value);
+    run.views = BestViews(run.previous->views);
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
-  HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
-                            open_dataset(job.input, dataset_options(job), run.classes));
+  DatasetOptions reading = dataset_options(job);
+  if (run.previous) {
+    HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,
+                              embedding_dimensions(run.previous->objects));
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(run.dataset, open_dataset(job.input, reading, run.classes));
   if (job.poses) {
     HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
                               with_corrected_poses(std::move(run.dataset), *job.poses));
@@ -245,6 +250,7 @@ MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   archive.classes = run.classes;
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
+  archive.views = run.views.views();
   add_run(archive.provenance, provenance_of(run, job));
   return archive;
 }

@@ -3,6 +3,7 @@
 /// What a mapping job holds while it runs, and the map of it at any moment.
 #pragma once
 
+#include "best_views.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -31,6 +32,7 @@ struct MappingRun {
   std::unique_ptr<DatasetReader> dataset;
   std::optional<OnnxDetector> detector;
   std::optional<SemanticMapper> mapper;
+  BestViews views;
   InputFingerprint fingerprint;
   std::uint64_t index_offset = 0;         ///< What the index of each frame grows by.
   std::uint64_t next_frame_index = 0;     ///< After the newest frame in the map.

@@ -119,6 +119,7 @@ void take_over(MappingRun& run, const SavedRun& saved, MappingReport& report) {
   run.fingerprint = InputFingerprint(newest.input_hash, newest.first_frame_hash);
   run.next_frame_index = newest.next_frame_index;
   run.num_resumed_positions = checkpoint.num_positions;
+  run.views = BestViews(saved.map.views);
   run.first = checkpoint.first;
   run.last = checkpoint.last;
   run.skipped_positions = checkpoint.skipped_positions;

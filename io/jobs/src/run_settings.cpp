@@ -133,6 +133,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("append", make_text(job.append ? "yes" : "no"));
   entries.emplace_back("same_world", make_text(job.same_world ? "yes" : "no"));
   entries.emplace_back("transform", make_text(placement_text(job.placement)));
+  entries.emplace_back("views", make_text(job.keep_views ? "yes" : "no"));
   entries.emplace_back("frames", make_text(frames_text(dataset)));
   return make_map(std::move(entries));
 }

@@ -18,4 +18,19 @@ std::vector<PixelLabels> observation_labels(std::vector<Observation> observation
   return labels;
 }
 
+std::vector<DetectedObject> detected_objects(std::span<const Observation> observations,
+                                             const AssociationReport& association) {
+  std::vector<DetectedObject> detected;
+  detected.reserve(observations.size());
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const ObjectId id = association.object_of_observation[i];
+    if (id == kNoObject) continue;
+    detected.push_back({.id = id,
+                        .box_px = observations[i].box_px,
+                        .num_pixels = observations[i].segment.pixel_indices.size(),
+                        .score = observations[i].score});
+  }
+  return detected;
+}
+
 }  // namespace hypermap

@@ -5,7 +5,9 @@
 
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
+#include <span>
 #include <vector>
 
 namespace hypermap {
@@ -14,5 +16,10 @@ namespace hypermap {
 /// Requires: `association` is of these observations.
 [[nodiscard]] std::vector<PixelLabels> observation_labels(std::vector<Observation> observations,
                                                           const AssociationReport& association);
+
+/// Those that an object was found for, in their order.
+/// Requires: `association` is of these observations.
+[[nodiscard]] std::vector<DetectedObject> detected_objects(
+    std::span<const Observation> observations, const AssociationReport& association);
 
 }  // namespace hypermap

@@ -47,7 +47,7 @@ Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
   return ids;
 }
 
-std::vector<ObjectId> detected_objects(const AssociationReport& association) {
+std::vector<ObjectId> ids_of_detected(const AssociationReport& association) {
   std::vector<ObjectId> seen = association.object_of_observation;
   std::erase(seen, kNoObject);
   std::sort(seen.begin(), seen.end());
@@ -80,6 +80,7 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
       ids_of(options.objects.transient_class_names, classes, "objects.transient_class_names"));
   HYPERMAP_ASSIGN_OR_RETURN(filter.wanted,
                             ids_of(options.wanted_class_names, classes, "wanted_class_names"));
+  HYPERMAP_ASSIGN_OR_RETURN(EmbeddingDimensions dimensions, embedding_dimensions(objects));
   HYPERMAP_ASSIGN_OR_RETURN(OcclusionScene occlusion, OcclusionScene::create());
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree empty, SemanticOctree::create(options.octree));
   try {
@@ -94,6 +95,7 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
                           std::move(known),
                           std::make_unique<SnapshotExchange>(std::move(nothing)));
     mapper.find_voxels_of_objects();
+    mapper.embedding_dimensions_ = std::move(dimensions);
     if (options.publish_every_n_frames > 0) mapper.publish();
     return mapper;
   } catch (const std::bad_alloc&) {
@@ -151,6 +153,8 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   FrameReport report;
   report.map_from_camera = frame.map_from_camera;
   apply_pending_relabels();  // what an earlier frame left to be done
+  HYPERMAP_ASSIGN_OR_RETURN(auto dimensions,
+                            with_embeddings_of(given_detections, embedding_dimensions_));
   HYPERMAP_ASSIGN_OR_RETURN(auto detections,
                             stack_detections(given_detections, options_.objects.stacking));
   report.num_detections = detections.size();
@@ -171,6 +175,8 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
+  report.detected = detected_objects(observations, association);
+  report.merged = association.merged;
   report.seconds.associate = watch.lap();
 
   const auto labels = observation_labels(std::move(observations), association);
@@ -179,6 +185,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
                             integrator_.integrate(octree_, frame, labels, options_.integration));
   // Invariant: from here on the frame is in the map.
   adopt(std::move(objects), labels, association.merged);
+  embedding_dimensions_ = std::move(dimensions);
   note_frame(frame.index, frame.stamp);
   report.seconds.integrate = watch.lap();
 
@@ -239,7 +246,7 @@ void SemanticMapper::apply_missed_detections(const RgbdFrame& frame,
   try {
     apply_pending_relabels();
     if (report.num_deadline_dropped > 0) return;
-    const std::vector<ObjectId> detected = detected_objects(association);
+    const std::vector<ObjectId> detected = ids_of_detected(association);
     const auto results = evaluate_objects(frame, detected);
     if (!results) return;
     ObjectMap objects = objects_;

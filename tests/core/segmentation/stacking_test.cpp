@@ -116,6 +116,14 @@ TEST(StackDetections, UnitesMasks) {
   EXPECT_EQ(joined.at(0).mask, MaskImage(2, 1, 1));
 }
 
+TEST(StackDetections, KeepsOfEachModelTheEmbeddingOfTheBestScore) {
+  std::vector<Detection> seen{detection(0, 0.7, 0), detection(1, 0.8, 1)};
+  seen[0].embeddings = {{"a", {1, 0}}, {"b", {0, 1}}};
+  seen[1].embeddings = {{"b", {1, 1}}};
+  const std::vector<Embedding> expected{{"b", {1, 1}}, {"a", {1, 0}}};
+  EXPECT_EQ(stack_detections(seen).value().at(0).embeddings, expected);
+}
+
 TEST(StackDetections, NamesTheDetectionWithoutEvidence) {
   std::vector<Detection> seen{detection(0, 0.8, 0), detection(50, 0.7, 0)};
   seen[1].class_scores.clear();

@@ -221,9 +221,9 @@ TEST(ArchiveLayers, WhatALoaderRefusesNamesFileMemberAndField) {
             "own.hmap!number.yaml: number: must be an integer");
   EXPECT_THAT(refusal(with_text(bytes, "number.yaml", "number: 7", "[")), HasSubstr("number.yaml"));
   EXPECT_THAT(refusal(with_text(bytes, "hmap_config.yaml", "file: number", "file: nothing")),
-              HasSubstr("extensions[6].file: names 'nothing.yaml', which is not there"));
+              HasSubstr("extensions[7].file: names 'nothing.yaml', which is not there"));
   EXPECT_THAT(refusal(with_text(bytes, "hmap_config.yaml", "file: number", "file: ../x")),
-              HasSubstr("extensions[6].file"));
+              HasSubstr("extensions[7].file"));
   EXPECT_THAT(
       refusal(with_text(bytes, "hmap_config.yaml", "enable_update: true", "enable_update: 7")),
       HasSubstr("enable_update"));

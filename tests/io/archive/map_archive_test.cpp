@@ -67,6 +67,7 @@ TEST(MapArchive, TheStrictFormStandsFirstAndAlone) {
                                    "semantic",
                                    "octree.ot",
                                    "objects.jsonl",
+                                   "embeddings.bin",
                                    "classes.yaml",
                                    "class_grid_0.yaml",
                                    "class_grid_0.png",

@@ -62,6 +62,8 @@ inline Object sample_object() {
   object.histogram.observe(0.3, 1.7);
   object.shapes.add(make_polygon({{0, 0}, {0.1, 0}, {0.1, 0.2}}).value());
   object.points.observe(std::vector<Eigen::Vector3f>{{0.05F, 0.1F, 0.1F}});
+  object.embeddings.observe(
+      std::vector<Embedding>{{"clip", {3.0F, 0.0F, -4.0F}}, {"dino", {1.0F}}});
   object.num_observations = 1;
   return object;
 }

@@ -50,6 +50,67 @@ TEST(SemanticMapper, ARangeThatFollowsIsCheckedAsIfItWereSet) {
   EXPECT_TRUE(validate(options));
 }
 
+/// As they are, each detection with an embedding of its class and its place in the list.
+std::vector<RgbdFrame> frames_with_embeddings() {
+  std::vector<RgbdFrame> out(frames().begin(), frames().begin() + 4);
+  for (RgbdFrame& frame : out) {
+    float place = 0.0F;
+    for (Detection& detection : frame.detections) {
+      const auto id = static_cast<float>(best_class(detection.class_scores)->id.value);
+      detection.embeddings = {{"clip", {1.0F, id, place++}}};
+    }
+  }
+  return out;
+}
+
+TEST(SemanticMapper, EmbeddingsReachTheObjectsAtAnyNumberOfThreads) {
+  SemanticMapper one = mapper_with();
+  SemanticMapper four = mapper_with({}, 4);
+  for (const RgbdFrame& frame : frames_with_embeddings()) {
+    ASSERT_TRUE(one.integrate(frame));
+    ASSERT_TRUE(four.integrate(frame));
+  }
+  ASSERT_FALSE(one.objects().empty());
+  EXPECT_EQ(one.objects(), four.objects());
+  for (const Object& object : one.objects().objects()) {
+    ASSERT_NE(object.embeddings.find("clip"), nullptr);
+    EXPECT_EQ(object.embeddings.find("clip")->count, object.num_observations);
+  }
+}
+
+TEST(SemanticMapper, AnEmbeddingOfAnotherDimensionIsRefusedWithItsFrame) {
+  SemanticMapper mapper = mapper_with();
+  std::vector<RgbdFrame> given = frames_with_embeddings();
+  ASSERT_TRUE(mapper.integrate(given[0]));
+  const ObjectMap before = mapper.objects();
+  given[1].detections[0].embeddings[0].vector.push_back(1.0F);
+  const auto refused = mapper.integrate(given[1]);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()),
+            "detections[0].embeddings: of model \"clip\" must have 3 numbers as before, has 4");
+  EXPECT_EQ(mapper.objects(), before);
+  // A resumed mapper knows it from the objects.
+  SemanticMapper resumed = SemanticMapper::resume({}, mapper.octree(), mapper.objects()).value();
+  EXPECT_FALSE(resumed.integrate(given[1]));
+  EXPECT_TRUE(resumed.integrate(given[2]));
+}
+
+TEST(SemanticMapper, TellsWhichObjectsAFrameShowed) {
+  SemanticMapper mapper = mapper_with();
+  const FrameReport report = mapper.integrate(frames()[0]).value();
+  ASSERT_FALSE(report.detected.empty());
+  EXPECT_LE(report.detected.size(), report.num_segments);
+  for (const DetectedObject& one : report.detected) {
+    EXPECT_TRUE(mapper.objects().contains(one.id));
+    EXPECT_GT(one.num_pixels, 0U);
+    EXPECT_LE(static_cast<double>(one.num_pixels), one.box_px.width_px() * one.box_px.height_px());
+    const auto is_its_own = [&](const Detection& detection) {
+      return detection.box_px == one.box_px && detection.score == one.score;
+    };
+    EXPECT_TRUE(std::ranges::any_of(frames()[0].detections, is_its_own));
+  }
+}
+
 TEST(SemanticMapper, AnyNumberOfThreadsGivesTheSameMap) {
   SemanticMapper one = mapper_with();
   SemanticMapper four = mapper_with({}, 4);

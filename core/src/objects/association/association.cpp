@@ -43,6 +43,8 @@ Observation make_observation(const RgbdFrame& frame, const Detection& detection,
   out.class_scores = detection.class_scores;
   out.score = detection.score;
   out.detector = detection.detector;
+  out.embeddings = detection.embeddings;
+  out.box_px = detection.box_px;
   out.bearing_rad = bearing_from_object_rad(segment.centroid_in_map, camera);
   out.distance_m = segment.distance_m;
   out.stamp = frame.stamp;

@@ -71,6 +71,7 @@ void update_object(Object& object,
   update_belief(object, observation);
   object.histogram.observe(observation.bearing_rad, observation.distance_m);
   update_geometry(object, observation.segment, options);
+  object.embeddings.observe(observation.embeddings);
   const LogOdds before = object.existence;
   object.existence = std::min(object.existence + options.seen_existence, options.max_existence);
   record(object, observation, object.existence - before);

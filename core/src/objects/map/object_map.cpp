@@ -141,4 +141,17 @@ std::optional<ObjectId> ObjectMap::nearest(const PointInMap& point,
   });
 }
 
+Result<EmbeddingDimensions> embedding_dimensions(const ObjectMap& objects) {
+  EmbeddingDimensions dimensions;
+  for (const Object& object : objects.objects()) {
+    for (const MeanEmbedding& embedding : object.embeddings.entries()) {
+      auto added = dimensions.add(embedding.model, embedding.mean.size());
+      if (added) continue;
+      added.error().entry = "object " + std::to_string(object.id.value);
+      return tl::make_unexpected(std::move(added).error());
+    }
+  }
+  return dimensions;
+}
+
 }  // namespace hypermap

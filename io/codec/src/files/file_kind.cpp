@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 13> kFileKindNames{"archive",
+constexpr std::array<std::string_view, 14> kFileKindNames{"archive",
                                                           "octree",
                                                           "map",
                                                           "image",
@@ -30,14 +30,15 @@ constexpr std::array<std::string_view, 13> kFileKindNames{"archive",
                                                           "config",
                                                           "dataset",
                                                           "truth",
-                                                          "tile"};
+                                                          "tile",
+                                                          "embedding"};
 
 struct Hint {
   std::string_view text;
   FileKind kind;
 };
 
-constexpr std::array<Hint, 17> kExtensions{{{".hmap", FileKind::kArchive},
+constexpr std::array<Hint, 18> kExtensions{{{".hmap", FileKind::kArchive},
                                             {".tile", FileKind::kTile},
                                             {".ot", FileKind::kOctree},
                                             {".bt", FileKind::kOctree},
@@ -53,16 +54,18 @@ constexpr std::array<Hint, 17> kExtensions{{{".hmap", FileKind::kArchive},
                                             {".jsonl", FileKind::kDetections},
                                             {".yaml", FileKind::kConfig},
                                             {".yml", FileKind::kConfig},
+                                            {".npy", FileKind::kEmbedding},
                                             {".zip", FileKind::kArchive}}};
 
 /// First hint whose text the content holds.
-constexpr std::array<Hint, 7> kJsonHints{{{"\"detections\"", FileKind::kDetections},
+constexpr std::array<Hint, 8> kJsonHints{{{"\"detections\"", FileKind::kDetections},
                                           {"\"bbox\"", FileKind::kDetections},
                                           {"\"annotations\"", FileKind::kDetections},
                                           {"\"image_id\"", FileKind::kDetections},
                                           {"\"fx\"", FileKind::kIntrinsics},
                                           {"\"intrinsic_matrix\"", FileKind::kIntrinsics},
-                                          {"\"depth_scale\"", FileKind::kIntrinsics}}};
+                                          {"\"depth_scale\"", FileKind::kIntrinsics},
+                                          {"\"vector\"", FileKind::kEmbedding}}};
 
 /// First hint with which a line begins.
 constexpr std::array<Hint, 16> kYamlHints{{{"format: hypermap-sequence-truth", FileKind::kTruth},
@@ -182,6 +185,7 @@ std::optional<FileKind> yaml_kind(const std::vector<TextLine>& lines) {
 std::optional<FileKind> by_content(std::string_view bytes) {
   if (bytes.starts_with("PK")) return FileKind::kArchive;
   if (bytes.starts_with("# Octomap")) return FileKind::kOctree;
+  if (bytes.starts_with("\x93NUMPY")) return FileKind::kEmbedding;
   if (is_image(bytes)) return image_kind(bytes);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The only file that knows libjpeg. Its errors end in jump_back(), which returns to the setjmp of
-// the running call: between the two no object with a destructor lives.
+// It and jpeg_writer.cpp alone know libjpeg. Its errors end in jump_back(), which returns to the
+// setjmp of the running call: between the two no object with a destructor lives.
 #include "jpeg_decompression.hpp"
 
 #include "image_limits.hpp"

@@ -144,7 +144,8 @@ Result<std::size_t> frame_of_result(const JsonNode& node, CocoTables& tables) {
 Result<NamedDetection> parse_result(const JsonNode& node,
                                     const CocoTables& tables,
                                     const FrameDetections& frame,
-                                    const DetectionReadOptions& options) {
+                                    DetectionSetBuilder& builder) {
+  const DetectionReadOptions& options = builder.options();
   NamedDetection out;
   HYPERMAP_ASSIGN_OR_RETURN(out.label, label_of(node, tables, options));
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode box, node.require("bbox"));
@@ -160,6 +161,9 @@ Result<NamedDetection> parse_result(const JsonNode& node,
   const auto mask = node.find("segmentation");
   if (mask && mask->is(JsonKind::kObject)) {
     HYPERMAP_ASSIGN_OR_RETURN(out.mask, parse_mask(*mask, options.limits));
+  }
+  if (const auto embedding = node.find("embedding")) {
+    HYPERMAP_ASSIGN_OR_RETURN(out.embeddings, parse_embeddings(*embedding, builder));
   }
   return out;
 }
@@ -195,7 +199,7 @@ Result<void> parse_coco_json(const JsonNode& root,
     HYPERMAP_TRY(node.expect(JsonKind::kObject));
     HYPERMAP_ASSIGN_OR_RETURN(const std::size_t index, frame_of_result(node, tables));
     FrameDetections& frame = tables.frames[index];
-    HYPERMAP_ASSIGN_OR_RETURN(NamedDetection detection, parse_result(node, tables, frame, options));
+    HYPERMAP_ASSIGN_OR_RETURN(NamedDetection detection, parse_result(node, tables, frame, builder));
     if (frame.detections.size() >= options.limits.max_per_frame) {
       return node.error(ErrorCode::kLimit,
                         "at most " + std::to_string(options.limits.max_per_frame) +

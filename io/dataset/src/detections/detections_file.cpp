@@ -13,6 +13,7 @@ namespace hypermap {
 
 DetectionSetBuilder::DetectionSetBuilder(std::string file, const DetectionReadOptions& options)
     : file_(std::move(file)), options_(options) {
+  set_.embeddings = options.embeddings;
   for (const std::string& name : options.class_names) add_class(name);
 }
 
@@ -42,6 +43,14 @@ Result<void> DetectionSetBuilder::add(FrameDetections frame, int line) {
   }
   set_.frames.push_back(std::move(frame));
   return {};
+}
+
+Result<void> DetectionSetBuilder::add_embedding(const Embedding& embedding, const JsonNode& node) {
+  const auto added = set_.embeddings.add(embedding.model, embedding.vector.size());
+  if (added) return {};
+  return node.error(
+      added.error().code == ErrorCode::kLimit ? ErrorCode::kLimit : ErrorCode::kMalformedFile,
+      added.error().what);
 }
 
 void DetectionSetBuilder::note_unknown_key(const JsonNode& member) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kLabelKeys{"label", "class", "category", "name"};
 constexpr std::array<std::string_view, 7> kFrameKeys{
     "image", "timestamp", "width", "height", "detections", "index", "detector"};
-constexpr std::array<std::string_view, 10> kDetectionKeys{"label",
+constexpr std::array<std::string_view, 11> kDetectionKeys{"label",
                                                           "class",
                                                           "category",
                                                           "name",
@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 10> kDetectionKeys{"label",
                                                           "bbox",
                                                           "bbox_xywh",
                                                           "scores",
-                                                          "mask"};
+                                                          "mask",
+                                                          "embedding"};
 
 template <std::size_t N>
 void note_unknown(const JsonNode& object,
@@ -85,6 +86,9 @@ Result<NamedDetection> parse_detection(const JsonNode& node,
                              std::to_string(out.mask->height_px) + " x " +
                              std::to_string(out.mask->width_px));
     }
+  }
+  if (const auto embedding = node.find("embedding")) {
+    HYPERMAP_ASSIGN_OR_RETURN(out.embeddings, parse_embeddings(*embedding, builder));
   }
   note_unknown(node, kDetectionKeys, builder);
   return out;

@@ -89,6 +89,7 @@ Result<ResolvedDetections> resolve(const FrameDetections& frame,
                               class_vector(written, registry, known_classes));
     HYPERMAP_ASSIGN_OR_RETURN(detection.mask, mask_of(written, width_px, height_px));
     detection.score = written.score;
+    detection.embeddings = written.embeddings;
     detection.detector = detector;
     out.detections.push_back(std::move(detection));
   }
@@ -115,6 +116,7 @@ FrameDetections named(std::span<const Detection> detections,
       out.scores.push_back({registry.name(score.id), score.probability});
     }
     if (detection.mask) out.mask = encode(*detection.mask);
+    out.embeddings = detection.embeddings;
     frame.detections.push_back(std::move(out));
   }
   return frame;

@@ -2,6 +2,7 @@
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
+#include "hypermap/io/dataset/detections_parsing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,9 @@ std::string detection_json(const NamedDetection& detection) {
                     number_list(std::array{box.u_min_px, box.v_min_px, box.u_max_px, box.v_max_px});
   if (!detection.scores.empty()) out += ", \"scores\": " + scores_json(detection.scores);
   if (detection.mask) out += ", \"mask\": " + mask_json(*detection.mask);
+  if (!detection.embeddings.empty()) {
+    out += ", \"embedding\": " + embeddings_json(detection.embeddings);
+  }
   return out + "}";
 }
 
@@ -64,6 +68,9 @@ std::string coco_json(const NamedDetection& detection,
       ", \"score\": " + json_number(detection.score.value());
   if (!detection.scores.empty()) out += ", \"scores\": " + scores_json(detection.scores);
   if (detection.mask) out += ", \"segmentation\": " + mask_json(*detection.mask);
+  if (!detection.embeddings.empty()) {
+    out += ", \"embedding\": " + embeddings_json(detection.embeddings);
+  }
   return out + "}";
 }
 

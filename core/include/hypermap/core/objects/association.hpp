@@ -39,6 +39,8 @@ struct Observation {
   /// Classes of the combined set, all that any detector can name now; at least those of
   /// `class_scores` and two count.
   std::size_t num_classes = 0;
+  std::vector<Embedding> embeddings = {};  ///< Of the detection.
+  PixelBox box_px = {};                    ///< Of the detection.
 };
 
 /// What a detection and its segment say about the map, seen from the frame's camera.
@@ -180,7 +182,7 @@ AssociationReport associate(ObjectMap& objects,
                             const AssociationScope& scope = {});
 
 /// Updates an object by one observation: class (3.18), histogram (3.13), box (3.20, 3.21), shapes,
-/// points, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.
+/// points, embeddings, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.
 void update_object(Object& object,
                    const Observation& observation,
                    const AssociationOptions& options);

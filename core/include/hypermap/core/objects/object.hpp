@@ -12,6 +12,7 @@
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/class_belief.hpp"
+#include "hypermap/core/objects/mean_embeddings.hpp"
 #include "hypermap/core/objects/observation_log.hpp"
 #include "hypermap/core/objects/shape_evidence.hpp"
 #include "hypermap/core/objects/visibility_histogram.hpp"
@@ -41,6 +42,7 @@ struct Object {
   ShapeEvidence shapes;
   OccupancyVotes points;
   ObservationLog observation_log;
+  MeanEmbeddings embeddings;
   Stamp first_seen;
   Stamp last_seen;
   std::uint32_t num_observations = 0;

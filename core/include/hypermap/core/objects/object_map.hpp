@@ -132,4 +132,8 @@ class ObjectMap {
   CowRef<ObjectStore> store_;  ///< Null: as a new one.
 };
 
+/// The models whose embeddings the objects have. Errors: those of EmbeddingDimensions::add, with
+/// the object's id as the entry. Cost: one pass over the objects.
+[[nodiscard]] Result<EmbeddingDimensions> embedding_dimensions(const ObjectMap& objects);
+
 }  // namespace hypermap

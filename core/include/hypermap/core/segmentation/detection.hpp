@@ -9,6 +9,7 @@
 #include "hypermap/core/base/image.hpp"
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/segmentation/embedding.hpp"
 
 #include <optional>
 #include <span>
@@ -48,14 +49,16 @@ struct Detection {
   DetectorId detector;
   /// Pixels of the object in the size of the image, when the detector gives them.
   std::optional<MaskImage> mask;
+  /// How it looks to image networks, a model each; mostly none.
+  std::vector<Embedding> embeddings = {};
 
   friend bool operator==(const Detection&, const Detection&) = default;
 };
 
 /// Errors: kInvalidArgument naming the field: a box that is not finite or inside out, a score
 /// outside [0, 1], class scores that are none, outside [0, 1], not ascending by id below 65,535 or
-/// whose sum is off 1 by more than 1e-3. The mask is judged with its image, see
-/// validate(RgbdFrame).
+/// whose sum is off 1 by more than 1e-3; kInvalidArgument and kLimit of its embeddings. The mask is
+/// judged with its image, see validate(RgbdFrame).
 [[nodiscard]] Result<void> validate(const Detection& detection);
 
 /// Of class scores alone.
@@ -76,5 +79,10 @@ struct Detection {
 /// Scaled to sum 1 and sorted by id. Errors: kInvalidArgument when the sum is 0 or an id occurs
 /// twice.
 [[nodiscard]] Result<std::vector<ClassEvidence>> normalized(std::vector<ClassEvidence> scores);
+
+/// `known` and the models of the detections' embeddings. Errors: those of EmbeddingDimensions::add,
+/// field `detections[i].embeddings`. Cost: no allocation when neither has any.
+[[nodiscard]] Result<EmbeddingDimensions> with_embeddings_of(std::span<const Detection> detections,
+                                                             EmbeddingDimensions known);
 
 }  // namespace hypermap

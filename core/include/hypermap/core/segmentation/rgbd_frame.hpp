@@ -36,7 +36,8 @@ struct RgbdFrame {
 /// not the camera's; a pose that is no finite rigid motion (rotation off by more than 1e-3); of a
 /// detection (`detections[i]...`) a box that is not finite or inside out, a score outside [0, 1],
 /// class scores that are none, outside [0, 1], not ascending by id below 65,535 or whose sum is off
-/// 1 by more than 1e-3. Boundary: any stamp is one; what is NaN in the depth is no measurement.
+/// 1 by more than 1e-3; kInvalidArgument and kLimit of its embeddings. Boundary: any stamp is one;
+/// what is NaN in the depth is no measurement.
 [[nodiscard]] Result<void> validate(const RgbdFrame& frame);
 
 }  // namespace hypermap

@@ -55,10 +55,10 @@ struct StackingOptions {
 /// are never joined with each other.
 ///
 /// The joined detection has the mean box weighted by score, the union of the masks that there are,
-/// the highest score, and the detector of that score.
-/// Greedy by score, then by position: the same result for the same input.
-/// Errors: those of combine_class_scores, naming the detection.
-/// Cost: O(n^2) in the detections of one image.
+/// the highest score, the detector of that score, and of each model the embedding of the member
+/// with the best score that has one, at most kMaxEmbeddingModels of them. Greedy by score, then by
+/// position: the same result for the same input. Errors: those of combine_class_scores, naming the
+/// detection. Cost: O(n^2) in the detections of one image.
 [[nodiscard]] Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
                                                               const StackingOptions& options = {});
 

@@ -75,6 +75,14 @@ struct StageSeconds {
   double visibility = 0.0;
 };
 
+/// An object that a frame showed.
+struct DetectedObject {
+  ObjectId id;
+  PixelBox box_px;             ///< Of the detection.
+  std::size_t num_pixels = 0;  ///< Of its segment: those of the object that nothing hides.
+  Probability score;           ///< Of the detection.
+};
+
 /// What became of one frame.
 struct FrameReport {
   std::size_t num_detections = 0;  ///< After stacking.
@@ -87,6 +95,10 @@ struct FrameReport {
   std::size_t num_matched = 0;
   std::size_t num_merged = 0;   ///< Duplicates merged into another object.
   std::size_t num_removed = 0;  ///< Objects that proved absent.
+  /// A detection each that is of an object now, in the order of the detections; of a scan none.
+  std::vector<DetectedObject> detected;
+  /// In the order in which they happened.
+  std::vector<ObjectMerge> merged;
   /// False when visibility was not evaluated: detections had been dropped, so that a missed
   /// detection means nothing, or there was no memory or no Embree for it.
   bool visibility_evaluated = false;
@@ -120,7 +132,7 @@ class SemanticMapper {
   /// Goes on from a map that was made before, which is the first snapshot when any are published.
   /// Voxels that bear an id of no object are freed of it.
   /// Errors: those of create; kInvalidArgument when the tree's options are not those of
-  /// `options.octree`.
+  /// `options.octree`; objects whose embeddings of one model differ in their dimension.
   [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
                                                      SemanticOctree octree,
                                                      ObjectMap objects,
@@ -129,10 +141,11 @@ class SemanticMapper {
   /// Puts one frame into the map: whole, or on an error not at all. With `refinement` it stands in
   /// the map at its refined pose, for everything that is learnt from it.
   ///
-  /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate. A detection
-  /// that cannot be found in the depth is counted, no error. Objects are updated on a copy that
-  /// takes their place when the octree has the frame; should memory end after that, what is left of
-  /// the frame's work waits for the next one, see `FrameReport::visibility_evaluated`.
+  /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate;
+  /// kInvalidArgument for an embedding of another dimension than its model's have so far. A
+  /// detection that cannot be found in the depth is counted, no error. Objects are updated on a
+  /// copy that takes their place when the octree has the frame; should memory end after that, what
+  /// is left of the frame's work waits for the next one, see `FrameReport::visibility_evaluated`.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
 
   /// Learns the surfaces of a frame that is in the map already, as `integrate` did when it was put
@@ -231,6 +244,7 @@ class SemanticMapper {
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   PoseRefiner refiner_;
+  EmbeddingDimensions embedding_dimensions_;  ///< Of all frames and objects in the map.
   Clock clock_ = wall_clock_s;
   /// A box around all voxels that bear an object's id, perhaps larger: what an id's voxels are
   /// found by when it ends.

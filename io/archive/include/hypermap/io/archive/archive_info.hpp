@@ -25,6 +25,13 @@ struct LayerSummary : LayerStatistics {
   std::vector<std::string> parts = {};  ///< Names of the layers in a stack, or of its supercells.
 };
 
+/// A network whose embeddings objects have.
+struct ModelSummary {
+  std::string model;
+  std::size_t dimension = 0;
+  std::size_t num_objects = 0;  ///< Tentative ones included.
+};
+
 struct ArchiveInfo {
   std::int64_t format_version = 0;  ///< 0: the first implementation's form, nothing beyond it.
   std::vector<LayerSummary> layers;
@@ -33,6 +40,8 @@ struct ArchiveInfo {
   std::vector<Provenance> provenance;  ///< Of each run, oldest first.
   /// Of the confirmed objects (`archive_relations`), as many of each of `kRelationKinds`.
   std::array<std::size_t, kRelationKinds.size()> num_relations = {};
+  std::vector<ModelSummary> models = {};  ///< In ascending order of the names.
+  std::size_t num_views = 0;
 };
 
 /// Cost: one pass over cells and leaves, and that of `find_relations`.
@@ -42,8 +51,9 @@ struct ArchiveInfo {
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `transforms`, `relations` {`on`, `in`, `under`,
-/// `beside`, `part_of`: how many}, `provenance` (of the newest run, with the others, oldest first,
-/// in its list `earlier`; null when there is none).
+/// `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}], `views`: how
+/// many, `provenance` (of the newest run, with the others, oldest first, in its list `earlier`;
+/// null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

@@ -38,6 +38,8 @@ inline constexpr std::string_view kOctomapFormat = "octomap";
 /// The occupancy of the semantic octree alone, for OctoMap's own programs; never read back.
 inline constexpr std::string_view kOctreeTwinFormat = "hypermap-octree-twin";
 inline constexpr std::string_view kObjectsFormat = "hypermap-objects";
+inline constexpr std::string_view kEmbeddingsFormat = "hypermap-embeddings";
+inline constexpr std::string_view kViewsFormat = "hypermap-views";
 inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
 inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";

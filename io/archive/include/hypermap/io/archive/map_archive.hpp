@@ -13,6 +13,7 @@
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/layer_types.hpp"
+#include "hypermap/io/archive/object_views.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/codec/file_reach.hpp"
@@ -59,6 +60,7 @@ struct MapArchive {
   Hypermap hypermap;
   ClassRegistry classes = {};
   ObjectMap objects = {};
+  ObjectViews views = {};  ///< Of objects, where they were kept.
   std::optional<SemanticOctree> octree = {};
   std::vector<ClassGrid> class_grids = {};
   /// Of each run that put frames into the map, oldest first; at most `kMaxRuns`.
@@ -83,12 +85,14 @@ struct MapArchive {
 
 struct ArchiveLimits {
   ZipLimits zip = {};
-  std::uint64_t max_text_bytes = std::uint64_t{16} << 20;    ///< Of a YAML entry.
-  std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;  ///< Of the objects, a line each.
-  std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;   ///< Of an octree.
-  std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;  ///< Of our own octree.
-  BudgetLimits sums = {};                                    ///< Of all members together.
-  FileReach reach = FileReach::kAnywhere;                    ///< Of a bare configuration.
+  std::uint64_t max_text_bytes = std::uint64_t{16} << 20;       ///< Of a YAML entry.
+  std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;     ///< Of the objects, a line each.
+  std::uint64_t max_embeddings_bytes = std::uint64_t{2} << 30;  ///< Of the objects' embeddings.
+  std::uint64_t max_views_bytes = std::uint64_t{2} << 30;       ///< Of the objects' views.
+  std::uint64_t max_octree_bytes = std::uint64_t{2} << 30;      ///< Of an octree.
+  std::uint64_t max_octree_voxels = std::uint64_t{1} << 31;     ///< Of our own octree.
+  BudgetLimits sums = {};                                       ///< Of all members together.
+  FileReach reach = FileReach::kAnywhere;                       ///< Of a bare configuration.
 };
 
 /// Reads an archive, or a bare configuration file whose layers lie beside it (relative to it) or

@@ -46,6 +46,8 @@ struct MapAnswer {
   std::optional<Eigen::Vector3d> size_m = std::nullopt;  ///< Of an object's box, of a voxel.
   /// Of an object in the layer of objects alone; ids are those of `MapArchive::classes`.
   std::optional<ObjectBeliefs> beliefs = std::nullopt;
+  /// Of an object, when it was compared with a vector (similar_query.hpp): in -1 .. 1.
+  std::optional<double> similarity = std::nullopt;
 };
 
 /// What was found, in ascending order of ids, and the frame of the positions.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The objects of a map as lines of JSON: a head, then one line for each object, all of its state,
-/// so that what is read equals what was written bit by bit.
+/// The objects of a map as lines of JSON: a head, then one line for each object, all of its state
+/// but its embeddings (object_embeddings.hpp), so that what is read equals what was written bit by
+/// bit.
 #pragma once
 
 #include "hypermap/core/base/load_budget.hpp"

@@ -25,8 +25,9 @@ enum class FileKind : std::uint8_t {
   kDetections,
   kConfig,  ///< A bare map configuration, or a file of options.
   kDataset,
-  kTruth,  ///< A list of what stands in a recorded sequence.
-  kTile,   ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
+  kTruth,      ///< A list of what stands in a recorded sequence.
+  kTile,       ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
+  kEmbedding,  ///< One vector, to be compared with those of objects: `.npy`, or JSON.
 };
 
 /// The names of the command line, in the order of the enumerators.

@@ -36,6 +36,9 @@ struct DetectionReadOptions {
   /// Empty: the classes that occur in the file.
   std::vector<std::string> class_names = {};
   DetectionLimits limits = {};
+  /// Dimensions of the embeddings that are known from elsewhere: earlier files, the map that is
+  /// gone on from.
+  EmbeddingDimensions embeddings = {};
 };
 
 struct NamedScore {
@@ -63,6 +66,7 @@ struct NamedDetection {
   PixelBox box_px;                 ///< As written; inside the image once its size is known.
   std::vector<NamedScore> scores;  ///< Empty: only label and score are known.
   std::optional<RleMask> mask;
+  std::vector<Embedding> embeddings = {};  ///< A model each.
   friend bool operator==(const NamedDetection&, const NamedDetection&) = default;
 };
 
@@ -84,7 +88,8 @@ struct DetectionSet {
   /// What the detector can name: given by the options, else by the file's categories, else the
   /// labels in the order of first mention.
   std::vector<std::string> class_names;
-  std::size_t num_clipped = 0;  ///< Boxes that exceeded an image whose size is stated.
+  std::size_t num_clipped = 0;     ///< Boxes that exceeded an image whose size is stated.
+  EmbeddingDimensions embeddings;  ///< Those of the options, and of the file.
 
   [[nodiscard]] std::size_t num_detections() const;
 };
@@ -97,6 +102,7 @@ struct DetectionSet {
 /// Errors: kIo; kLimit; kMalformedFile naming line and JSON path: no UTF-8, duplicate keys,
 /// literals that are no JSON, text after the end; score outside [0, 1]; box swapped, without area,
 /// not finite or wholly outside; mask whose runs do not fill its size; empty label or NUL in it;
+/// embeddings out of their bounds, or of another dimension than those of the model before them;
 /// JSON lines that are not those of which their head (see to_json_lines), if they have one, was
 /// written.
 /// Findings: boxes clipped, keys unknown (each once).
@@ -139,7 +145,8 @@ struct ResolvedDetections {
                                     int height_px);
 
 /// One line of JSON, newline included: image, timestamp, size, and per detection label, score,
-/// bbox, the full class vector and the mask. Numbers in shortest form that reads back the same.
+/// bbox, the full class vector, the mask and the embeddings. Numbers in shortest form that reads
+/// back the same; embeddings in base64.
 [[nodiscard]] std::string to_json_line(const FrameDetections& frame);
 
 /// A file of such lines, one an image, behind a head that holds their number and their CRC-32:

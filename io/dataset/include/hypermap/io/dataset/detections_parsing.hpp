@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ class DetectionSetBuilder {
   Result<void> add(FrameDetections frame, int line);
   /// Adds a finding for `key` the first time it is met.
   void note_unknown_key(const JsonNode& member);
+  /// Notes the dimension of an embedding that stands at `node`.
+  /// Errors: those of EmbeddingDimensions::add, at the node.
+  Result<void> add_embedding(const Embedding& embedding, const JsonNode& node);
   void note(Finding finding) { findings_.push_back(std::move(finding)); }
   /// Classes that the file lists.
   void add_class(const std::string& name);
@@ -52,6 +56,13 @@ class DetectionSetBuilder {
                                                            const DetectionLimits& limits);
 /// `{size: [h, w], counts: [...] or "..."}`.
 [[nodiscard]] Result<RleMask> parse_mask(const JsonNode& node, const DetectionLimits& limits);
+
+/// One embedding (embedding_json.hpp) or a list of them. Errors: kMalformedFile, kLimit at what
+/// breaks a rule of `validate`, and at one of another dimension than those before of its model.
+[[nodiscard]] Result<std::vector<Embedding>> parse_embeddings(const JsonNode& node,
+                                                              DetectionSetBuilder& builder);
+/// What `parse_embeddings` reads back: an object, or a list of several. Requires: not empty.
+[[nodiscard]] std::string embeddings_json(std::span<const Embedding> embeddings);
 
 /// COCO's compressed counts: six bits a character, differences to the run before the last.
 /// Errors: kMalformedFile for a character outside '0' .. 'o', a cut number, a negative run.

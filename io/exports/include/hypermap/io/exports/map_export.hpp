@@ -29,10 +29,12 @@ enum class ExportFormat {
                   ///< older one is replaced as a whole.
   kRelations,     ///< What stands on, in, under, beside what, or is a part of it: Graphviz' `.dot`,
                   ///< or `.local.geojson` with a point an object and a line a relation.
+  kViews,         ///< A folder with the view of each confirmed object, `<id>-<class>.jpg`; an older
+                  ///< one is replaced as a whole.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations".
+/// "relations", "views".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
@@ -64,8 +66,8 @@ struct ExportRequest {
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
 /// is not known; kUnsupported for a layer of another kind than the format needs; those of validate;
-/// kInvalidArgument for an output name that the format does not allow, or, as kTiles, a folder with
-/// other files; kIo.
+/// kInvalidArgument for an output name that the format does not allow, or, as kTiles and kViews, a
+/// folder with other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 

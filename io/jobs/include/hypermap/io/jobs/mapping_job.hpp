@@ -55,6 +55,8 @@ struct MappingJob {
   bool strict = false;
   /// Frames that are in the map already are mapped once more.
   bool force = false;
+  /// The best colour view of each object is kept in the map (object_views.hpp).
+  bool keep_views = false;
   /// After so many mapped frames each time the map is saved to `checkpoint_path(output)`, an
   /// archive that `resume` or a later run goes on from. It goes when the map is saved. 0: never.
   std::size_t checkpoint_every = 0;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "query_arguments.hpp"
+
+#include "hypermap/io/archive/archive_layers.hpp"
+
+namespace hypermap::app {
+namespace {
+
+/// Whether layers, conditions, likeness or relations are asked for.
+bool asks_layers(const QueryArguments& arguments) {
+  return arguments.layer || arguments.at || arguments.area || arguments.text || arguments.value ||
+         arguments.nearest || arguments.complete || !arguments.frame.empty() ||
+         !arguments.related.empty() || arguments.similar.is_asked() ||
+         arguments.similar.is_incomplete();
+}
+
+/// What goes with --embedding.
+std::optional<std::string> fault_of_similar(const QueryArguments& arguments) {
+  if (arguments.nearest || !arguments.related.empty()) {
+    return "--embedding goes without --nearest and relations";
+  }
+  if (!arguments.layer || *arguments.layer == kObjectsLayer) return std::nullopt;
+  return "--embedding asks the objects of the 3D map, not --layer " + *arguments.layer;
+}
+
+}  // namespace
+
+std::optional<std::string> usage_fault(const QueryArguments& arguments) {
+  if (arguments.why || arguments.why_not) {
+    const bool asks_more = asks_layers(arguments) || asks_places(arguments.places);
+    if (asks_more || (arguments.why && arguments.why_not)) {
+      return "--why and --why-not ask one thing each: no other condition goes with them";
+    }
+    return std::nullopt;
+  }
+  if (asks_places(arguments.places)) return fault_of(arguments.places, asks_layers(arguments));
+  if (arguments.similar.is_incomplete()) return "--model and --top go with --embedding";
+  if (arguments.similar.is_asked()) return fault_of_similar(arguments);
+  if (arguments.nearest) {
+    if (!arguments.at) return "--nearest needs --at X,Y";
+    if (arguments.text) return "--nearest names the class: --string goes without it";
+    if (!arguments.related.empty()) return "--nearest goes without relations";
+    if (arguments.layer && *arguments.layer != kObjectsLayer) {
+      return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
+    }
+    return std::nullopt;
+  }
+  if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
+    return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
+  }
+  if (!arguments.layer && arguments.related.empty()) {
+    return "one of --layer, --nearest, --embedding, --why, --why-not, --on, --in, --under, "
+           "--beside, --part-of, --rooms, --place and --route is needed";
+  }
+  if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
+    return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hypermap::app
