@@ -38,7 +38,9 @@ Result<void> check_by_place(const PlaceRules& rules,
                   "names the place \"" + printable(place) + "\", which is none of places",
                   field);
     }
-    HYPERMAP_TRY(check_number(field + "." + place, value, range));
+    std::string name = field;
+    name.append(".").append(place);
+    HYPERMAP_TRY(check_number(name, value, range));
   }
   return {};
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace hypermap {
@@ -131,6 +133,47 @@ class Flood {
   RegionSets sets_;
 };
 
+/// The largest clearance in the gap to each neighbour of a region.
+using Gaps = std::map<std::uint32_t, std::int64_t>;
+
+void widen(Gaps& gaps, std::uint32_t neighbour, std::int64_t clearance) {
+  std::int64_t& widest = gaps[neighbour];
+  widest = std::max(widest, clearance);
+}
+
+std::vector<Gaps> gaps_of(const RoomRegions& regions,
+                          const CellMask& mask,
+                          const std::vector<std::int64_t>& clearance) {
+  std::vector<Gaps> gaps(regions.num_cells.size());
+  for (std::size_t i = 0; i < regions.cells.size(); ++i) {
+    const std::uint32_t here = regions.cells[i];
+    if (here == kNoRegion) continue;
+    for_each_neighbour(mask.cols, mask.rows, i, [&](std::size_t next) {
+      const std::uint32_t other = regions.cells[next];
+      if (other == here || other == kNoRegion) return;
+      widen(gaps[here], other, std::min(clearance[i], clearance[next]));
+    });
+  }
+  return gaps;
+}
+
+/// The neighbour with the widest gap, of equal ones the first. Requires: there is one.
+std::uint32_t widest_of(const Gaps& gaps) {
+  return std::ranges::max_element(gaps, {}, [](const auto& gap) { return gap.second; })->first;
+}
+
+/// `gone` is a part of its neighbour `kept`.
+std::vector<Gaps> with_united(std::vector<Gaps> gaps, std::uint32_t kept, std::uint32_t gone) {
+  for (const auto& [other, clearance] : gaps[gone]) {
+    gaps[other].erase(gone);
+    if (other == kept) continue;
+    widen(gaps[kept], other, clearance);
+    widen(gaps[other], kept, clearance);
+  }
+  gaps[gone].clear();
+  return gaps;
+}
+
 }  // namespace
 
 double gap_width_m(std::int64_t squared_clearance, double resolution_m) {
@@ -148,26 +191,32 @@ RoomRegions without_niches(RoomRegions regions,
                            const CellMask& mask,
                            const std::vector<std::int64_t>& clearance,
                            std::size_t min_cells) {
-  for (;;) {
-    const auto smallest = std::ranges::min_element(regions.num_cells);
-    if (smallest == regions.num_cells.end() || *smallest >= min_cells) return regions;
-    const auto niche = static_cast<std::uint32_t>(smallest - regions.num_cells.begin());
-    std::int64_t widest = -1;
-    std::uint32_t neighbour = kNoRegion;
-    for (std::size_t i = 0; i < regions.cells.size(); ++i) {
-      if (regions.cells[i] != niche) continue;
-      for_each_neighbour(mask.cols, mask.rows, i, [&](std::size_t next) {
-        const std::uint32_t other = regions.cells[next];
-        if (other == niche || other == kNoRegion || clearance[i] <= widest) return;
-        widest = clearance[i];
-        neighbour = other;
-      });
+  std::vector<Gaps> gaps = gaps_of(regions, mask, clearance);
+  std::vector<std::size_t> sizes = regions.num_cells;
+  std::vector<std::uint8_t> is_dropped(sizes.size(), 0);
+  RegionSets sets;
+  std::set<std::pair<std::size_t, std::uint32_t>> by_size;
+  for (const std::size_t size : sizes) by_size.emplace(size, sets.add());
+  while (!by_size.empty() && by_size.begin()->first < min_cells) {
+    const std::uint32_t niche = by_size.begin()->second;
+    by_size.erase(by_size.begin());
+    if (gaps[niche].empty()) {
+      is_dropped[niche] = 1;
+      continue;
     }
-    RegionSets sets;
-    for (std::size_t i = 0; i < regions.num_cells.size(); ++i) sets.add();
-    std::ranges::replace(regions.cells, niche, neighbour);
-    regions = numbered(std::move(regions.cells), sets, clearance);
+    const std::uint32_t kept = widest_of(gaps[niche]);
+    by_size.erase({sizes[kept], kept});
+    sizes[kept] += sizes[niche];
+    by_size.emplace(sizes[kept], kept);
+    sets.unite(kept, niche);
+    gaps = with_united(std::move(gaps), kept, niche);
   }
+  for (std::uint32_t& cell : regions.cells) {
+    if (cell == kNoRegion) continue;
+    cell = sets.root_of(cell);
+    if (is_dropped[cell] != 0) cell = kNoRegion;
+  }
+  return numbered(std::move(regions.cells), sets, clearance);
 }
 
 }  // namespace hypermap

@@ -33,8 +33,8 @@ struct RoomRegions {
 /// Width of the gap in whose middle a cell of such a clearance lies, to one cell.
 [[nodiscard]] double gap_width_m(std::int64_t squared_clearance, double resolution_m);
 
-/// Regions below `min_room_m2` become part of the neighbour with the widest gap to them, or no
-/// region where they have none.
+/// Regions of fewer than `min_cells` become, the smallest first, part of the neighbour with the
+/// widest gap to them, or no region where they have none. Cost: O(n log n), however many they are.
 [[nodiscard]] RoomRegions without_niches(RoomRegions regions,
                                          const CellMask& mask,
                                          const std::vector<std::int64_t>& clearance,

@@ -186,6 +186,18 @@ TEST(FindRooms, ANicheIsPartOfItsRoom) {
   EXPECT_EQ(at(alone.rooms(), 5.2, 1.2), kNoRoom);
 }
 
+TEST(FindRooms, SpecklesBehindTheWallsAreNoRooms) {
+  // 70,000 leaks of the sensor, one cell each.
+  Plan plan(30, 30);
+  for (int i = 0; i < 264; ++i) {
+    for (int j = 0; j < 264; ++j) plan.free(0.1 * i, 0.1 * j, 0.1 * i + 0.05, 0.1 * j + 0.05);
+  }
+  plan.free(10, 10, 14, 14);
+  const RoomPlan found = plan.rooms({.max_island_m2 = 0});
+  ASSERT_THAT(found.rooms, SizeIs(1));
+  EXPECT_NEAR(found.rooms[0].area_m2, 16, 0.2);
+}
+
 TEST(FindRooms, TheWholeIsTurnedAndShiftedWithItsGrid) {
   const RoomPlan straight = two_rooms().rooms();
   Plan base = two_rooms();
