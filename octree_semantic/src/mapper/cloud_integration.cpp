@@ -60,6 +60,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
+  report.merged = association.merged;
   report.seconds.associate = watch.lap();
 
   const auto labels = labels_of(cloud, std::move(seen), association);
