@@ -17,8 +17,8 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): build
 constexpr int kObjectsPerRoom = 10;
 constexpr int kRoomsPerRow = 32;
 
-Room rooms(std::int64_t num_objects) {
-  Room room;
+FurnishedRoom rooms(std::int64_t num_objects) {
+  FurnishedRoom room;
   const Eigen::Vector3d cup(0.08, 0.08, 0.1);
   const auto num_rooms = static_cast<int>(num_objects) / kObjectsPerRoom;
   for (int i = 0; i < num_rooms; ++i) {
@@ -37,7 +37,7 @@ Room rooms(std::int64_t num_objects) {
 }
 
 void find_relations_of_rooms(benchmark::State& state) {
-  const Room room = rooms(state.range(0));
+  const FurnishedRoom room = rooms(state.range(0));
   const std::vector<ObjectId> ids = room.ids();
   std::size_t num_relations = 0;
   for ([[maybe_unused]] const auto _ : state) {

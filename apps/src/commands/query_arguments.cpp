@@ -23,6 +23,15 @@ std::optional<std::string> fault_of_similar(const QueryArguments& arguments) {
   return "--embedding asks the objects of the 3D map, not --layer " + *arguments.layer;
 }
 
+/// What goes with --nearest.
+std::optional<std::string> fault_of_nearest(const QueryArguments& arguments) {
+  if (!arguments.at) return "--nearest needs --at X,Y";
+  if (arguments.text) return "--nearest names the class: --string goes without it";
+  if (!arguments.related.empty()) return "--nearest goes without relations";
+  if (!arguments.layer || *arguments.layer == kObjectsLayer) return std::nullopt;
+  return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
+}
+
 }  // namespace
 
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
@@ -36,15 +45,7 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (asks_places(arguments.places)) return fault_of(arguments.places, asks_layers(arguments));
   if (arguments.similar.is_incomplete()) return "--model and --top go with --embedding";
   if (arguments.similar.is_asked()) return fault_of_similar(arguments);
-  if (arguments.nearest) {
-    if (!arguments.at) return "--nearest needs --at X,Y";
-    if (arguments.text) return "--nearest names the class: --string goes without it";
-    if (!arguments.related.empty()) return "--nearest goes without relations";
-    if (arguments.layer && *arguments.layer != kObjectsLayer) {
-      return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
-    }
-    return std::nullopt;
-  }
+  if (arguments.nearest) return fault_of_nearest(arguments);
   if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
     return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
   }

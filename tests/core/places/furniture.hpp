@@ -70,7 +70,7 @@ inline const Eigen::Vector3d kCup(0.08, 0.08, 0.1);
 inline const Eigen::Vector3d kBook(0.2, 0.16, 0.04);
 
 /// Objects with their classes; ids are 1, 2, ... in the order of adding.
-struct Room {
+struct FurnishedRoom {
   ObjectMap objects;
   ClassRegistry classes;
 
@@ -103,7 +103,7 @@ struct Room {
 };
 
 /// Of all objects of the room.
-inline RelationGraph graph_of(const Room& room, const RelationOptions& options = {}) {
+inline RelationGraph graph_of(const FurnishedRoom& room, const RelationOptions& options = {}) {
   return find_relations(room.objects, room.classes, room.ids(), options);
 }
 

@@ -24,13 +24,13 @@ using testing::IsEmpty;
 using namespace testing_support;  // NOLINT(google-build-using-namespace): builders in words
 
 /// Boxes of all sizes, piled up and side by side; some with points.
-Room random_room(std::uint32_t seed, int num_objects) {
+FurnishedRoom random_room(std::uint32_t seed, int num_objects) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   std::uniform_real_distribution<double> size(0.05, 0.8);
   std::uniform_int_distribution<int> step(0, 12);
   const std::vector<std::string> names{"cup", "sofa", "cushion", "cabinet", "bowl", "table"};
-  Room room;
+  FurnishedRoom room;
   for (int i = 0; i < num_objects; ++i) {
     const Box box = standing(place(random),
                              place(random),
@@ -68,7 +68,7 @@ TEST(RelationGraph, SupportsAreAForestAndRelationsHaveOneDirection) {
 }
 
 TEST(RelationGraph, IsSortedAndOfAnyOrderOfTheIds) {
-  const Room room = random_room(77, 50);
+  const FurnishedRoom room = random_room(77, 50);
   const RelationGraph graph = graph_of(room);
   EXPECT_TRUE(std::ranges::is_sorted(graph.relations, {}, [](const Relation& one) {
     return std::tuple(one.kind, one.subject, one.object);
@@ -98,7 +98,7 @@ void expect_all_besides(const RelationGraph& graph,
 
 TEST(RelationGraph, TheIndexFindsWhatComparingAllPairsFinds) {
   for (std::uint32_t seed = 1; seed <= test::repetitions(8U); ++seed) {
-    const Room room = random_room(seed, 40);
+    const FurnishedRoom room = random_room(seed, 40);
     // No class holds and none is a part, so that each pair stands for itself.
     const RelationOptions options{.holders = {}, .parts = {}, .max_beside = 64};
     std::vector<PlacedShape> shapes;
@@ -135,13 +135,13 @@ std::vector<std::tuple<RelationKind, ObjectId, ObjectId>> links_of(const Relatio
 }
 
 /// A kitchen that is turned and moved as a whole.
-Room kitchen(double yaw_rad, const Eigen::Vector3d& moved) {
+FurnishedRoom kitchen(double yaw_rad, const Eigen::Vector3d& moved) {
   const Eigen::AngleAxisd turn(yaw_rad, Eigen::Vector3d::UnitZ());
   const auto placed = [&](Points points) {
     for (Eigen::Vector3f& p : points) p = (turn * p.cast<double>() + moved).cast<float>();
     return points;
   };
-  Room room;
+  FurnishedRoom room;
   room.add("table", placed(table_at(0, 0)));
   room.add("cup", placed(surface_of(standing(0.3, 0.1, 0.74, kCup))));
   room.add("bottle", placed(surface_of(standing(0.3, -0.05, 0.74, {0.08, 0.08, 0.25}))));
@@ -164,7 +164,7 @@ TEST(RelationGraph, TurningAndMovingTheRoomChangesNothing) {
 }
 
 TEST(RelationGraph, OfNothingAndOfOne) {
-  Room room;
+  FurnishedRoom room;
   EXPECT_EQ(graph_of(room), RelationGraph());
   const ObjectId id = room.add("cup", standing(0, 0, 0, kCup));
   const RelationGraph graph = graph_of(room);

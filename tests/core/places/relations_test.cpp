@@ -33,7 +33,7 @@ const Relation* find_kind(const RelationGraph& graph, RelationKind kind) {
 }
 
 TEST(On, ACupStandsOnTheTableTop) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId table = room.add("table", table_at(0, 0));
   const ObjectId cup = room.add("cup", standing(0.2, 0.1, 0.74, kCup));
   const RelationGraph graph = graph_of(room);
@@ -53,7 +53,7 @@ TEST(On, ACupStandsOnTheTableTop) {
 }
 
 TEST(On, ASurfaceThatTheObjectHidesIsSeenAroundIt) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId table = room.add("table", only(table_at(0, 0), [](const Eigen::Vector3f& p) {
                                     return std::hypot(p.x(), p.y()) > 0.06F;
                                   }));
@@ -62,7 +62,7 @@ TEST(On, ASurfaceThatTheObjectHidesIsSeenAroundIt) {
 }
 
 TEST(On, AChairHoldsOnItsSeatAndNotAtItsTop) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId chair = room.add("chair", chair_at(0, 0));
   const ObjectId book = room.add("book", standing(0, -0.05, 0.455, kBook));
   room.add("cup", standing(0, -0.05, 0.905, kCup));  // over the seat, at the height of the back
@@ -72,7 +72,7 @@ TEST(On, AChairHoldsOnItsSeatAndNotAtItsTop) {
 }
 
 TEST(On, WithoutPointsTheTopOfTheBoxIsTheSurfaceAndThatIsSaid) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId table = room.add_box("table", standing(0, 0, 0, {1.2, 0.8, 0.73}));
   const ObjectId cup = room.add_box("cup", standing(0.2, 0.1, 0.75, kCup));
   const RelationGraph graph = graph_of(room);
@@ -86,7 +86,7 @@ TEST(On, WithoutPointsTheTopOfTheBoxIsTheSurfaceAndThatIsSaid) {
 TEST(On, AGapOfExactlyTheGreatestOneCountsAndALargerOneDoesNot) {
   // 1.5 voxels of 0.05 m are 0.075 m.
   for (const auto& [gap_m, is_on] : {std::pair(0.075, true), {0.076, false}, {0.3, false}}) {
-    Room room;
+    FurnishedRoom room;
     room.add_box("table", standing(0, 0, 0, {1.2, 0.8, 0.73}));
     const ObjectId cup = room.add_box("cup", standing(0, 0, 0.73 + gap_m, kCup));
     const RelationGraph graph = graph_of(room);
@@ -100,7 +100,7 @@ TEST(On, AGapOfExactlyTheGreatestOneCountsAndALargerOneDoesNot) {
 TEST(On, HalfOfTheFootprintMustLieOverTheSupport) {
   // The table ends at x = 0.6; of a box of 0.2 m around x the share over it is (0.7 - x) / 0.2.
   for (const auto& [x, is_on] : {std::pair(0.59, true), {0.61, false}}) {
-    Room room;
+    FurnishedRoom room;
     room.add_box("table", standing(0, 0, 0, {1.2, 0.8, 0.73}));
     room.add_box("box", standing(x, 0, 0.73, {0.2, 0.2, 0.2}));
     EXPECT_EQ(find_kind(graph_of(room), RelationKind::kOn) != nullptr, is_on) << x;
@@ -108,7 +108,7 @@ TEST(On, HalfOfTheFootprintMustLieOverTheSupport) {
 }
 
 TEST(On, BooksOnBooksAreAChain) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId upper = room.add("book", standing(0, 0, 0.82, kBook));
   const ObjectId lower = room.add("book", standing(0.02, 0, 0.78, kBook));
   const ObjectId lowest = room.add("book", standing(0, 0.02, 0.74, kBook));
@@ -120,7 +120,7 @@ TEST(On, BooksOnBooksAreAChain) {
 }
 
 TEST(Under, AChairBelowATableTopIsUnderIt) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId table = room.add("table", table_at(0, 0));
   const ObjectId bin = room.add("bin", standing(0.1, 0, 0, {0.3, 0.3, 0.4}));
   const RelationGraph graph = graph_of(room);
@@ -131,7 +131,7 @@ TEST(Under, AChairBelowATableTopIsUnderIt) {
   EXPECT_DOUBLE_EQ(under->evidence.plan_share.value(), 1.0);
   EXPECT_THAT(objects_of(graph, RelationKind::kOn, table), IsEmpty());
   // A chair whose back, a twentieth of its plan, stands up before the table is under it too.
-  Room tucked;
+  FurnishedRoom tucked;
   tucked.add("table", table_at(0, 0));
   const ObjectId chair = tucked.add("chair", chair_at(0, 0.25));
   EXPECT_THAT(objects_of(graph_of(tucked), RelationKind::kUnder, chair), ElementsAre(table));
@@ -140,7 +140,7 @@ TEST(Under, AChairBelowATableTopIsUnderIt) {
 TEST(Under, WhatTouchesOrIsFarBelowIsNot) {
   for (const auto& [height_m, is_under] :
        {std::pair(0.69, false), {0.55, true}, {0.3, true}, {0.2, false}}) {
-    Room room;
+    FurnishedRoom room;
     room.add_box("shelf board", standing(0, 0, 0.70, {1.2, 0.8, 0.03}));
     room.add_box("bin", standing(0, 0, 0, {0.3, 0.3, height_m}));
     const RelationGraph graph = graph_of(room, {.max_clearance_m = 0.45});
@@ -149,7 +149,7 @@ TEST(Under, WhatTouchesOrIsFarBelowIsNot) {
 }
 
 TEST(In, AnAppleLiesInTheBowlAndTheBowlIsOnTheTable) {
-  Room room;
+  FurnishedRoom room;
   const ObjectId table = room.add("table", table_at(0, 0));
   const ObjectId bowl = room.add("bowl", bowl_at(0, 0, 0.74));
   const ObjectId apple = room.add("apple", standing(0, 0, 0.77, {0.07, 0.07, 0.07}));
@@ -163,7 +163,7 @@ TEST(In, AnAppleLiesInTheBowlAndTheBowlIsOnTheTable) {
 }
 
 TEST(In, WhatStandsOnACupboardIsNotInItAlsoWhenThatHasSomeOfItsPoints) {
-  Room room;
+  FurnishedRoom room;
   Points points = surface_of(standing(0, 0, 0, {0.8, 0.5, 0.9}));
   const Points stray = surface_of(standing(0.2, 0, 0.9, kCup));
   points.insert(points.end(), stray.begin(), stray.end());
@@ -176,7 +176,7 @@ TEST(In, WhatStandsOnACupboardIsNotInItAlsoWhenThatHasSomeOfItsPoints) {
 
 TEST(In, TheShareOfTheVolumeDecidesAndTheSmallestHolderIsNamed) {
   for (const auto& [foot_m, is_in] : {std::pair(0.50, true), {0.51, false}}) {
-    Room room;
+    FurnishedRoom room;
     const ObjectId shelf = room.add_box("shelf", standing(0, 0, 0, {1, 1, 0.6}));
     room.add_box("cabinet", standing(0, 0, 0, {3, 3, 0.6}));
     const ObjectId box = room.add_box("carton", standing(0, 0, foot_m, {0.2, 0.2, 0.2}));
@@ -187,7 +187,7 @@ TEST(In, TheShareOfTheVolumeDecidesAndTheSmallestHolderIsNamed) {
 }
 
 TEST(Beside, NearNeighboursOnOneLevel) {
-  Room room;
+  FurnishedRoom room;
   room.add("table", table_at(0, 0));
   const ObjectId cup = room.add("cup", standing(0, 0, 0.74, kCup));
   const ObjectId bottle = room.add("bottle", standing(0.2, 0, 0.74, {0.08, 0.08, 0.25}));
@@ -204,7 +204,7 @@ TEST(Beside, NearNeighboursOnOneLevel) {
 }
 
 TEST(Beside, AWallOfAHolderStandsBetween) {
-  Room room;
+  FurnishedRoom room;
   room.add_box("cabinet", standing(0, 0, 0, {0.5, 0.5, 1}));
   room.add_box("carton", standing(0.1, 0, 0, {0.2, 0.2, 0.3}));
   room.add_box("carton", standing(0.4, 0, 0, {0.2, 0.2, 0.3}));
@@ -213,7 +213,7 @@ TEST(Beside, AWallOfAHolderStandsBetween) {
 }
 
 TEST(Beside, OnlyTheNearestOfBoth) {
-  Room room;
+  FurnishedRoom room;
   for (int i = 0; i < 12; ++i) {
     const double gap_m = 0.3 + 0.01 * i;
     const double angle = 2 * M_PI * i / 12;
@@ -229,7 +229,7 @@ TEST(Beside, OnlyTheNearestOfBoth) {
 }
 
 TEST(PartOf, ADeclaredPartSharesTheSurfaceOfTheWhole) {
-  Room room;
+  FurnishedRoom room;
   const Points sofa =
       surfaces_of({standing(0, 0, 0, {0.8, 1.8, 0.4}), standing(-0.35, 0, 0.4, {0.1, 1.8, 0.4})});
   const ObjectId whole = room.add("sofa", sofa);
@@ -242,7 +242,7 @@ TEST(PartOf, ADeclaredPartSharesTheSurfaceOfTheWhole) {
   EXPECT_GE(find_kind(graph, RelationKind::kPartOf)->evidence.contact_share.value(), 0.5);
   EXPECT_FALSE(find_kind(graph_of(room, {.parts = {}}), RelationKind::kPartOf));
   // What floats inside touches nothing.
-  Room loose;
+  FurnishedRoom loose;
   loose.add("sofa", sofa);
   loose.add("cushion", standing(0.1, 0, 0.5, {0.2, 0.2, 0.2}));
   EXPECT_FALSE(find_kind(graph_of(loose), RelationKind::kPartOf));

@@ -241,7 +241,7 @@ TEST(TopologicalMap, WrongPartsAreRefusedByName) {
                                            {{0.5, 0, 0}, VertexKind::kPath}};
   const auto field = [&](std::vector<TopologicalVertex> vertices,
                          std::vector<TopologicalEdge> edges,
-                         std::optional<TopologicalWalk> walk = std::nullopt) {
+                         const std::optional<TopologicalWalk>& walk = std::nullopt) {
     const auto made = TopologicalMap::create({}, vertices, edges, walk);
     return made ? std::string() : made.error().field;
   };

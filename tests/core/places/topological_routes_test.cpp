@@ -22,6 +22,7 @@ using testing::SizeIs;
 TopologicalMap random_graph(std::uint64_t seed) {
   CounterRng rng(seed, 1);
   std::vector<TopologicalVertex> vertices;
+  vertices.reserve(30);
   for (int i = 0; i < 30; ++i) {
     vertices.push_back({{rng.uniform(0, 3), rng.uniform(0, 3), 0}, VertexKind::kPath});
   }
@@ -57,6 +58,7 @@ std::vector<std::vector<double>> all_pairs(const TopologicalMap& map, const Edge
 /// 0 - 1 - 2 - 3 straight on, half a metre apart, and a detour 1 - 4 - 2.
 TopologicalMap with_detour() {
   std::vector<TopologicalVertex> vertices;
+  vertices.reserve(5);
   for (int i = 0; i < 4; ++i) vertices.push_back({{0.5 * i, 0, 0}, VertexKind::kPath});
   vertices.push_back({{0.75, 0.6, 0}, VertexKind::kSupport});
   const std::vector<TopologicalEdge> edges{

@@ -22,7 +22,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): build
 
 /// A table (1) with a cup (2) and a book (3) on it, a cup (4) on the floor.
 MapArchive dining_corner() {
-  Room room;
+  FurnishedRoom room;
   room.add("dining table", table_at(0, 0));
   room.add("cup", standing(0.3, 0, 0.74, {0.08, 0.08, 0.1}));
   room.add("book", standing(-0.3, 0, 0.74, {0.2, 0.16, 0.04}));
@@ -68,7 +68,7 @@ TEST(RelatedQuery, WhatRestsOnTheFloorIsOnIt) {
 }
 
 TEST(RelatedQuery, AFloorThatIsAnObjectCountsToo) {
-  Room room;
+  FurnishedRoom room;
   room.add("floor", standing(0, 0, -0.1, {4, 4, 0.1}));
   room.add("cup", standing(0.3, 0, 0, {0.08, 0.08, 0.1}));
   MapArchive archive;

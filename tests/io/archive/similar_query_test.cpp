@@ -24,7 +24,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): build
 
 /// Cups in a row, which look like `vectors` to "clip" where these are not empty.
 MapArchive row_of_cups(const std::vector<std::vector<float>>& vectors) {
-  Room room;
+  FurnishedRoom room;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     room.add(i % 2 == 0 ? "cup" : "book", standing(static_cast<double>(i), 0, 0, {0.1, 0.1, 0.1}));
   }
@@ -100,6 +100,7 @@ TEST(SimilarQuery, RanksPlantedVectorsAsBruteForceDoes) {
     }
     std::ranges::sort(expected);
     std::vector<std::uint64_t> ids;
+    ids.reserve(expected.size());
     for (const auto& [similarity, id] : expected) ids.push_back(id);
     EXPECT_EQ(ids_like(archive, {.vector = asked, .top = 40}), ids);
   }

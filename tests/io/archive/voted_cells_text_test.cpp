@@ -55,6 +55,7 @@ TEST(VotedCellsText, AnyCellsAreReadAsTheyWere) {
     while (cells.size() < 20)
       cells.insert({coordinate(engine), coordinate(engine), coordinate(engine)});
     std::vector<PointVote> votes;
+    votes.reserve(cells.size());
     for (const PointCell& cell : cells)
       votes.push_back({cell, std::numeric_limits<std::uint32_t>::max() >> bits(engine)});
     EXPECT_EQ(voted_cells(voted_cells_text(votes), kEnough).value(), votes) << reach;

@@ -28,7 +28,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): build
 class ExportRelations : public testing::Test {
  protected:
   ExportRelations() {
-    Room room;
+    FurnishedRoom room;
     room.add_box("dining \"table\"", standing(0, 0, 0, {1.2, 0.8, 0.75}));
     room.add_box("cup", standing(0.25, 0, 0.75, {0.125, 0.125, 0.125}));
     room.add_box("cup", standing(0.5, 0, 0.75, {0.125, 0.125, 0.125}));

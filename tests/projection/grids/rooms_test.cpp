@@ -212,23 +212,27 @@ TEST(FindRooms, TheWholeIsTurnedAndShiftedWithItsGrid) {
   EXPECT_LT((turned.doorways[0].position - door).norm(), 1e-9);
 }
 
-TEST(FindRooms, EachFreeCellOfALargeFloorIsInTheRoomThatItIsJoinedTo) {
-  // Rooms of 3 m by 3 m in a grid of 4 x 3, doors of 0.8 m between all neighbours, seeds move them.
-  for (int seed = 0; seed < test::repetitions(4); ++seed) {
-    CounterRng rng(static_cast<std::uint64_t>(seed), 2);
-    Plan plan(4 * 3.1, 3 * 3.1);
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        const double x = 3.1 * i;
-        const double y = 3.1 * j;
-        plan.free(x, y, x + 3, y + 3);
-        const double to_x = x + rng.uniform(0, 2.2);
-        const double to_y = y + rng.uniform(0, 2.2);
-        if (j < 2) plan.free(to_x, y + 3, to_x + 0.8, y + 3.1);
-        if (i < 3) plan.free(x + 3, to_y, x + 3.1, to_y + 0.8);
-      }
+/// Rooms of 3 m by 3 m in a grid of 4 x 3, doors of 0.8 m between all neighbours, seeds move them.
+Plan floor_of_twelve(std::uint64_t seed) {
+  CounterRng rng(seed, 2);
+  Plan plan(4 * 3.1, 3 * 3.1);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double x = 3.1 * i;
+      const double y = 3.1 * j;
+      plan.free(x, y, x + 3, y + 3);
+      const double to_x = x + rng.uniform(0, 2.2);
+      const double to_y = y + rng.uniform(0, 2.2);
+      if (j < 2) plan.free(to_x, y + 3, to_x + 0.8, y + 3.1);
+      if (i < 3) plan.free(x + 3, to_y, x + 3.1, to_y + 0.8);
     }
-    const RoomPlan found = plan.rooms();
+  }
+  return plan;
+}
+
+TEST(FindRooms, EachFreeCellOfALargeFloorIsInTheRoomThatItIsJoinedTo) {
+  for (int seed = 0; seed < test::repetitions(4); ++seed) {
+    const RoomPlan found = floor_of_twelve(static_cast<std::uint64_t>(seed)).rooms();
     ASSERT_THAT(found.rooms, SizeIs(12)) << seed;
     EXPECT_THAT(found.doorways, SizeIs(3 * 3 + 4 * 2)) << seed;
     std::set<RoomNumber> rooms;

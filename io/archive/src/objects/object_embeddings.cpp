@@ -48,7 +48,8 @@ class EmbeddingsReader {
   }
 
  private:
-  Unexpected error(std::string what, ErrorCode code = ErrorCode::kMalformedFile) const {
+  [[nodiscard]] Unexpected error(std::string what,
+                                 ErrorCode code = ErrorCode::kMalformedFile) const {
     Error failed{.code = code, .what = std::move(what), .field = "byte " + std::to_string(at_)};
     return tl::make_unexpected(with_source(std::move(failed), source_));
   }
@@ -191,14 +192,14 @@ Result<ObjectEmbeddings> parse_object_embeddings(std::string_view bytes, const S
   return EmbeddingsReader(bytes, source).read();
 }
 
-std::size_t set_object_embeddings(ObjectMap& objects, ObjectEmbeddings embeddings) {
+std::size_t set_object_embeddings(ObjectMap& objects, const ObjectEmbeddings& embeddings) {
   std::size_t num_absent = 0;
-  for (auto& [id, means] : embeddings) {
+  for (const auto& [id, means] : embeddings) {
     if (!objects.contains(id)) {
       ++num_absent;
       continue;
     }
-    objects.modify(id, [&means = means](Object& object) { object.embeddings = std::move(means); });
+    objects.modify(id, [&means = means](Object& object) { object.embeddings = means; });
   }
   return num_absent;
 }

@@ -38,6 +38,7 @@ using ObjectEmbeddings = std::map<ObjectId, MeanEmbeddings>;
 
 /// Gives the objects their embeddings, in place of those that they have. Returns of how many ids
 /// there is no object: theirs are left out.
-[[nodiscard]] std::size_t set_object_embeddings(ObjectMap& objects, ObjectEmbeddings embeddings);
+[[nodiscard]] std::size_t set_object_embeddings(ObjectMap& objects,
+                                                const ObjectEmbeddings& embeddings);
 
 }  // namespace hypermap
