@@ -75,8 +75,7 @@ TEST(TrueSurfacesJson, WhatASurfaceCannotHaveIsRefusedWithItsLine) {
               HasSubstr("nameable"));
   EXPECT_THAT(surfaces_refusal(with("\"nameable\":false", "\"nam\":false")), HasSubstr("nam"));
   EXPECT_THAT(surfaces_refusal(with("[0.1,", "[1e39,")), HasSubstr("vertices"));
-  EXPECT_THAT(surfaces_refusal(with("[0.1,", "[2000000,")),
-              HasSubstr("object 2 vertices"));
+  EXPECT_THAT(surfaces_refusal(with("[0.1,", "[2000000,")), HasSubstr("object 2 vertices"));
   EXPECT_THAT(surfaces_refusal(with("\"a \\\"chair\\\"\"", "7")), HasSubstr(":2:"));
 }
 
