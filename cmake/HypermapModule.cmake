@@ -167,6 +167,7 @@ function(hypermap_install_package)
   write_basic_package_version_file(hypermap-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/hypermap-config.cmake
                 ${PROJECT_BINARY_DIR}/hypermap-config-version.cmake
+                cmake/FindLibDeflate.cmake
                 cmake/FindPclLite.cmake
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
 endfunction()

@@ -30,6 +30,7 @@ THIRD_PARTY = {
     "opencv2/imgproc": ("opencv_imgproc", ("detector", "viewer_offscreen")),
     "yaml-cpp/": ("yaml-cpp", ("codec",)),
     "zlib.h": ("ZLIB::ZLIB", ("codec",)),
+    "libdeflate.h": ("LibDeflate::LibDeflate", ("codec",)),
     "png.h": ("PNG::PNG", ("codec",)),
     "jpeglib.h": ("JPEG::JPEG", ("codec",)),
     "jerror.h": ("JPEG::JPEG", ("codec",)),

@@ -66,17 +66,13 @@ Result<std::string> zip_of(const std::vector<OpaqueFile>& files, const ZipLimits
   return writer.finish();
 }
 
-/// The first part in which two maps differ, or an empty text. The octree is compared by what is
-/// stored of it: a blank label is none.
+/// The first part in which two maps differ, or an empty text.
 std::string first_difference(const MapArchive& a, const MapArchive& b) {
-  const auto tree_of = [](const MapArchive& archive) {
-    return archive.octree ? to_octomap_tree(*archive.octree) : OctomapTree{};
-  };
   if (!(a.hypermap == b.hypermap)) return "layers";
   if (!(a.classes == b.classes)) return "classes";
   if (!(a.objects == b.objects)) return "objects";
   if (!(a.views == b.views)) return "views";
-  if (a.octree.has_value() != b.octree.has_value() || !(tree_of(a) == tree_of(b))) return "octree";
+  if (!(a.octree == b.octree)) return "octree";
   if (!(a.class_grids == b.class_grids)) return "class grids";
   if (!(a.provenance == b.provenance)) return "provenance";
   if (!(a.checkpoint == b.checkpoint)) return "checkpoint";

@@ -16,6 +16,17 @@ bool is_labelled(const Brick& brick) noexcept {
   return brick.labels && brick.labels->size() != 0;
 }
 
+/// Whether `other` has each label of `brick` that is not blank.
+bool labels_are_those_of(const Brick& other, const Brick& brick) noexcept {
+  bool same = true;
+  if (!brick.labels) return same;
+  brick.labels->labelled().for_each([&](std::size_t cell) {
+    const VoxelLabel* label = other.label(cell);
+    same = same && *brick.label(cell) == (label == nullptr ? VoxelLabel{} : *label);
+  });
+  return same;
+}
+
 }  // namespace
 
 VoxelLabel& LabelTable::at(std::size_t cell) {
@@ -47,8 +58,9 @@ Brick::Brick(const Brick& other)
       labels(other.labels ? std::make_unique<LabelTable>(*other.labels) : nullptr) {}
 
 bool same_content(const Brick& a, const Brick& b) noexcept {
-  if (!same_occupancy(a, b) || is_labelled(a) != is_labelled(b)) return false;
-  return !is_labelled(a) || *a.labels == *b.labels;
+  if (!same_occupancy(a, b)) return false;
+  if (a.labels && b.labels && *a.labels == *b.labels) return true;
+  return labels_are_those_of(a, b) && labels_are_those_of(b, a);
 }
 
 bool same_unlabelled(const Brick& a, const Brick& b) noexcept {

@@ -122,7 +122,7 @@ struct Brick {
 /// Shared ownership of a brick. Copies of a map share their bricks until one of them is written.
 using BrickRef = CowRef<Brick>;
 
-/// Same voxels known, with the same log-odds and labels.
+/// Same voxels known, with the same log-odds and labels; a blank label is none.
 [[nodiscard]] bool same_content(const Brick& a, const Brick& b) noexcept;
 
 /// Same voxels known, with the same log-odds, and neither has labels.

@@ -77,7 +77,17 @@ TEST(Brick, ContentIsTheSameWhetherLabelsAreEmptyOrMissing) {
   Brick b;
   b.labels = std::make_unique<LabelTable>();
   EXPECT_TRUE(same_content(a, b));
+  b.labels->at(3) = {};
+  EXPECT_TRUE(same_content(a, b)) << "a blank label is none";
+  EXPECT_TRUE(same_content(b, a));
   b.labels->at(3).object = ObjectId{1};
+  EXPECT_FALSE(same_content(a, b));
+  EXPECT_FALSE(same_content(b, a));
+  a.labels = std::make_unique<LabelTable>();
+  a.labels->at(3).object = ObjectId{1};
+  a.labels->at(5) = {};
+  EXPECT_TRUE(same_content(a, b)) << "the blank one is another's cell";
+  a.labels->at(5).object_votes = 1;
   EXPECT_FALSE(same_content(a, b));
 }
 

@@ -15,6 +15,24 @@ namespace {
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 constexpr std::string_view kVoteDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+/// Of each character its place among `digits`, or kNoDigit.
+constexpr std::uint8_t kNoDigit = 0xFF;
+using DigitValues = std::array<std::uint8_t, 256>;
+constexpr DigitValues values_of(std::string_view digits) {
+  DigitValues values{};
+  for (std::uint8_t& value : values) value = kNoDigit;
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    values.at(static_cast<unsigned char>(digits[i])) = static_cast<std::uint8_t>(i);
+  return values;
+}
+constexpr DigitValues kHexValues = values_of(kHexDigits);
+constexpr DigitValues kVoteValues = values_of(kVoteDigits);
+
+/// Of the digit at `index`; kNoDigit where the text ends before.
+std::uint8_t value_at(std::string_view text, std::size_t index, const DigitValues& values) {
+  return index < text.size() ? values.at(static_cast<unsigned char>(text[index])) : kNoDigit;
+}
+
 constexpr unsigned kBitsOfVoteDigit = 5;
 constexpr std::uint32_t kMoreDigits = 1U << kBitsOfVoteDigit;
 constexpr int kMaxLevels = 32;
@@ -130,24 +148,21 @@ class CellReader {
   }
 
   Result<std::uint32_t> take_mask() {
-    const std::string_view digits = masks_.substr(0, 2);
-    const std::size_t high =
-        digits.size() < 2 ? std::string_view::npos : kHexDigits.find(digits[0]);
-    const std::size_t low = digits.size() < 2 ? std::string_view::npos : kHexDigits.find(digits[1]);
-    if (high == std::string_view::npos || low == std::string_view::npos || high + low == 0)
+    const std::uint32_t high = value_at(masks_, 0, kHexValues);
+    const std::uint32_t low = value_at(masks_, 1, kHexValues);
+    if (high == kNoDigit || low == kNoDigit || high + low == 0)
       return fail(ErrorCode::kMalformedFile,
                   "ends, or has no mask of children, where one is expected",
                   "cells");
     masks_.remove_prefix(2);
-    return static_cast<std::uint32_t>(high << 4U | low);
+    return high << 4U | low;
   }
 
   Result<std::uint32_t> take_votes() {
     std::uint64_t votes = 0;
     for (unsigned shift = 0; shift < 32; shift += kBitsOfVoteDigit) {
-      const std::size_t digit =
-          votes_.empty() ? std::string_view::npos : kVoteDigits.find(votes_.front());
-      if (digit == std::string_view::npos) break;
+      const std::uint32_t digit = value_at(votes_, 0, kVoteValues);
+      if (digit == kNoDigit) break;
       votes_.remove_prefix(1);
       votes |= std::uint64_t{digit % kMoreDigits} << shift;
       if (digit >= kMoreDigits) continue;

@@ -3,11 +3,13 @@
 
 #include "hypermap/core/base/caught.hpp"
 
+#include <libdeflate.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <memory>
 
 namespace hypermap {
 namespace {
@@ -59,11 +61,22 @@ Unexpected no_memory() {
   return fail(ErrorCode::kOutOfMemory, "no memory to (de)compress");
 }
 
-Result<std::string> try_pack(std::string_view content, Packing packing) {
+Result<std::string> pack_well(std::string_view content) {
+  constexpr int kLevel = 6;  // the library's own default
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
+  if (!compressor) return no_memory();
+  std::string packed(libdeflate_deflate_compress_bound(compressor.get(), content.size()), '\0');
+  packed.resize(libdeflate_deflate_compress(
+      compressor.get(), content.data(), content.size(), packed.data(), packed.size()));
+  packed.shrink_to_fit();
+  return packed;
+}
+
+Result<std::string> pack_by_frequency(std::string_view content) {
   DeflateStream<deflateEnd> stream;
-  const int strategy = packing == Packing::kBest ? Z_DEFAULT_STRATEGY : Z_HUFFMAN_ONLY;
-  if (deflateInit2(&stream.z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRawWindowBits, 8, strategy) !=
-      Z_OK)
+  if (deflateInit2(
+          &stream.z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRawWindowBits, 8, Z_HUFFMAN_ONLY) != Z_OK)
     return no_memory();
   stream.open = true;
   std::string packed;
@@ -118,7 +131,7 @@ Result<std::string> try_unpack(std::string_view packed,
 
 Result<std::string> pack(std::string_view content, Packing packing) {
   try {
-    return try_pack(content, packing);
+    return packing == Packing::kBest ? pack_well(content) : pack_by_frequency(content);
   } catch (const std::exception& exception) {
     return caught(exception, ErrorCode::kInvalidArgument, "deflated bytes");
   }

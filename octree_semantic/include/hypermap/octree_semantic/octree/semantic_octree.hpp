@@ -165,7 +165,8 @@ class SemanticOctree {
   /// Cost: one step for each 1,024 bricks of the map, then what was written.
   [[nodiscard]] std::vector<Box> changed_regions(Revision since) const;
 
-  /// Same options and same known voxels with the same content, however the bricks came to be.
+  /// Same options and same known voxels with the same content, however the bricks came to be; a
+  /// blank label is none.
   friend bool operator==(const SemanticOctree& a, const SemanticOctree& b);
 
  private:
