@@ -32,22 +32,21 @@ Result<void> check_object(const ClassRegistry& classes, const Object& object) {
 /// The largest class id that a label names, if any does.
 std::optional<ClassId> largest_class(const SemanticOctree& octree) {
   std::optional<ClassId> largest;
-  octree.for_each_stored_leaf([&largest](const StoredLeaf& leaf) {
-    if (!leaf.label) return;
-    for (const ClassWeight& weight : leaf.label->classes)
+  octree.for_each_label([&largest](const VoxelLabel& label) {
+    for (const ClassWeight& weight : label.classes)
       if (weight.class_id != ClassWeight::kNone)
         largest = std::max(largest.value_or(ClassId{0}), ClassId{weight.class_id});
   });
   return largest;
 }
 
-/// Some object that a voxel names and the map does not have.
+/// The first object that a voxel names and the map does not have.
 std::optional<ObjectId> absent_object(const MapArchive& archive) {
   std::optional<ObjectId> absent;
   if (!archive.octree) return absent;
-  archive.octree->for_each_stored_leaf([&](const StoredLeaf& leaf) {
-    if (absent || !leaf.label || leaf.label->object == kNoObject) return;
-    if (!archive.objects.contains(leaf.label->object)) absent = leaf.label->object;
+  archive.octree->for_each_label([&](const VoxelLabel& label) {
+    if (label.object == kNoObject || archive.objects.contains(label.object)) return;
+    absent = std::min(absent.value_or(label.object), label.object);
   });
   return absent;
 }

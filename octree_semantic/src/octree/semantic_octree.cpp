@@ -36,6 +36,25 @@ void write_leaf(Brick& brick, std::size_t cell, const StoredLeaf& leaf, const Se
   }
 }
 
+/// How many leaves from the first on lie in its brick.
+std::size_t num_in_first_brick(std::span<const StoredLeaf> leaves) {
+  const BrickKey first = BrickKey::of(leaves.front().key);
+  const auto is_elsewhere = [&](const StoredLeaf& leaf) { return BrickKey::of(leaf.key) != first; };
+  return static_cast<std::size_t>(std::find_if(leaves.begin(), leaves.end(), is_elsewhere) -
+                                  leaves.begin());
+}
+
+/// Requires: they lie in the brick.
+void write_leaves(Brick& brick, std::span<const StoredLeaf> leaves, const SensorModel& model) {
+  const auto is_labelled = [](const StoredLeaf& leaf) { return leaf.label.has_value(); };
+  const auto num_labels = std::count_if(leaves.begin(), leaves.end(), is_labelled);
+  if (num_labels > 0) {
+    if (!brick.labels) brick.labels = std::make_unique<LabelTable>();
+    brick.labels->reserve_more(static_cast<std::size_t>(num_labels));
+  }
+  for (const StoredLeaf& leaf : leaves) write_leaf(brick, cell_in_brick(leaf.key), leaf, model);
+}
+
 }  // namespace
 
 SemanticOctree::SemanticOctree(const OctreeOptions& options, const SensorModel& model)
@@ -79,17 +98,22 @@ Result<SemanticOctree> SemanticOctree::from_leaves(const OctreeOptions& options,
 }
 
 Result<void> SemanticOctree::set_leaf(const StoredLeaf& leaf) {
-  HYPERMAP_TRY(check_leaf(leaf, model_, to_milli(options_.max_class_log_odds)));
+  return set_leaves({&leaf, 1});
+}
+
+Result<void> SemanticOctree::set_leaves(std::span<const StoredLeaf> leaves) {
+  if (leaves.empty()) return {};
+  const MilliLogOdds limit = to_milli(options_.max_class_log_odds);
+  for (const StoredLeaf& leaf : leaves) HYPERMAP_TRY(check_leaf(leaf, model_, limit));
   try {
     BrickTable& bricks = bricks_.writable();
-    const std::uint32_t position = bricks.prepare(BrickKey::of(leaf.key));
-    Brick& brick = bricks.writable(position);
-    if (leaf.label) {
-      if (!brick.labels) brick.labels = std::make_unique<LabelTable>();
-      brick.labels->reserve_more(1);
+    while (!leaves.empty()) {
+      const auto run = leaves.first(num_in_first_brick(leaves));
+      const std::uint32_t position = bricks.prepare(BrickKey::of(run.front().key));
+      write_leaves(bricks.writable(position), run, model_);
+      bricks.note_written(position, true);
+      leaves = leaves.subspan(run.size());
     }
-    write_leaf(brick, cell_in_brick(leaf.key), leaf, model_);
-    bricks.note_written(position, true);
     bricks.commit();
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for another voxel");

@@ -103,6 +103,14 @@ void SemanticOctree::for_each_stored_leaf(const StoredLeafVisitor& visit) const 
   }
 }
 
+void SemanticOctree::for_each_label(const LabelVisitor& visit) const {
+  for (std::uint32_t position = 0; position < bricks_->size(); ++position) {
+    const Brick& brick = bricks_->brick(position);
+    if (!brick.labels) continue;
+    brick.labels->labelled().for_each([&](std::size_t cell) { visit(*brick.label(cell)); });
+  }
+}
+
 void SemanticOctree::for_each_leaf_in(const Box& box_in_map, const LeafVisitor& visit) const {
   for (const std::uint32_t position : positions_in(*bricks_, bricks_around(box_in_map, grid_))) {
     const Brick& brick = bricks_->brick(position);

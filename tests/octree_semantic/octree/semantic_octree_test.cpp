@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace hypermap {
@@ -94,6 +95,22 @@ TEST(SemanticOctree, RefusesLeavesThatCannotBe) {
   EXPECT_EQ(SemanticOctree::from_leaves({}, std::vector{bad_label}).error().field, "rest");
 }
 
+TEST(SemanticOctree, ManyLeavesAreSetAsOneByOneOrNotAtAll) {
+  const std::vector<StoredLeaf> leaves = random_leaves(3000);
+  SemanticOctree one_by_one = empty_tree();
+  for (const StoredLeaf& leaf : leaves) ASSERT_TRUE(one_by_one.set_leaf(leaf));
+  SemanticOctree at_once = empty_tree();
+  ASSERT_TRUE(at_once.set_leaves(leaves));
+  EXPECT_EQ(at_once, one_by_one);
+  EXPECT_EQ(at_once.revision(), 1U);
+  ASSERT_TRUE(at_once.set_leaves({}));
+  EXPECT_EQ(at_once.revision(), 1U);
+  std::vector<StoredLeaf> refused{leaves[1], {.key = {1, 1, 1}, .log_odds = 3512}};
+  refused.front().log_odds = static_cast<MilliLogOdds>(leaves[1].log_odds - 1);
+  EXPECT_EQ(at_once.set_leaves(refused).error().field, "log_odds");
+  EXPECT_EQ(at_once, one_by_one);
+}
+
 TEST(SemanticOctree, ACopyStaysAsItWasWhileTheOriginalChanges) {
   SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(500)).value();
   const SemanticOctree snapshot = tree;
@@ -133,6 +150,17 @@ TEST(SemanticOctree, QueriesAgreeWithALookAtEveryLeaf) {
               [](const LeafSample& leaf) { return leaf.best_class == ClassId{3}; });
   expect_same([&](const auto& visit) { tree.for_each_leaf_of(ObjectId{2}, visit); },
               [](const LeafSample& leaf) { return leaf.object == ObjectId{2}; });
+}
+
+TEST(SemanticOctree, LabelsAreThoseOfTheStoredLeaves) {
+  const SemanticOctree tree = SemanticOctree::from_leaves({}, random_leaves(4000)).value();
+  std::map<ObjectId, int> expected;
+  for (const StoredLeaf& leaf : stored(tree))
+    if (leaf.label) ++expected[leaf.label->object];
+  ASSERT_GT(expected.size(), 1U);
+  std::map<ObjectId, int> found;
+  tree.for_each_label([&](const VoxelLabel& label) { ++found[label.object]; });
+  EXPECT_EQ(found, expected);
 }
 
 TEST(SemanticOctree, ABoxOfNothingFindsNothing) {

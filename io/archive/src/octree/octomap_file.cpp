@@ -96,13 +96,13 @@ Result<Loaded<OctomapTree>> parse(std::string_view bytes,
                              .findings = std::move(header.findings)};
 }
 
-std::string with_header(const OctomapTree& tree, const OctomapNodeBytes& nodes, bool binary) {
+std::string with_header(const OctomapTree& tree, OctomapNodeBytes nodes, bool binary) {
   return write_octomap_file({.binary = binary,
                              .id = std::string(id_of(tree.kind)),
                              .num_nodes = nodes.num_nodes,
                              .resolution_m = tree.resolution_m,
                              .findings = {}},
-                            nodes.bytes);
+                            std::move(nodes.bytes));
 }
 
 Unexpected thrown(const std::exception& exception, ErrorCode otherwise) {
@@ -141,9 +141,7 @@ Result<std::string> write_octomap(const OctomapTree& tree) try {
 
 Result<std::string> write_octomap_binary(const OctomapTree& tree) try {
   HYPERMAP_TRY(validate(tree));
-  OctomapTree plain = without_labels(tree);
-  for (OctomapLeaf& leaf : plain.leaves) leaf.log_odds = leaf.log_odds >= 0.0F ? 1.0F : -1.0F;
-  plain = pruned(plain);
+  const OctomapTree plain = occupied_or_free(tree);
   if (!plain.leaves.empty() && plain.leaves.front().depth == 0)
     return fail(ErrorCode::kInvalidArgument, "a tree of one leaf has no .bt form", "octree");
   return with_header(plain, write_binary_nodes(plain), true);

@@ -157,7 +157,7 @@ Result<void> check_octomap_checksum(std::string_view bytes, const OctomapHeader&
               "crc32");
 }
 
-std::string write_octomap_file(const OctomapHeader& header, std::string_view nodes) {
+std::string write_octomap_file(const OctomapHeader& header, std::string nodes) {
   std::array<char, 32> resolution{};
   const auto [end, error] =
       std::to_chars(resolution.data(), resolution.data() + resolution.size(), header.resolution_m);
@@ -166,7 +166,7 @@ std::string write_octomap_file(const OctomapHeader& header, std::string_view nod
   std::string keys = "id " + header.id + "\nsize " + std::to_string(header.num_nodes) + "\nres ";
   keys.append(resolution.data(), end).append("\ndata\n");
   text += checksum_line(crc32_of(nodes, crc32_of(keys, crc32_of(text))));
-  return text.append(keys).append(nodes);
+  return std::move(nodes.insert(0, text + keys));
 }
 
 }  // namespace hypermap

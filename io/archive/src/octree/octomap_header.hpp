@@ -32,7 +32,7 @@ struct OctomapHeader {
 [[nodiscard]] Result<void> check_octomap_checksum(std::string_view bytes,
                                                   const OctomapHeader& header);
 
-/// Header, with a checksum, and nodes.
-[[nodiscard]] std::string write_octomap_file(const OctomapHeader& header, std::string_view nodes);
+/// Header, with a checksum, and nodes, in the memory of the nodes.
+[[nodiscard]] std::string write_octomap_file(const OctomapHeader& header, std::string nodes);
 
 }  // namespace hypermap

@@ -83,6 +83,8 @@ class FullReader {
              const LoadBudget& budget)
       : cursor_(bytes, num_nodes, budget), kind_(kind) {
     open_.reserve(kOctomapDepth);
+    constexpr std::size_t kLeastNodeBytes = sizeof(float) + sizeof(std::uint8_t);
+    nodes_.tree.leaves.reserve(std::min<std::uint64_t>(num_nodes, bytes.size() / kLeastNodeBytes));
   }
 
   Result<OctomapNodes> read() {

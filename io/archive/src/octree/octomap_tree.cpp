@@ -170,20 +170,14 @@ OctomapTree to_octomap_tree(const SemanticOctree& octree) {
   return tree;
 }
 
-OctomapTree pruned(const OctomapTree& tree) {
-  OctomapTree merged{.kind = tree.kind, .resolution_m = tree.resolution_m, .labels = tree.labels};
-  for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
-    merged.leaves.push_back(tree.leaves[i]);
-    if (!tree.colors.empty()) merged.colors.push_back(tree.colors[i]);
-    while (last_eight_are_one(merged)) merge_last_eight(merged);
+OctomapTree occupied_or_free(const OctomapTree& tree) {
+  OctomapTree plain{.resolution_m = tree.resolution_m};
+  for (const OctomapLeaf& leaf : tree.leaves) {
+    plain.leaves.push_back(
+        {.key = leaf.key, .depth = leaf.depth, .log_odds = leaf.log_odds >= 0.0F ? 1.0F : -1.0F});
+    while (last_eight_are_one(plain)) merge_last_eight(plain);
   }
-  return merged;
-}
-
-OctomapTree without_labels(const OctomapTree& tree) {
-  OctomapTree plain{.resolution_m = tree.resolution_m, .leaves = tree.leaves};
-  for (OctomapLeaf& leaf : plain.leaves) leaf.label = OctomapLeaf::kNoLabel;
-  return pruned(plain);
+  return plain;
 }
 
 OctomapTree occupancy_tree(const LeafSource& leaves, double resolution_m) {
@@ -227,18 +221,25 @@ Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
   own.resolution_m = tree.resolution_m;
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree octree, SemanticOctree::create(own));
   Changes changes;
-  std::uint64_t num_set = 0;
+  std::vector<StoredLeaf> voxels_to_set;
+  const auto set_voxels = [&]() -> Result<void> {
+    HYPERMAP_TRY(budget.check_stop());
+    HYPERMAP_TRY(octree.set_leaves(voxels_to_set));
+    voxels_to_set.clear();
+    return {};
+  };
   for (const OctomapLeaf& leaf : tree.leaves) {
     StoredLeaf stored;
     stored.log_odds = converted(leaf.log_odds, octree.sensor_model(), changes);
     if (leaf.label != OctomapLeaf::kNoLabel) stored.label = tree.labels[leaf.label];
     for (std::uint64_t i = 0; i < leaf.num_voxels(); ++i) {
-      constexpr std::uint64_t kVoxelsBetweenChecks = std::uint64_t{1} << 16U;
-      if (num_set++ % kVoxelsBetweenChecks == 0) HYPERMAP_TRY(budget.check_stop());
+      constexpr std::size_t kVoxelsAtOnce = 4096;
+      if (voxels_to_set.size() == kVoxelsAtOnce) HYPERMAP_TRY(set_voxels());
       stored.key = VoxelKey::from_morton(leaf.key.morton() + i);
-      HYPERMAP_TRY(octree.set_leaf(stored));
+      voxels_to_set.push_back(stored);
     }
   }
+  HYPERMAP_TRY(set_voxels());
   Loaded<SemanticOctree> loaded{.value = std::move(octree), .findings = {}};
   if (changes.clamped > 0)
     loaded.findings.push_back(

@@ -50,6 +50,7 @@ class FullWriter {
   explicit FullWriter(const OctomapTree& tree) : tree_(tree) {}
 
   OctomapNodeBytes write() {
+    reserve();
     for (std::size_t i = 0; i < tree_.leaves.size(); ++i) {
       const OctomapLeaf& leaf = tree_.leaves[i];
       while (!open_.empty() && !contains(open_.back().cube, leaf)) close();
@@ -71,6 +72,15 @@ class FullWriter {
     float max_of_children = -std::numeric_limits<float>::infinity();
     ColorSum colors = {};
   };
+
+  /// Where siblings lie together, a fifth of the nodes are inner ones at most.
+  void reserve() {
+    std::size_t payload = 0;
+    if (tree_.kind == OctomapKind::kColor) payload = sizeof(Rgb8);
+    if (tree_.kind == OctomapKind::kSemantic) payload = sizeof(StoredLabel);
+    const std::size_t node = sizeof(float) + payload + sizeof(std::uint8_t);
+    out_.bytes.reserve(node * (tree_.leaves.size() + tree_.leaves.size() / 4));
+  }
 
   /// Notes the child of the last open node in which the leaf lies.
   OctomapCube child_of_last(const OctomapLeaf& leaf) {

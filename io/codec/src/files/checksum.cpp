@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/checksum.hpp"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 namespace hypermap {
 
 std::uint32_t crc32_of(std::string_view content, std::uint32_t before) {
-  const auto* const bytes = reinterpret_cast<const Bytef*>(content.data());  // NOLINT
-  return static_cast<std::uint32_t>(crc32_z(before, bytes, content.size()));
+  return libdeflate_crc32(before, content.data(), content.size());
 }
 
 std::string checksum_text(std::uint32_t crc) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kRawWindowBits = -15;  // negative: no zlib header, as in zip files
 constexpr std::size_t kStep = std::size_t{1} << 18;
+constexpr std::uint64_t kMaxRatio = 1032;  // a deflated bit stands for 129 bytes at most
 
 // zlib counts in 32 bits; longer input is handed over in parts.
 uInt part_of(std::size_t num_bytes) {
@@ -66,11 +67,11 @@ Result<std::string> pack_well(std::string_view content) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(kLevel), &libdeflate_free_compressor);
   if (!compressor) return no_memory();
-  std::string packed(libdeflate_deflate_compress_bound(compressor.get(), content.size()), '\0');
-  packed.resize(libdeflate_deflate_compress(
-      compressor.get(), content.data(), content.size(), packed.data(), packed.size()));
-  packed.shrink_to_fit();
-  return packed;
+  const std::size_t bound = libdeflate_deflate_compress_bound(compressor.get(), content.size());
+  const auto packed = std::make_unique_for_overwrite<char[]>(bound);
+  return std::string(packed.get(),
+                     libdeflate_deflate_compress(
+                         compressor.get(), content.data(), content.size(), packed.get(), bound));
 }
 
 Result<std::string> pack_by_frequency(std::string_view content) {
@@ -102,6 +103,8 @@ Result<std::string> try_unpack(std::string_view packed,
   if (inflateInit2(&stream.z, kRawWindowBits) != Z_OK) return no_memory();
   stream.open = true;
   std::string content;
+  content.reserve(static_cast<std::size_t>(
+      std::min<std::uint64_t>(num_bytes + 1, kMaxRatio * std::uint64_t{packed.size()})));
   int state = Z_OK;
   while (state != Z_STREAM_END) {
     HYPERMAP_TRY(budget.check_stop());

@@ -49,6 +49,7 @@ struct StoredLeaf {
   friend bool operator==(const StoredLeaf&, const StoredLeaf&) = default;
 };
 using StoredLeafVisitor = std::function<void(const StoredLeaf&)>;
+using LabelVisitor = std::function<void(const VoxelLabel&)>;
 
 /// What a ray met in the map.
 struct RayCast {
@@ -105,6 +106,9 @@ class SemanticOctree {
   /// Visits every known voxel, in Morton order. Cost: sorts the bricks' keys, then linear.
   void for_each_leaf(const LeafVisitor& visit) const;
   void for_each_stored_leaf(const StoredLeafVisitor& visit) const;
+  /// Visits the labels of all voxels that have one, blank ones too, in an order of its own.
+  /// Cost: one step for each brick, then what is labelled.
+  void for_each_label(const LabelVisitor& visit) const;
   /// Known voxels whose centre lies in the closed box, in Morton order.
   void for_each_leaf_in(const Box& box_in_map, const LeafVisitor& visit) const;
   /// Occupied voxels whose best class is `id`, in Morton order.
@@ -133,6 +137,10 @@ class SemanticOctree {
   /// Replaces one voxel. Errors: kInvalidArgument when the log-odds lie beyond the clamps of the
   /// sensor model or the label breaks its rules; kOutOfMemory.
   [[nodiscard]] Result<void> set_leaf(const StoredLeaf& leaf);
+  /// The same for many, in one revision; when one is refused none is written, when memory ends
+  /// those before it are. Boundary: no leaf, no revision. Cost: voxels of one cube of 8 x 8 x 8
+  /// that follow each other share the search for it.
+  [[nodiscard]] Result<void> set_leaves(std::span<const StoredLeaf> leaves);
   /// Voxels of object `from` within the box become voxels of `to` (kNoObject: of none). Returns how
   /// many. Give the object's box, grown by a voxel. Throws std::bad_alloc, here and below; voxels
   /// that have changed by then stay so, and another call goes on with the others.

@@ -65,8 +65,9 @@ struct OctomapTree {
 /// label counts as none.
 [[nodiscard]] OctomapTree to_octomap_tree(const SemanticOctree& octree);
 
-/// The same space without labels.
-[[nodiscard]] OctomapTree without_labels(const OctomapTree& tree);
+/// The same space as occupied (log-odds 1) or free (-1) alone, without labels; eight siblings alike
+/// become their parent.
+[[nodiscard]] OctomapTree occupied_or_free(const OctomapTree& tree);
 /// The leaves of a source, in its order, as a tree of voxels of `resolution_m` without labels,
 /// pruned. Requires: Morton order, edges of 2^n voxels.
 [[nodiscard]] OctomapTree occupancy_tree(const LeafSource& leaves, double resolution_m);
@@ -75,9 +76,6 @@ struct OctomapTree {
 [[nodiscard]] OctomapTree class_color_tree(const LeafSource& leaves,
                                            double resolution_m,
                                            std::span<const Rgb8> colors);
-
-/// Merges leaves: eight siblings of equal depth and content become their parent.
-[[nodiscard]] OctomapTree pruned(const OctomapTree& tree);
 
 /// Large leaves are split, so a file of a few bytes could ask for any amount of memory. Recorded
 /// maps have 3 to 12 voxels a leaf.
