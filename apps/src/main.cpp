@@ -46,8 +46,9 @@ std::vector<std::string> known_words(const CLI::App& program) {
       words.push_back(command->get_name());
   }
   for (const CLI::App* app : {&program, chosen.empty() ? &program : chosen.front()}) {
-    for (const CLI::Option* option : app->get_options())
-      words.push_back("--" + option->get_single_name());
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+    }
   }
   return words;
 }

@@ -48,6 +48,73 @@ Result<GridStack> stored_stack(const MapArchive& map, const std::string& name) {
   return fail(ErrorCode::kUnsupported, "layer " + printable(name) + " is no stack", "--from");
 }
 
+/// What is taken of a map's voxels and layers.
+std::vector<CLI::Option*> add_voxel_options(CLI::App& command, StackArguments& arguments) {
+  const OptionTable& heights = option_table(LayerOptions{});
+  ClassStackRequest& request = arguments.request.of_classes;
+  CLI::Option* min_height =
+      command.add_option("--min-height", request.band.min_m, "of voxels that count")
+          ->check(value_of_field(heights, "min_height_m"))
+          ->capture_default_str();
+  CLI::Option* max_height =
+      command.add_option("--max-height", request.band.max_m, "of voxels that count")
+          ->check(value_of_field(heights, "max_height_m"))
+          ->capture_default_str();
+  CLI::Option* classes =
+      command
+          .add_option(
+              "--class", request.classes, "only these, separated by commas; may be repeated")
+          ->delimiter(',');
+  CLI::Option* fused =
+      command
+          .add_option("--fuse",
+                      arguments.fused,
+                      "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; "
+                      "without one what is "
+                      "occupied but has no class, as walls, counts as free; may be repeated")
+          ->delimiter(',');
+  CLI::Option* keep_share =
+      command.add_option("--keep-share", request.options.keep_share, "of evidence when new comes")
+          ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
+          ->capture_default_str();
+  return {min_height, max_height, classes, fused, keep_share};
+}
+
+/// Which layers are cut out, and where.
+void add_cut_options(CLI::App& command, StackArguments& arguments) {
+  command
+      .add_option(
+          "--layer",
+          arguments.layers,
+          "only these layers, with or without /ism/, separated by commas; one stands also for "
+          "layers whose names go on after it and a slash (detections: detections/chair); may be "
+          "repeated")
+      ->delimiter(',');
+  CLI::Option* area_option =
+      command.add_option("--area", arguments.area, "X0,Y0,X1,Y1 in the map's frame (default: all)");
+  command
+      .add_option("--yaw",
+                  arguments.yaw_deg,
+                  "degrees by which the area is turned about X0,Y0; maps that are "
+                  "written to a folder are turned back and padded")
+      ->check(number_in(-360.0, 360.0))
+      ->needs(area_option);
+  command
+      .add_option("--resolution",
+                  arguments.resolution_m,
+                  "edge of a cell (default: that of voxels or tiles)")
+      ->check(number_in(0.001, 10.0));
+  command.add_option("--rule", arguments.rule, "how values between cells are had")
+      ->transform(one_of(rule_names()))
+      ->capture_default_str();
+  command
+      .add_option_function<double>(
+          "--epsilon",
+          [&request = arguments.request](double p) { request.resampling.epsilon = Probability(p); },
+          "no cell counts as surer than this (default: 1e-06)")
+      ->check(value_of_field(option_table(ResamplingOptions{}), "epsilon"));
+}
+
 }  // namespace
 
 std::string full_layer_name(const GridStackOptions& options, const std::string& name) {
@@ -65,8 +132,6 @@ void tell_cells_without_class(const char* command, std::optional<std::size_t> nu
 }
 
 void StackArguments::add_to(CLI::App& command) {
-  const OptionTable& heights = option_table(LayerOptions{});
-  const OptionTable& resampling = option_table(ResamplingOptions{});
   command.add_option("file", file, "archive or configuration");
   CLI::Option* tiles_option = command.add_option(
       "--tiles", tiles, "folder of tiles to take instead of a file, ours or [sogm]'s");
@@ -76,68 +141,12 @@ void StackArguments::add_to(CLI::App& command) {
   command
       .add_option("--archive", archive, "the map with what is made here as layers, as an archive")
       ->type_name("FILE");
-  command.add_option("--min-height", request.of_classes.band.min_m, "of voxels that count")
-      ->check(value_of_field(heights, "min_height_m"))
-      ->excludes(tiles_option)
-      ->capture_default_str();
-  command.add_option("--max-height", request.of_classes.band.max_m, "of voxels that count")
-      ->check(value_of_field(heights, "max_height_m"))
-      ->excludes(tiles_option)
-      ->capture_default_str();
-  command
-      .add_option(
-          "--class", request.of_classes.classes, "only these, separated by commas; may be repeated")
-      ->delimiter(',')
-      ->excludes(tiles_option);
-  command
-      .add_option("--fuse",
-                  fused,
-                  "NAME or NAME=WEIGHT: an occupancy layer of the map, as one more layer; without "
-                  "one what is "
-                  "occupied but has no class, as walls, counts as free; may be repeated")
-      ->delimiter(',')
-      ->excludes(tiles_option);
-  command
-      .add_option(
-          "--keep-share", request.of_classes.options.keep_share, "of evidence when new comes")
-      ->check(value_of_field(option_table(GridStackOptions{}), "keep_share"))
-      ->excludes(tiles_option)
-      ->capture_default_str();
-  command
-      .add_option(
-          "--layer",
-          layers,
-          "only these layers, with or without /ism/, separated by commas; one stands also for "
-          "layers whose names go on after it and a slash (detections: detections/chair); may be "
-          "repeated")
-      ->delimiter(',');
-  CLI::Option* area_option =
-      command.add_option("--area", area, "X0,Y0,X1,Y1 in the map's frame (default: all)");
-  command
-      .add_option("--yaw",
-                  yaw_deg,
-                  "degrees by which the area is turned about X0,Y0; maps that are "
-                  "written to a folder are turned back and padded")
-      ->check(number_in(-360.0, 360.0))
-      ->needs(area_option);
-  command
-      .add_option("--resolution", resolution_m, "edge of a cell (default: that of voxels or tiles)")
-      ->check(number_in(0.001, 10.0));
-  command.add_option("--rule", rule, "how values between cells are had")
-      ->transform(one_of(rule_names()))
-      ->capture_default_str();
-  command
-      .add_option_function<double>(
-          "--epsilon",
-          [this](double p) { request.resampling.epsilon = Probability(p); },
-          "no cell counts as surer than this (default: 1e-06)")
-      ->check(value_of_field(resampling, "epsilon"));
+  for (CLI::Option* of_voxels : add_voxel_options(command, *this)) {
+    of_voxels->excludes(tiles_option)->excludes(from_option);
+  }
+  add_cut_options(command, *this);
   sensed.add_to(command);
   load.add_to(command);
-  for (const char* of_voxels :
-       {"--min-height", "--max-height", "--class", "--fuse", "--keep-share"}) {
-    from_option->excludes(command.get_option(of_voxels));
-  }
 }
 
 void StackArguments::keep_to_one_source() const {
@@ -195,7 +204,8 @@ Result<GridStack> StackArguments::uncut_stack(const MapArchive& map) const {
   if (tiles.empty()) return stack_of_map(map, request);
   HYPERMAP_ASSIGN_OR_RETURN(const auto around, rect_around_area(*this));
   auto stack = read_tile_map(tiles, around, request.of_classes.options);
-  if (!stack && stack.error().code == ErrorCode::kLimit) {
+  const bool is_of_one_tile = !stack && !stack.error().file.empty() && stack.error().file != tiles;
+  if (!stack && stack.error().code == ErrorCode::kLimit && !is_of_one_tile) {
     stack.error().what += area ? "; a smaller --area takes less" : "; --area takes a part of it";
   }
   return stack;

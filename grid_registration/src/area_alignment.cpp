@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kMaxParameters = 8;
 constexpr double kMinCommonCells = 50.0;
+constexpr double kLeastVariance = 1e-9;  // below, an image says the same everywhere
 using Parameters = Eigen::Matrix<double, kMaxParameters, 1>;
 using Normal = Eigen::Matrix<double, kMaxParameters, kMaxParameters>;
 
@@ -80,6 +81,55 @@ std::optional<Eigen::Vector2d> common_place(const GridImage& fixed,
   return place;
 }
 
+/// What moving and fixed image say of the cells that both know.
+struct CommonValues {
+  double num_known = 0.0;  ///< Cells that the moving image knows.
+  double num_common = 0.0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();        ///< Of moving, of fixed.
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< Of both.
+};
+
+CommonValues common_values(const GridImage& moving,
+                           const GridImage& fixed,
+                           const Eigen::Matrix3d& fixed_from_moving) {
+  CommonValues common;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+  for (int row = 0; row < moving.rows(); ++row) {
+    for (int col = 0; col < moving.cols(); ++col) {
+      if (moving.known(row, col) == 0.0F) continue;
+      common.num_known += 1.0;
+      const auto place = common_place(fixed, fixed_from_moving * Eigen::Vector3d(col, row, 1.0));
+      if (!place) continue;
+      const Eigen::Vector2d pair(static_cast<double>(moving.value(row, col)),
+                                 sampled(fixed.value, *place).value);
+      common.num_common += 1.0;
+      sum += pair;
+      products += pair * pair.transpose();
+    }
+  }
+  if (common.num_common == 0.0) return common;
+  common.mean = sum / common.num_common;
+  common.covariance = products / common.num_common - common.mean * common.mean.transpose();
+  return common;
+}
+
+/// How much surer the fixed image is than the moving one: it says about gain * moving + offset.
+struct Sureness {
+  double gain = 1.0;
+  double offset = 0.0;
+};
+
+/// By mean and spread, not by regression: of noise, and where the placement is still wrong, that
+/// gives a gain near zero, by which the flattest place would be the best. Boundary: the identity
+/// where an image says the same everywhere.
+Sureness sureness_of(const CommonValues& common) {
+  const Eigen::Vector2d variance = common.covariance.diagonal();
+  if (!(variance.minCoeff() > kLeastVariance)) return {};
+  const double gain = std::sqrt(variance.y() / variance.x());
+  return {gain, common.mean.y() - gain * common.mean.x()};
+}
+
 struct NormalEquations {
   Normal matrix = Normal::Zero();
   Parameters vector = Parameters::Zero();
@@ -93,6 +143,8 @@ NormalEquations equations_at(const GridImage& moving,
                              int num_used) {
   const auto basis = generators();
   const Eigen::Matrix3d centred_from_cells = centred(moving);
+  const Sureness as_sure =
+      sureness_of(common_values(moving, fixed, fixed_from_centred * centred_from_cells));
   NormalEquations sums;
   for (int row = 0; row < moving.rows(); ++row) {
     for (int col = 0; col < moving.cols(); ++col) {
@@ -102,7 +154,9 @@ NormalEquations equations_at(const GridImage& moving,
       const auto place = common_place(fixed, to);
       if (!place) continue;
       const PlaneSample there = sampled(fixed.value, *place);
-      const double difference = there.value - static_cast<double>(moving.value(row, col));
+      const double wanted =
+          as_sure.gain * static_cast<double>(moving.value(row, col)) + as_sure.offset;
+      const double difference = there.value - wanted;
       Parameters slope = Parameters::Zero();
       for (int i = 0; i < num_used; ++i) {
         const Eigen::Vector3d change =
@@ -159,29 +213,12 @@ AreaAgreement agreement_of(const GridImage& moving,
                            const Eigen::Matrix3d& fixed_from_moving) {
   const GridImage soft_moving = smoothed(moving, 1.0);
   const GridImage soft_fixed = smoothed(fixed, 1.0);
-  double n = 0.0;
-  double num_known = 0.0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
-  for (int row = 0; row < moving.rows(); ++row) {
-    for (int col = 0; col < moving.cols(); ++col) {
-      if (moving.known(row, col) == 0.0F) continue;
-      num_known += 1.0;
-      const auto place = common_place(soft_fixed, fixed_from_moving * Eigen::Vector3d(col, row, 1));
-      if (!place) continue;
-      const Eigen::Vector2d pair(static_cast<double>(soft_moving.value(row, col)),
-                                 sampled(soft_fixed.value, *place).value);
-      n += 1.0;
-      sum += pair;
-      products += pair * pair.transpose();
-    }
-  }
-  if (n == 0.0) return {};
-  const Eigen::Matrix2d spread = products - sum * sum.transpose() / n;
-  const double scale = std::sqrt(spread(0, 0) * spread(1, 1));
-  constexpr double kLeastSpread = 1e-9;
-  const double agreement = scale > kLeastSpread * n ? spread(0, 1) / scale : 0.0;
-  return {n / num_known, agreement};
+  const CommonValues common = common_values(soft_moving, soft_fixed, fixed_from_moving);
+  if (common.num_common == 0.0) return {};
+  const Eigen::Matrix2d& covariance = common.covariance;
+  const double scale = std::sqrt(covariance(0, 0) * covariance(1, 1));
+  const double agreement = scale > kLeastVariance ? covariance(0, 1) / scale : 0.0;
+  return {common.num_common / common.num_known, agreement};
 }
 
 Eigen::Matrix3d aligned_by_area(const GridImage& moving,

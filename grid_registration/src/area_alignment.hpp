@@ -27,9 +27,11 @@ struct AreaAgreement {
                                          const GridImage& fixed,
                                          const Eigen::Matrix3d& fixed_from_moving);
 
-/// The placement near `start` with the least squares of differences over the cells that both know:
-/// Gauss-Newton on images that are smoothed by 3, then 1.5, then 0.8 cells. `start` itself where
-/// too little is common. Requires: `start` is of the kind.
+/// The placement near `start` with the least squares of differences over the cells that both know,
+/// when the moving image is taken for as sure as the fixed one (mean and spread there made alike):
+/// a single reading belongs where it shows the same as a map of many. Gauss-Newton on images that
+/// are smoothed by 3, then 1.5, then 0.8 cells. `start` itself where too little is common.
+/// Requires: `start` is of the kind.
 [[nodiscard]] Eigen::Matrix3d aligned_by_area(const GridImage& moving,
                                               const GridImage& fixed,
                                               const Eigen::Matrix3d& start,

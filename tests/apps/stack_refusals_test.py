@@ -52,6 +52,19 @@ class Refusals(StackLab):
         result = run("stack", "--tiles", tiles, "--output", tiles)
         self.assertEqual(result.returncode, 4, result.stderr)
 
+    def test_a_smaller_area_is_proposed_where_it_helps(self):
+        for x_m, side, is_one_tile in ((0, 2_000_000_000, True), (100_000, 1, False)):
+            tiles = self.folder / f"tiles-{side}"
+            tiles.mkdir()
+            for place, cells in ((0, 1), (x_m, side)):
+                name = (f"What_OGM_T_{place}.0s.ns_Format_INT8_Unit_logodds_Layer_-cam_Res_10mm_X_{place}m_Y_{place}m_Z_0m"
+                        f"_rows_{cells}_cols_{cells}_.bin")
+                (tiles / name).write_bytes(b"\x20")
+            with self.subTest(side):
+                result = run("stack", "--tiles", tiles, "--output", self.folder / "x")
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                self.assertEqual("--area takes a part of it" in result.stderr, not is_one_tile, result.stderr)
+
     def test_what_is_not_there_is_said(self):
         output = ["--output", self.folder / "x"]
         for arguments, status, told in ((["stack", "--class", "chiar"], 2, "chair"), (["stack", "--fuse", "ocupancy"], 2, "occupancy"),

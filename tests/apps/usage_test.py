@@ -33,6 +33,14 @@ class Usage(unittest.TestCase):
                 self.assertEqual(result.returncode, 4, result.stderr)
                 self.assertNotEqual(result.stderr.strip(), "")
 
+    def test_only_options_that_there_are_are_proposed(self):
+        for arguments in (["stack", "--file", "m.hmap"], ["info", "--file", "m.hmap"], ["stack", "--files", "m.hmap"]):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4)
+                self.assertNotIn('"--file"', result.stderr)
+        self.assertIn('did you mean "--tiles"?', run("stack", "--tile", "drive", "--output", "grids").stderr)
+
     def test_a_full_device_is_no_success(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             self.assertEqual(run("config", stdout=full).returncode, 3)

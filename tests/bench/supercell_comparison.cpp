@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Supercells against the superpixel methods of OpenCV on table-top scenes. Source: [sogm] IV.
-//   supercell_comparison tune SEED                        every setting of every method, a JSON
-//   line each supercell_comparison compare SETTINGS LEVEL SEED      the chosen settings
-//   supercell_comparison figures SETTINGS SEED FOLDER     images of scenes and clusterings
-// SETTINGS is a file with the number of a setting a method. Run by scripts/compare-supercells.
+//   supercell_comparison tune SEED                      every setting of every method
+//   supercell_comparison compare SETTINGS LEVEL SEED    the chosen settings
+//   supercell_comparison figures SETTINGS SEED FOLDER   images of scenes and clusterings
+// The first two print a JSON line for each run. SETTINGS is a file with the number of a setting a
+// method. Run by scripts/supercells.
 #include "comparison_images.hpp"
 #include "superpixel_methods.hpp"
 #include "table_top_scene.hpp"

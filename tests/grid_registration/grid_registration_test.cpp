@@ -63,6 +63,18 @@ TEST(GridRegistration, NoiseIsBorne) {
   }
 }
 
+TEST(GridRegistration, OneReadingIsPlacedInAMapThatIsSurer) {
+  for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(8); ++seed) {
+    const PlanRoom room = furnished_room(seed);
+    const LogOddsGrid fixed = seen_room(room, whole_room(), in_room(), {.sureness = 4.0});
+    const Eigen::Matrix3d truth = somewhere(room, seed, 0.4 * static_cast<double>(seed));
+    const LogOddsGrid moving = seen_room(room, sensors_view(), truth, {.sureness = 0.3});
+    const auto found = register_grids(moving, fixed);
+    ASSERT_TRUE(found.has_value()) << seed << ": " << to_string(found.error());
+    EXPECT_LE(most_apart(found->fixed_from_moving, truth, sensors_view()), 0.5) << seed;
+  }
+}
+
 TEST(GridRegistration, ScaleAndTiltAreRecoveredOnRequest) {
   for (std::uint64_t seed = 0; seed < repetitions<std::uint64_t>(4); ++seed) {
     const PlanRoom room = furnished_room(seed + 40);

@@ -58,6 +58,7 @@ inline PlanRoom furnished_room(std::uint64_t seed) {
 struct SeenBy {
   double wrong_share = 0.0;  ///< Of the cells, that say the opposite.
   std::uint64_t seed = 0;
+  double sureness = 1.0;  ///< Factor on the log-odds.
 };
 
 /// The room on the cells of a grid whose frame lies in the room so: each cell says how much of it
@@ -81,7 +82,7 @@ inline LogOddsGrid seen_room(const PlanRoom& room,
         num_occupied += room.is_occupied(place) ? 1 : 0;
       }
       if (num_inside < 9) continue;
-      const double l = -1.5 + 4.0 * num_occupied / 9.0;
+      const double l = seen.sureness * (-1.5 + 4.0 * num_occupied / 9.0);
       const bool is_wrong = random.uniform_at(geometry.index({col, row})) < seen.wrong_share;
       grid.set({col, row}, to_steps(LogOdds(is_wrong ? -l : l)));
     }

@@ -224,7 +224,7 @@ void add_cells_command(CLI::App& program, const CommonOptions& common, Action& a
   command.add_flag("--json", arguments->json, "one JSON document");
   show_examples(command,
                 {"hypermap cells lab.hmap --output cells",
-                 "hypermap cells lab.hmap --fuse occupancy --path 1,-2,-1,1.5 --avoid occupancy "
+                 "hypermap cells lab.hmap --fuse occupancy --path 0,-1.8,-1,1.5 --avoid occupancy "
                  "--total --output cells"});
   command.callback([arguments, &common, &action] {
     keep_apart("--output",

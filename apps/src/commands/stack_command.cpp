@@ -154,9 +154,9 @@ void print_sensed(const SensedStackReport& sensed) {
 }
 
 void print_layer(const GridCounts& counts) {
-  std::printf("%s: %zu cells occupied, %zu free, %zu unknown; in its map %zu, %zu, %zu\n",
+  std::printf("%s: %s occupied, %zu free, %zu unknown; in its map %zu, %zu, %zu\n",
               printable(counts.name).c_str(),
-              counts.occupied,
+              count_text(counts.occupied, "cell").c_str(),
               counts.free,
               counts.unknown,
               counts.map.occupied,
