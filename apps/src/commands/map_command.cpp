@@ -7,6 +7,7 @@
 #include "load_arguments.hpp"
 #include "map_hints.hpp"
 #include "mapping_text.hpp"
+#include "network_arguments.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -29,6 +30,7 @@ namespace {
 
 struct MapArguments {
   DatasetArguments dataset;
+  NetworkArguments network;
   MappingJob job;
   std::vector<std::string> detections;
   std::vector<std::string> transient;
@@ -64,6 +66,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.network.applied_to(job.detector));
   MapOptions options;
   options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
@@ -160,7 +163,9 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option("--output", arguments.job.output, "archive to write")->required();
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
-  command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
+  auto* model = command.add_option(
+      "--model", arguments.job.model, "network (ONNX) to run on each image, a detector");
+  arguments.network.add_to(command, *model);
   command
       .add_option("--preset",
                   arguments.preset,

@@ -45,6 +45,9 @@ std::string to_json(const MappingReport& report) {
   json["objects"] = report.num_objects;
   json["objects_tentative"] = report.num_tentative;
   json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};
+  if (report.network_form != NetworkForm::kAuto) {
+    json["network_form"] = std::string(name_of(report.network_form));
+  }
   json["up"] = report.up;
   json["wall_s"] = seconds.wall;
   json["stages_s"] = {{"read", seconds.read},

@@ -186,6 +186,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
     run.views = BestViews(run.previous->views);
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
+  if (run.detector) report.network_form = run.detector->form();
   DatasetOptions reading = dataset_options(job);
   if (run.previous) {
     HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,

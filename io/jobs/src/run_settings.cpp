@@ -70,13 +70,25 @@ std::string joined(std::span<const std::string> names) {
   return all;
 }
 
+std::string numbers_text(std::span<const double> numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    text.append(text.empty() ? "" : ",").append(number_text(number));
+  }
+  return text;
+}
+
 std::string text_of(const OptionRow& row, const OptionValue& value) {
   if (value.is_none()) return kNone;
   if (row.kind == OptionKind::kFlag) return value.scalar() != 0.0 ? "yes" : "no";
+  if (row.kind == OptionKind::kChoice) {
+    return std::string(row.choices[static_cast<std::size_t>(value.scalar())]);
+  }
+  if (row.kind == OptionKind::kNumbers) return numbers_text(value.numbers());
   return number_text(value.scalar());
 }
 
-/// The numbers and flags of an options struct.
+/// The numbers, flags and choices of an options struct.
 template <class Options>
 void add_table(const Options& options,
                const std::string& section,
@@ -84,9 +96,8 @@ void add_table(const Options& options,
   for (const OptionRow& row : option_table(options).rows) {
     const bool is_left_out =
         std::find(kLeftOut.begin(), kLeftOut.end(), row.name) != kLeftOut.end();
-    const bool is_scalar = row.kind == OptionKind::kFlag || row.kind == OptionKind::kCount ||
-                           row.kind == OptionKind::kNumber;
-    if (!is_scalar || is_left_out) continue;
+    const bool is_list = row.kind == OptionKind::kNames || row.kind == OptionKind::kSection;
+    if (is_list || is_left_out) continue;
     entries.emplace_back(section + std::string(row.name),
                          make_text(text_of(row, row.get(&options))));
   }
@@ -94,11 +105,9 @@ void add_table(const Options& options,
 
 std::string placement_text(const std::optional<WorldPlacement>& placement) {
   if (!placement) return kNone;
-  std::string text;
-  for (const double number : {placement->x_m, placement->y_m, placement->z_m, placement->yaw_rad}) {
-    text.append(text.empty() ? "" : ",").append(number_text(number));
-  }
-  return text;
+  const std::array<double, 4> numbers{
+      placement->x_m, placement->y_m, placement->z_m, placement->yaw_rad};
+  return numbers_text(numbers);
 }
 
 /// The frames by number, names and how much was detected in them.

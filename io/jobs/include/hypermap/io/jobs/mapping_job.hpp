@@ -119,6 +119,7 @@ struct MappingReport {
   std::string up;  ///< How the world was aligned to gravity, in words.
   /// Of a colour camera that the images told; empty: depth is registered as it is.
   std::string registration;
+  NetworkForm network_form = NetworkForm::kAuto;  ///< Of the network, if there is one.
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
