@@ -47,6 +47,8 @@ InputConvention usual_convention(NetworkForm form) {
               .order = ChannelOrder::kBgr,
               .mean = reversed(kImageNetMean),
               .stddev = reversed(kImageNetStddev)};
+    case NetworkForm::kMaskRcnn:
+      return {.fit = ImageFit::kCorner, .order = ChannelOrder::kRgb, .stddev = all(255.0)};
     case NetworkForm::kAuto:
     case NetworkForm::kYolox:
       break;

@@ -36,8 +36,10 @@ std::unique_ptr<const NetworkRows> rows_of(std::span<const NetworkOutput> output
     case NetworkForm::kSsd:
     case NetworkForm::kDetr:
       return query_rows(outputs, layout, size);
+    case NetworkForm::kMaskRcnn:
+      return mask_rcnn_rows(outputs, layout, size);
     default:
-      return cell_rows(outputs[layout.boxes], layout, size);
+      return cell_rows(outputs, layout, size);
   }
 }
 

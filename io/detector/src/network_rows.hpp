@@ -5,11 +5,13 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
+#include "mask_grid.hpp"
 #include "network_output.hpp"
 #include "output_layout.hpp"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,8 @@ class NetworkRows {
   [[nodiscard]] virtual PixelBox box_px(std::size_t row) const = 0;
   /// Whether the network itself gives an object but one row.
   [[nodiscard]] virtual bool is_suppressed() const noexcept { return false; }
+  /// What is known of the object's pixels. Requires: a row with a class.
+  [[nodiscard]] virtual std::optional<MaskGrid> mask(std::size_t /*row*/) const { return {}; }
 };
 
 /// The best of the class probabilities times objectness; of equals the first.
@@ -62,12 +66,14 @@ struct NumberTable {
 [[nodiscard]] std::unique_ptr<const NetworkRows> rows_of(std::span<const NetworkOutput> outputs,
                                                          const OutputLayout& layout,
                                                          const NetworkSize& size);
-/// The same for the forms whose rows are cells of grids, and for the others.
-[[nodiscard]] std::unique_ptr<const NetworkRows> cell_rows(const NetworkOutput& output,
+/// The same for the forms whose rows are cells of grids, for SSD and DETR, and for Mask R-CNN.
+[[nodiscard]] std::unique_ptr<const NetworkRows> cell_rows(std::span<const NetworkOutput> outputs,
                                                            const OutputLayout& layout,
                                                            const NetworkSize& size);
 [[nodiscard]] std::unique_ptr<const NetworkRows> query_rows(std::span<const NetworkOutput> outputs,
                                                             const OutputLayout& layout,
                                                             const NetworkSize& size);
+[[nodiscard]] std::unique_ptr<const NetworkRows> mask_rcnn_rows(
+    std::span<const NetworkOutput> outputs, const OutputLayout& layout, const NetworkSize& size);
 
 }  // namespace hypermap

@@ -152,6 +152,13 @@ struct OnnxDetector::Impl {
     if (inside) out.box_px = *inside;
     HYPERMAP_ASSIGN_OR_RETURN(out.class_scores,
                               class_scores(candidate, rows.scores(candidate.row).classes));
+    const auto grid = inside ? rows.mask(candidate.row) : std::nullopt;
+    if (!grid) return out;
+    if (!is_finite(*grid)) {
+      return model_error(
+          model, "must give finite masks, row " + std::to_string(candidate.row) + " does not");
+    }
+    out.mask = drawn(*grid, out.box_px, placement, image.width_px(), image.height_px());
     return out;
   }
 };

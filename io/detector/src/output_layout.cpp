@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +16,13 @@ namespace {
 
 using Outputs = std::span<const NetworkOutput>;
 using Shape = std::vector<std::size_t>;
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
 
 std::optional<std::size_t> find_shape(Outputs outputs, const Shape& shape) {
   const auto found = std::ranges::find(outputs, shape, &NetworkOutput::shape);
@@ -39,11 +48,36 @@ std::optional<OutputLayout> match_grids(Outputs outputs,
 Shape yolox_shape(const NetworkSize& size, std::size_t rows) {
   return {1, rows, 5 + size.num_classes};
 }
-Shape yolov5_shape(const NetworkSize& size, std::size_t rows) {
-  return {1, 3 * rows, 5 + size.num_classes};
+Shape yolov5_shape(const NetworkSize& size, std::size_t rows, std::size_t num_coefficients = 0) {
+  return {1, 3 * rows, 5 + size.num_classes + num_coefficients};
 }
-Shape yolov8_shape(const NetworkSize& size, std::size_t rows) {
-  return {1, 4 + size.num_classes, rows};
+Shape yolov8_shape(const NetworkSize& size, std::size_t rows, std::size_t num_coefficients = 0) {
+  return {1, 4 + size.num_classes + num_coefficients, rows};
+}
+
+bool are_prototypes(const NetworkOutput& output) {
+  constexpr std::size_t kMaxNumbers = std::size_t{1} << 23U;  // 32 of 512 x 512
+  const Shape& shape = output.shape;
+  return shape.size() == 4 && shape[0] == 1 && !output.values.empty() &&
+         output.values.size() <= kMaxNumbers;
+}
+
+/// With prototypes of masks or without: `shape_of(rows, number of prototypes)`.
+template <class ShapeOf>
+std::optional<OutputLayout> match_with_masks(Outputs outputs,
+                                             const NetworkSize& size,
+                                             NetworkForm form,
+                                             const ShapeOf& shape_of) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!are_prototypes(outputs[i])) continue;
+    auto found = match_grids(
+        outputs, size, form, [&](std::size_t rows) { return shape_of(rows, outputs[i].shape[1]); });
+    if (!found) continue;
+    found->masks = i;
+    return found;
+  }
+  return match_grids(
+      outputs, size, form, [&](std::size_t rows) { return shape_of(rows, std::size_t{0}); });
 }
 
 std::optional<OutputLayout> match_yolox(Outputs outputs, const NetworkSize& size) {
@@ -53,15 +87,17 @@ std::optional<OutputLayout> match_yolox(Outputs outputs, const NetworkSize& size
 }
 
 std::optional<OutputLayout> match_yolov5(Outputs outputs, const NetworkSize& size) {
-  return match_grids(outputs, size, NetworkForm::kYolov5, [&](std::size_t rows) {
-    return yolov5_shape(size, rows);
-  });
+  return match_with_masks(
+      outputs, size, NetworkForm::kYolov5, [&](std::size_t rows, std::size_t num_coefficients) {
+        return yolov5_shape(size, rows, num_coefficients);
+      });
 }
 
 std::optional<OutputLayout> match_yolov8(Outputs outputs, const NetworkSize& size) {
-  return match_grids(outputs, size, NetworkForm::kYolov8, [&](std::size_t rows) {
-    return yolov8_shape(size, rows);
-  });
+  return match_with_masks(
+      outputs, size, NetworkForm::kYolov8, [&](std::size_t rows, std::size_t num_coefficients) {
+        return yolov8_shape(size, rows, num_coefficients);
+      });
 }
 
 /// Boxes and, beside them, classes with one more for what is no object.
@@ -103,6 +139,43 @@ std::optional<OutputLayout> match_nanodet(Outputs outputs, const NetworkSize& si
   return std::nullopt;
 }
 
+/// An output of one number a row whose name has one of the words.
+std::optional<std::size_t> find_column(Outputs outputs,
+                                       std::size_t num_rows,
+                                       std::initializer_list<std::string_view> words) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string name = lower_case(outputs[i].name);
+    const bool is_named = std::ranges::any_of(
+        words, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+    if (is_named && outputs[i].shape == Shape{num_rows, 1}) return i;
+  }
+  return std::nullopt;
+}
+
+bool are_masks(const Shape& shape, std::size_t num_rows, const NetworkSize& size) {
+  if (shape.size() != 4 || shape[0] != num_rows || shape[2] == 0 || shape[3] == 0) return false;
+  return shape[1] == 1 || shape[1] == size.num_classes || shape[1] == size.num_classes + 1;
+}
+
+std::optional<OutputLayout> match_mask_rcnn(Outputs outputs, const NetworkSize& size) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].shape.size() != 2 || outputs[i].shape[1] != 4) continue;
+    const std::size_t num_rows = outputs[i].shape[0];
+    const auto labels = find_column(outputs, num_rows, {"label", "class"});
+    const auto scores = find_column(outputs, num_rows, {"score", "conf", "prob"});
+    const auto masks = std::ranges::find_if(outputs, [&](const NetworkOutput& output) {
+      return are_masks(output.shape, num_rows, size);
+    });
+    if (!labels || !scores || masks == outputs.end()) continue;
+    return OutputLayout{.form = NetworkForm::kMaskRcnn,
+                        .boxes = i,
+                        .labels = labels,
+                        .masks = static_cast<std::size_t>(masks - outputs.begin()),
+                        .scores = scores};
+  }
+  return std::nullopt;
+}
+
 struct FormRule {
   NetworkForm form;
   std::optional<OutputLayout> (*match)(Outputs, const NetworkSize&);
@@ -117,7 +190,7 @@ std::string two_outputs(const NetworkSize& size) {
   return "1 x N x 4 and 1 x N x " + std::to_string(size.num_classes + 1);
 }
 
-const std::array<FormRule, 6> kRules{
+const std::array<FormRule, 7> kRules{
     FormRule{NetworkForm::kYolox,
              match_yolox,
              [](const NetworkSize& s) { return shape_text(yolox_shape(s, grid_rows(s))); }},
@@ -131,9 +204,14 @@ const std::array<FormRule, 6> kRules{
              match_ssd,
              [](const NetworkSize& s) { return two_outputs(s) + " or 1 x 1 x N x 7"; }},
     FormRule{NetworkForm::kDetr, match_detr, two_outputs},
-    FormRule{NetworkForm::kNanodet, match_nanodet, [](const NetworkSize& s) {
+    FormRule{NetworkForm::kNanodet,
+             match_nanodet,
+             [](const NetworkSize& s) {
                return "1 x " + std::to_string(grid_rows(s)) + " x (" +
                       std::to_string(s.num_classes) + " + 4 B)";
+             }},
+    FormRule{NetworkForm::kMaskRcnn, match_mask_rcnn, [](const NetworkSize&) {
+               return std::string("boxes N x 4, labels N, scores N and masks N x K x H x W");
              }}};
 
 std::string expectation(const NetworkSize& size, NetworkForm form) {
@@ -147,17 +225,10 @@ std::string expectation(const NetworkSize& size, NetworkForm form) {
          std::to_string(size.input_side_px) + " pixels";
 }
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 /// SSD and DETR have one shape: logits are DETR's, scores and probabilities SSD's.
 bool is_named_as(const OutputLayout& layout, Outputs outputs) {
   if (!layout.scores) return true;
-  const std::string name = lower(outputs[*layout.scores].name);
+  const std::string name = lower_case(outputs[*layout.scores].name);
   const bool has_logits = name.find("logit") != std::string::npos;
   if (layout.form == NetworkForm::kDetr) return has_logits;
   return !has_logits &&

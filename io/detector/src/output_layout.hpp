@@ -26,6 +26,8 @@ struct OutputGrids {
 struct OutputLayout {
   NetworkForm form = NetworkForm::kYolox;
   std::size_t boxes = 0;                   ///< The output that has the boxes.
+  std::optional<std::size_t> labels = {};  ///< That with one class a row.
+  std::optional<std::size_t> masks = {};   ///< That with masks, or prototypes of them.
   std::optional<std::size_t> scores = {};  ///< That with the classes, where it is another one.
   bool has_stride_64 = false;              ///< Of forms with grids.
 };

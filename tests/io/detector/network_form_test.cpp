@@ -152,7 +152,8 @@ TEST(NetworkForm, WhatIsOfNoFormIsRefusedWithItsShapesAndThoseKnown) {
               HasSubstr("gives first 1 x 20 x 7, second 1 x 5, expected yolox 1 x 21 x 7; "
                         "yolov5 1 x 63 x 7; yolov8 1 x 6 x 21; ssd 1 x N x 4 and 1 x N x 3 "
                         "or 1 x 1 x N x 7; detr 1 x N x 4 and 1 x N x 3; nanodet 1 x 21 x (2 "
-                        "+ 4 B) for 2 classes and an input of 32 pixels"));
+                        "+ 4 B); mask_rcnn boxes N x 4, labels N, scores N and masks N x K x H x W "
+                        "for 2 classes and an input of 32 pixels"));
   OnnxDetectorOptions said = two_classes();
   said.network_form = NetworkForm::kYolov8;
   EXPECT_THAT(

@@ -15,9 +15,12 @@ enum class NetworkForm {
   kAuto,  ///< Told by the shapes of the outputs, by their names where two forms have one shape.
   /// 1 x N x (5 + C): centre and size by cell and stride, objectness, classes. [Ge et al. 2021]
   kYolox,
-  /// 1 x N x (5 + C): centre and size in input pixels, objectness, classes; three rows a cell.
+  /// 1 x N x (5 + C): centre and size in input pixels, objectness, classes; three rows a cell. With
+  /// K prototypes of masks, 1 x K x H x W, K more numbers a row: a mask is where their sum by these
+  /// is above 0.
   kYolov5,
   /// 1 x (4 + C) x N: centre and size in input pixels, classes; a row a cell. Of YOLO11 too.
+  /// Prototypes as before.
   kYolov8,
   /// 1 x N x 4 and 1 x N x (C + 1): corners as shares of the input, classes after the background;
   /// or 1 x 1 x N x 7 of a DetectionOutput: image, class from 1 on, score, corners.
@@ -28,6 +31,9 @@ enum class NetworkForm {
   /// 1 x N x (C + 4 B): classes, then B logits of the distance to each side, in strides.
   /// [Li et al. 2020]
   kNanodet,
+  /// N x 4: corners in input pixels; N labels from 1 on, N scores, N x K x H x W masks, K 1, C or
+  /// C + 1, above 0.5 where the object is: of its box, or of the input when they have its size.
+  kMaskRcnn,
 };
 
 /// How an image becomes the square input; what is left of it is grey.
@@ -46,8 +52,8 @@ enum class ChannelOrder {
 };
 
 /// By enumerator from 0 on, as options and flags call them.
-inline constexpr std::array<std::string_view, 7> kNetworkFormNames{
-    "auto", "yolox", "yolov5", "yolov8", "ssd", "detr", "nanodet"};
+inline constexpr std::array<std::string_view, 8> kNetworkFormNames{
+    "auto", "yolox", "yolov5", "yolov8", "ssd", "detr", "nanodet", "mask_rcnn"};
 inline constexpr std::array<std::string_view, 4> kImageFitNames{
     "auto", "corner", "centre", "stretch"};
 inline constexpr std::array<std::string_view, 3> kChannelOrderNames{"auto", "bgr", "rgb"};
