@@ -5,6 +5,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "load_arguments.hpp"
+#include "look_arguments.hpp"
 #include "map_hints.hpp"
 #include "mapping_text.hpp"
 #include "network_arguments.hpp"
@@ -31,6 +32,7 @@ namespace {
 struct MapArguments {
   DatasetArguments dataset;
   NetworkArguments network;
+  LookArguments looks;
   MappingJob job;
   std::vector<std::string> detections;
   std::vector<std::string> transient;
@@ -62,7 +64,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
   job.input = arguments.dataset.input;
   job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
+  job.looks = arguments.looks.options();
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
@@ -166,6 +168,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   auto* model = command.add_option(
       "--model", arguments.job.model, "network (ONNX) to run on each image, a detector");
   arguments.network.add_to(command, *model);
+  arguments.looks.add_to(command, *model);
   command
       .add_option("--preset",
                   arguments.preset,

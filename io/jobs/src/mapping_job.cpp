@@ -38,17 +38,33 @@ Error about(Error error, const std::string& frame_name) {
   return error;
 }
 
+/// Whether what a frame does not show of the objects was missed: by the network, or by a detector
+/// whose detections were read.
+DetectorLook look_at(const RgbdFrame& frame,
+                     bool is_looked_at,
+                     const MappingRun& run,
+                     const MappingJob& job) {
+  const bool has_others = !job.dataset.detections.empty() || !frame.detections.empty();
+  const bool is_looked = is_looked_at || has_others || !run.detector;
+  return is_looked ? DetectorLook::kLooked : DetectorLook::kNotLooked;
+}
+
 Result<FrameReport> map_frame(MappingRun& run,
                               std::size_t index,
                               Result<RgbdFrame> frame,
                               const MappingJob& job,
                               MappingReport& report) {
   if (!frame) return Unexpected(std::move(frame).error());
-  StopWatch watch;
-  HYPERMAP_TRY(add_detections(*frame, run.detector));
-  report.seconds.detect += watch.lap();
+  const bool is_looked_at = takes_look(run, index, *frame);
+  if (is_looked_at) {
+    StopWatch watch;
+    HYPERMAP_TRY(add_detections(*frame, *run.detector));
+    report.seconds.detect += watch.lap();
+  }
   frame->index += run.index_offset;
-  HYPERMAP_ASSIGN_OR_RETURN(FrameReport done, run.mapper->integrate(*frame));
+  HYPERMAP_ASSIGN_OR_RETURN(FrameReport done,
+                            run.mapper->integrate(*frame, look_at(*frame, is_looked_at, run, job)));
+  report.num_looks += is_looked_at ? 1U : 0U;
   run.last = {.position = index, .hash = run.fingerprint.add(*frame)};
   run.next_frame_index = frame->index + 1;
   if (run.first.hash.empty()) run.first = run.last;
@@ -143,7 +159,7 @@ Result<void> add_surfaces(MappingRun& run, const MappingJob& job, MappingReport&
   for (std::size_t i = 0; i < run.num_resumed_positions; ++i) {
     if (std::ranges::binary_search(run.skipped_positions, i)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(i));
-    HYPERMAP_TRY(add_detections(frame, run.detector));
+    HYPERMAP_TRY(add_earlier_detections(run, i, frame));
     frame.index += run.index_offset;
     HYPERMAP_ASSIGN_OR_RETURN(const PoseCorrection pose, run.mapper->add_surfaces(frame));
     count(pose, report.poses);

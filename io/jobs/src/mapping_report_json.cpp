@@ -47,6 +47,7 @@ std::string to_json(const MappingReport& report) {
   json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};
   if (report.network_form != NetworkForm::kAuto) {
     json["network_form"] = std::string(name_of(report.network_form));
+    json["frames_looked_at"] = report.num_looks;
   }
   json["up"] = report.up;
   json["wall_s"] = seconds.wall;

@@ -103,6 +103,7 @@ Result<void> check(const MappingJob& job) {
   HYPERMAP_TRY(refuse_two_worlds(job));
   HYPERMAP_TRY(refuse_mixed_poses(job));
   HYPERMAP_TRY(validate(job.layers));
+  HYPERMAP_TRY(validate(job.looks));
   HYPERMAP_TRY(check_target(job.output));
   if (job.checkpoint_every > 0) HYPERMAP_TRY(check_target(checkpoint_path(job.output)));
   return {};
@@ -187,6 +188,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
   if (run.detector) report.network_form = run.detector->form();
+  run.looks = LookSchedule(job.looks);
   DatasetOptions reading = dataset_options(job);
   if (run.previous) {
     HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,
@@ -213,9 +215,18 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   return run;
 }
 
-Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector) {
-  if (!detector || frame.color.empty()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector->detect(frame.color));
+bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame) {
+  if (!run.detector || frame.color.empty()) return false;
+  return run.looks.take(position, frame.map_from_camera);
+}
+
+Result<void> add_earlier_detections(MappingRun& run, std::size_t position, RgbdFrame& frame) {
+  if (!run.detector || frame.color.empty() || !run.earlier_looks[position]) return {};
+  return add_detections(frame, *run.detector);
+}
+
+Result<void> add_detections(RgbdFrame& frame, OnnxDetector& detector) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector.detect(frame.color));
   frame.detections.insert(frame.detections.end(),
                           std::make_move_iterator(found.begin()),
                           std::make_move_iterator(found.end()));

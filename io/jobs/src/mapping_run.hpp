@@ -12,6 +12,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "input_fingerprint.hpp"
+#include "look_schedule.hpp"
 #include "outlying_regions.hpp"
 #include "run_checkpoint.hpp"
 
@@ -31,6 +32,8 @@ struct MappingRun {
   std::optional<MapArchive> previous;
   std::unique_ptr<DatasetReader> dataset;
   std::optional<OnnxDetector> detector;
+  LookSchedule looks;               ///< Of the detector.
+  std::vector<bool> earlier_looks;  ///< At frames before those of this process.
   std::optional<SemanticMapper> mapper;
   BestViews views;
   InputFingerprint fingerprint;
@@ -49,9 +52,18 @@ struct MappingRun {
 /// Notes findings and the up axis in `report`. Errors: those of run_mapping that need no frame.
 [[nodiscard]] Result<MappingRun> open_run(const MappingJob& job, MappingReport& report);
 
-/// What the detector, if there is one, sees in the frame is put to its detections.
+/// Whether the detector, if there is one, is to look at a frame of the input.
+/// Requires: asked once for each frame that can be read, in their order.
+[[nodiscard]] bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame);
+
+/// What the detector sees in the frame is put to its detections. Requires: a detector.
 /// Errors: those of OnnxDetector::detect.
-[[nodiscard]] Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector);
+[[nodiscard]] Result<void> add_detections(RgbdFrame& frame, OnnxDetector& detector);
+
+/// The same for a frame before those of this process, when the detector looked at it.
+[[nodiscard]] Result<void> add_earlier_detections(MappingRun& run,
+                                                  std::size_t position,
+                                                  RgbdFrame& frame);
 
 /// What the map is to say of the run. Requires: the dataset is open and aligned.
 [[nodiscard]] Provenance provenance_of(const MappingRun& run, const MappingJob& job);

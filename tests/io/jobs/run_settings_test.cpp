@@ -82,6 +82,10 @@ TEST_F(RunSettings, EachSettingIsNamedWithBothValues) {
   EXPECT_EQ(difference(other),
             "detector.min_score: is 0.5, must be that of the run to go on with, 0.25");
   other = job_;
+  other.looks.rule = LookRule::kKeyframes;
+  EXPECT_EQ(difference(other),
+            "detect.rule: is keyframes, must be that of the run to go on with, every");
+  other = job_;
   other.detector.network_form = NetworkForm::kDetr;
   EXPECT_EQ(difference(other),
             "detector.network_form: is detr, must be that of the run to go on with, auto");

@@ -9,6 +9,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/detector/onnx_detector.hpp"
+#include "hypermap/io/jobs/look_options.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include <cstddef>
@@ -34,6 +35,10 @@ struct MappingJob {
   /// A network that looks at each colour image, besides any detections on file.
   std::optional<std::filesystem::path> model = std::nullopt;
   OnnxDetectorOptions detector = {};
+  /// At which frames the network looks. One that it does not look at, where no other detector is
+  /// asked for, brings surfaces and free space alone: no object counts as missed in it. Each run
+  /// begins anew, with the first frame that it can read.
+  LookOptions looks = {};
   SemanticMapperOptions mapper = {};
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
@@ -107,6 +112,7 @@ struct MappingReport {
   std::size_t num_resumed = 0;    ///< Of these, those that the checkpoint had; not in `seconds`.
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
   std::vector<Finding> findings;  ///< Of the dataset, of class names, of layers, of checkpoints.
+  std::size_t num_looks = 0;      ///< Of these, at which the network looked, if there is one.
   std::size_t num_detections = 0;
   std::size_t num_filtered = 0;  ///< Detections of a class that is transient or not wanted.
   std::size_t num_segments = 0;
