@@ -53,6 +53,7 @@ std::string to_json(const MappingReport& report) {
   json["wall_s"] = seconds.wall;
   json["stages_s"] = {{"read", seconds.read},
                       {"detect", seconds.detect},
+                      {"wait", seconds.wait},
                       {"refine", seconds.refine},
                       {"segment", seconds.segment},
                       {"integrate", seconds.integrate},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "best_views.hpp"
+#include "frame_stream.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -56,11 +57,13 @@ struct MappingRun {
 /// Requires: asked once for each frame that can be read, in their order.
 [[nodiscard]] bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame);
 
-/// What the detector sees in the frame is put to its detections. Requires: a detector.
-/// Errors: those of OnnxDetector::detect.
-[[nodiscard]] Result<void> add_detections(RgbdFrame& frame, OnnxDetector& detector);
+/// The frame at a position, with what the detector sees in it if it looks. Uses the dataset, the
+/// detector and the schedule of the run alone. Requires: ascending positions.
+/// Errors: those of DatasetReader::read and OnnxDetector::detect.
+[[nodiscard]] Result<PreparedFrame> prepare_frame(MappingRun& run, std::size_t position);
 
-/// The same for a frame before those of this process, when the detector looked at it.
+/// What the detector saw in a frame before those of this process, if it looked at it, is put to the
+/// frame's detections. Errors: those of OnnxDetector::detect.
 [[nodiscard]] Result<void> add_earlier_detections(MappingRun& run,
                                                   std::size_t position,
                                                   RgbdFrame& frame);

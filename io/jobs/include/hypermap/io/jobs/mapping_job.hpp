@@ -82,8 +82,9 @@ struct MappingJob {
 
 /// Wall clock by stage, in seconds.
 struct MappingSeconds {
-  double read = 0.0;
-  double detect = 0.0;
+  double read = 0.0;    ///< Of frames in the map; beside the work on others with several threads,
+  double detect = 0.0;  ///< as is this.
+  double wait = 0.0;    ///< For the next frame: what of these two was not beside other work.
   double refine = 0.0;
   double segment = 0.0;
   double integrate = 0.0;
@@ -133,7 +134,8 @@ struct MappingReport {
 
 /// A few frames are compared first: depth and poses that another reading explains much better, and
 /// an up axis that no camera holds upright, are findings (reading_check.hpp).
-/// With more than one thread the next frame is read and decoded while one is worked on.
+/// With more than one thread the next frame is read, decoded and looked at by the network while one
+/// is worked on; the map is the same.
 ///
 /// What can be told before the first frame is told then: options, and whether files can be made
 /// where the map and its checkpoints are to be. Grids cover the largest region of the map; what
