@@ -80,33 +80,58 @@ inline std::string value_info(std::string_view name, const std::vector<std::int6
          bytes_field(2, bytes_field(1, number_field(1, 1) + bytes_field(2, shape)));
 }
 
-/// A network whose output 1 x rows x length is `values`, whatever its input 1 x 3 x side x side:
-/// average, multiply by zero and add (a convolution of one pixel), reshape.
+/// An output of a tiny network: `values`, each plus three weights (of none: 0) times the means of
+/// the input's channels.
+struct TinyOutput {
+  std::string name;
+  std::vector<std::int64_t> shape;
+  std::vector<float> values;
+  std::vector<float> weights = {};
+};
+
+/// The nodes, weights and description of one output: a convolution of one pixel, reshaped.
+/// GraphProto: node 1, initializer 5, output 12.
+inline std::string tiny_output(const TinyOutput& output) {
+  const auto total = static_cast<std::int64_t>(output.values.size());
+  const std::string& name = output.name;
+  std::vector<float> weights = output.weights;
+  weights.resize(3 * output.values.size(), 0.0F);
+  const std::vector<std::uint64_t> shape(output.shape.begin(), output.shape.end());
+  // AttributeProto: name 1, ints 8, type 20 (7: INTS).
+  const std::string one_pixel_kernel = bytes_field(1, "kernel_shape") + number_field(8, 1) +
+                                       number_field(8, 1) + number_field(20, 7);
+  return bytes_field(1,
+                     node({"pooled", name + "_weights", name + "_bias"}, name + "_all", "Conv") +
+                         bytes_field(5, one_pixel_kernel)) +
+         bytes_field(1, node({name + "_all", name + "_shape"}, name, "Reshape")) +
+         bytes_field(5, float_tensor(name + "_weights", {total, 3, 1, 1}, weights)) +
+         bytes_field(5, float_tensor(name + "_bias", {total}, output.values)) +
+         bytes_field(
+             5,
+             tensor(
+                 name + "_shape", {static_cast<std::int64_t>(shape.size())}, 7, raw_bytes(shape))) +
+         bytes_field(12, value_info(name, output.shape));
+}
+
+/// A network that says the same of every input 1 x 3 x height x width but for its mean colour.
+inline std::string tiny_onnx(std::int64_t width,
+                             std::int64_t height,
+                             const std::vector<TinyOutput>& outputs) {
+  // GraphProto: name 2, input 11.
+  std::string graph = bytes_field(1, node({"images"}, "pooled", "GlobalAveragePool")) +
+                      bytes_field(2, "tiny") +
+                      bytes_field(11, value_info("images", {1, 3, height, width}));
+  for (const TinyOutput& output : outputs) graph += tiny_output(output);
+  // ModelProto: ir_version 1, graph 7, opset_import 8 {version 2}.
+  return number_field(1, 6) + bytes_field(7, graph) + bytes_field(8, number_field(2, 11));
+}
+
+/// A network whose output 1 x rows x length is `values`, whatever its input 1 x 3 x side x side.
 inline std::string constant_onnx(std::int64_t side,
                                  std::int64_t rows,
                                  std::int64_t length,
                                  const std::vector<float>& values) {
-  const std::int64_t total = rows * length;
-  const std::vector<float> zeros(static_cast<std::size_t>(3 * total), 0.0F);
-  const std::vector<std::uint64_t> shape{
-      1, static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(length)};
-  // AttributeProto: name 1, ints 8, type 20 (7: INTS).
-  const std::string one_pixel_kernel = bytes_field(1, "kernel_shape") + number_field(8, 1) +
-                                       number_field(8, 1) + number_field(20, 7);
-  // GraphProto: node 1, name 2, initializer 5, input 11, output 12.
-  const std::string graph =
-      bytes_field(1, node({"images"}, "pooled", "GlobalAveragePool")) +
-      bytes_field(
-          1,
-          node({"pooled", "weights", "bias"}, "all", "Conv") + bytes_field(5, one_pixel_kernel)) +
-      bytes_field(1, node({"all", "shape"}, "output", "Reshape")) + bytes_field(2, "tiny") +
-      bytes_field(5, float_tensor("weights", {total, 3, 1, 1}, zeros)) +
-      bytes_field(5, float_tensor("bias", {total}, values)) +
-      bytes_field(5, tensor("shape", {3}, 7, raw_bytes(shape))) +
-      bytes_field(11, value_info("images", {1, 3, side, side})) +
-      bytes_field(12, value_info("output", {1, rows, length}));
-  // ModelProto: ir_version 1, graph 7, opset_import 8 {version 2}.
-  return number_field(1, 6) + bytes_field(7, graph) + bytes_field(8, number_field(2, 11));
+  return tiny_onnx(side, side, {{"output", {1, rows, length}, values}});
 }
 
 }  // namespace hypermap::test

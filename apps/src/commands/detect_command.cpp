@@ -3,6 +3,7 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/jobs/detection_job.hpp"
+#include "network_arguments.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 struct DetectArguments {
   DatasetArguments dataset;
+  NetworkArguments network;
   std::string model;
   std::string output;
   std::vector<std::string> kept_classes;
@@ -29,6 +31,7 @@ Result<DetectionJobReport> run(const DetectArguments& arguments, const std::stri
   job.output = arguments.output;
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.network.applied_to(job.detector));
   job.wanted_class_names = arguments.kept_classes;
   Progress progress("detecting", progress_when);
   return run_detection(
@@ -36,9 +39,10 @@ Result<DetectionJobReport> run(const DetectArguments& arguments, const std::stri
 }
 
 ExitCode print(const DetectionJobReport& done, const DetectArguments& arguments) {
-  std::printf("%s in %s, written to %s\n",
+  std::printf("%s in %s by a network of form %s, written to %s\n",
               count_text(done.num_detections, "detection").c_str(),
               count_text(done.num_frames, "frame").c_str(),
+              std::string(name_of(done.network_form)).c_str(),
               arguments.output.c_str());
   if (done.num_filtered > 0)
     std::printf("%s of other classes left out\n",
@@ -55,9 +59,10 @@ ExitCode print(const DetectionJobReport& done, const DetectArguments& arguments)
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App& command =
-      *program.add_subcommand("detect", "Run a detector (ONNX, YOLOX) over a dataset's images");
+      *program.add_subcommand("detect", "Run a detector (ONNX) over a dataset's images");
   arguments->dataset.add_to(command);
-  command.add_option("--model", arguments->model, "network in ONNX form")->required();
+  auto* model = command.add_option("--model", arguments->model, "network in ONNX form")->required();
+  arguments->network.add_to(command, *model);
   command.add_option("--output", arguments->output, "COCO results; a line an image when .jsonl")
       ->required();
   add_keep_classes(command, arguments->kept_classes);

@@ -5,8 +5,10 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "load_arguments.hpp"
+#include "look_arguments.hpp"
 #include "map_hints.hpp"
 #include "mapping_text.hpp"
+#include "network_arguments.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
@@ -29,6 +31,8 @@ namespace {
 
 struct MapArguments {
   DatasetArguments dataset;
+  NetworkArguments network;
+  LookArguments looks;
   MappingJob job;
   std::vector<std::string> detections;
   std::vector<std::string> transient;
@@ -60,10 +64,11 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
   job.input = arguments.dataset.input;
   job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
+  job.looks = arguments.looks.options();
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.network.applied_to(job.detector));
   MapOptions options;
   options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
@@ -160,7 +165,10 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option("--output", arguments.job.output, "archive to write")->required();
   command.add_option(
       "--detections", arguments.detections, "detections file, one a detector; may be repeated");
-  command.add_option("--model", arguments.job.model, "network (ONNX, YOLOX) to run on each image");
+  auto* model = command.add_option(
+      "--model", arguments.job.model, "network (ONNX) to run on each image, a detector");
+  arguments.network.add_to(command, *model);
+  arguments.looks.add_to(command, *model);
   command
       .add_option("--preset",
                   arguments.preset,

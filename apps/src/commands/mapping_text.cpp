@@ -34,6 +34,8 @@ void print_mapping_report(const MappingReport& report, const MappingJob& job) {
   if (report.num_filtered > 0)
     std::printf("%zu of them left out by their class, ", report.num_filtered);
   std::printf("%zu of them found in the depth\n", report.num_segments);
+  if (job.model && report.num_looks < report.num_frames)
+    std::printf("the network looked at %zu of the frames\n", report.num_looks);
   if (report.num_resumed > 0)
     std::printf("went on after the %s of the checkpoint\n",
                 count_text(report.num_resumed, "frame").c_str());

@@ -1,57 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/detector/onnx_detector.hpp"
 
+#include "box_candidates.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 #include "hypermap/io/dataset/detections_parsing.hpp"
-#include "yolox_decoding.hpp"
+#include "network_input.hpp"
+#include "network_rows.hpp"
+#include "onnx_file.hpp"
+#include "output_layout.hpp"
 
 #include <opencv2/dnn.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <new>
+#include <string>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
 constexpr std::size_t kMaxModelBytes = std::size_t{1} << 30U;
-constexpr double kPaddingGrey = 114.0;  // what the network was trained with
-
-/// Protobuf's variable-length integer; false when it is cut.
-bool take_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value) {
-  value = 0;
-  for (unsigned shift = 0; shift < 64 && at < bytes.size(); shift += 7) {
-    const auto byte = static_cast<unsigned char>(bytes[at++]);
-    value |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;
-    if ((byte & 0x80U) == 0) return true;
-  }
-  return false;
-}
-
-/// Whether the bytes are a whole ONNX model at the outermost level: known fields that fill the
-/// file, a graph among them. Spares OpenCV files that are cut or something else.
-bool looks_like_onnx(std::string_view bytes) {
-  constexpr std::uint64_t kGraphField = 7;
-  constexpr std::uint64_t kLastField = 26;
-  bool has_graph = false;
-  for (std::size_t at = 0; at < bytes.size();) {
-    std::uint64_t tag = 0;
-    std::uint64_t value = 0;
-    if (!take_varint(bytes, at, tag) || !take_varint(bytes, at, value)) return false;
-    const std::uint64_t field = tag >> 3U;
-    const std::uint64_t type = tag & 7U;
-    if (field == 0 || field > kLastField || (type != 0 && type != 2)) return false;
-    if (type == 0) continue;
-    if (value > bytes.size() - at) return false;
-    at += static_cast<std::size_t>(value);
-    has_graph = has_graph || field == kGraphField;
-  }
-  return has_graph;
-}
+constexpr std::size_t kMaxOutputNumbers = std::size_t{1} << 26U;  // of one output
+constexpr int kUsualSide = 416;
 
 Unexpected model_error(const std::filesystem::path& path, std::string what) {
   return Unexpected(Error{.code = ErrorCode::kMalformedFile,
@@ -60,56 +33,71 @@ Unexpected model_error(const std::filesystem::path& path, std::string what) {
                           .field = "network"});
 }
 
-std::string shape_text(const cv::Mat& output) {
-  std::string out;
-  for (int i = 0; i < output.dims; ++i) {
-    out += (i > 0 ? " x " : "") + std::to_string(output.size[i]);
-  }
-  return out;
+/// The side of the square that the network takes. Errors: kMalformedFile.
+Result<int> side_of(const OnnxDetectorOptions& options,
+                    std::string_view bytes,
+                    const std::filesystem::path& path) {
+  if (options.input_side_px > 0) return options.input_side_px;
+  const auto declared = declared_input(bytes);
+  if (!declared) return kUsualSide;
+  constexpr int kMaxSide = 2048;
+  if (declared->width_px == declared->height_px && declared->width_px <= kMaxSide)
+    return declared->width_px;
+  return model_error(path,
+                     "takes images of " + std::to_string(declared->width_px) + " x " +
+                         std::to_string(declared->height_px) + " pixels, expected a square of at " +
+                         "most " + std::to_string(kMaxSide));
 }
 
-/// The image, shrunk or grown to fit the upper left of the input square, as a network's input.
-cv::Mat letterbox(const ColorImage& image, int side_px, double scale) {
-  const cv::Mat whole(image.height_px(),
-                      image.width_px(),
-                      CV_8UC3,
-                      // OpenCV has no read-only view; nothing is written through it.
-                      const_cast<Rgb8*>(image.pixels().data()));
-  const auto scaled = [&](int length) {
-    return std::clamp(static_cast<int>(length * scale + 1e-9), 1, side_px);
-  };
-  cv::Mat square(side_px, side_px, CV_8UC3, cv::Scalar::all(kPaddingGrey));
-  const cv::Rect place(0, 0, scaled(image.width_px()), scaled(image.height_px()));
-  cv::Mat target = square(place);
-  cv::resize(whole, target, place.size(), 0.0, 0.0, cv::INTER_LINEAR);
-  constexpr bool kSwapRedAndBlue = true;
-  return cv::dnn::blobFromImage(square, 1.0, cv::Size(), cv::Scalar(), kSwapRedAndBlue);
+std::vector<std::size_t> shape_of(const cv::Mat& output) {
+  std::vector<std::size_t> shape;
+  for (int i = 0; i < output.dims; ++i) shape.push_back(static_cast<std::size_t>(output.size[i]));
+  return shape;
 }
+
+/// What a network gave for an image, with the memory that it lies in.
+struct RunOutputs {
+  std::vector<cv::Mat> memory;
+  std::vector<NetworkOutput> outputs;
+};
 
 }  // namespace
 
 struct OnnxDetector::Impl {
   cv::dnn::Net net;
+  std::vector<cv::String> output_names;
   OnnxDetectorOptions options;
+  NetworkSize size;
+  NetworkForm form = NetworkForm::kAuto;
+  InputConvention convention;
   std::vector<ClassId> classes;
   std::filesystem::path model;
 
-  /// Rows of the network for an image. Errors: kMalformedFile.
-  Result<cv::Mat> run(const cv::Mat& input) {
+  [[nodiscard]] Error located(Error error) const {
+    if (error.file.empty()) error.file = model.string();
+    return error;
+  }
+
+  /// Errors: kMalformedFile, kOutOfMemory.
+  Result<RunOutputs> run(const cv::Mat& input) {
     try {
+      RunOutputs run;
       net.setInput(input);
-      cv::Mat output = net.forward();
-      const std::size_t length = 5 + classes.size();
-      const std::size_t rows = num_yolox_rows(options.input_side_px);
-      if (output.type() != CV_32F || !output.isContinuous() || output.total() != rows * length ||
-          output.size[output.dims - 1] != static_cast<int>(length)) {
-        return model_error(model,
-                           "gives " + shape_text(output) + " numbers, expected 1 x " +
-                               std::to_string(rows) + " x " + std::to_string(length) + " for " +
-                               std::to_string(classes.size()) + " classes and an input of " +
-                               std::to_string(options.input_side_px) + " pixels");
+      net.forward(run.memory, output_names);
+      for (std::size_t i = 0; i < run.memory.size(); ++i) {
+        const cv::Mat& output = run.memory[i];
+        if (output.type() != CV_32F || !output.isContinuous() ||
+            output.total() > kMaxOutputNumbers) {
+          return model_error(model,
+                             "gives " + printable(output_names[i], 60) + " of " +
+                                 shape_text(shape_of(output)) + ", expected at most " +
+                                 std::to_string(kMaxOutputNumbers) + " numbers of 32 bits");
+        }
+        run.outputs.push_back({.name = output_names[i],
+                               .shape = shape_of(output),
+                               .values = {output.ptr<float>(), output.total()}});
       }
-      return output;
+      return run;
     } catch (const cv::Exception& e) {
       return model_error(model, "cannot be run: " + printable(e.what()));
     } catch (const std::bad_alloc&) {
@@ -119,26 +107,58 @@ struct OnnxDetector::Impl {
     }
   }
 
-  [[nodiscard]] Result<Detection> detection_of(const YoloxCandidate& candidate,
-                                               std::span<const float> rows,
-                                               const ColorImage& image) const {
-    Detection out;
-    out.detector = options.detector;
-    out.score = Probability(candidate.score);
-    const auto inside = clipped(candidate.box_px, image.width_px(), image.height_px());
-    if (inside) out.box_px = *inside;
-    const std::size_t length = 5 + classes.size();
+  /// Finds out what the outputs are.
+  Result<void> settle_form() {
+    const ColorImage grey(size.input_side_px, size.input_side_px, Rgb8{114, 114, 114});
+    const InputPlacement whole =
+        place(size.input_side_px, size.input_side_px, size.input_side_px, ImageFit::kStretch);
+    HYPERMAP_ASSIGN_OR_RETURN(const RunOutputs tried,
+                              run(network_input(grey, whole, size.input_side_px, {})));
+    const auto layout = find_layout(tried.outputs, options.network_form, size);
+    if (!layout) return Unexpected(located(layout.error()));
+    form = layout->form;
+    convention = convention_of(form, options);
+    return {};
+  }
+
+  /// The whole class vector of a row.
+  [[nodiscard]] Result<std::vector<ClassEvidence>> class_scores(
+      const BoxCandidate& candidate, const std::vector<double>& probabilities) const {
+    if (probabilities.empty()) {
+      return spread_score(classes[candidate.best_class], Probability(candidate.score), classes);
+    }
     std::vector<ClassEvidence> scores;
     scores.reserve(classes.size());
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      const double p = static_cast<double>(rows[candidate.row * length + 5 + c]);
+      const double p = probabilities[c];
       if (!(p >= 0.0 && p <= 1.0 + 1e-6)) {
         return model_error(model,
                            "must give class probabilities in 0 .. 1, gives " + json_number(p));
       }
       scores.push_back({classes[c], Probability(std::min(p, 1.0))});
     }
-    HYPERMAP_ASSIGN_OR_RETURN(out.class_scores, normalized(std::move(scores)));
+    return normalized(std::move(scores));
+  }
+
+  [[nodiscard]] Result<Detection> detection_of(const BoxCandidate& candidate,
+                                               const NetworkRows& rows,
+                                               const InputPlacement& placement,
+                                               const ColorImage& image) const {
+    Detection out;
+    out.detector = options.detector;
+    out.score = Probability(candidate.score);
+    const auto inside =
+        clipped(placement.in_image(candidate.box_px), image.width_px(), image.height_px());
+    if (inside) out.box_px = *inside;
+    HYPERMAP_ASSIGN_OR_RETURN(out.class_scores,
+                              class_scores(candidate, rows.scores(candidate.row).classes));
+    const auto grid = inside ? rows.mask(candidate.row) : std::nullopt;
+    if (!grid) return out;
+    if (!is_finite(*grid)) {
+      return model_error(
+          model, "must give finite masks, row " + std::to_string(candidate.row) + " does not");
+    }
+    out.mask = drawn(*grid, out.box_px, placement, image.width_px(), image.height_px());
     return out;
   }
 };
@@ -152,6 +172,10 @@ std::span<const ClassId> OnnxDetector::classes() const noexcept {
   return impl_->classes;
 }
 
+NetworkForm OnnxDetector::form() const noexcept {
+  return impl_->form;
+}
+
 Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,
                                         const OnnxDetectorOptions& options,
                                         ClassRegistry& registry) {
@@ -162,19 +186,21 @@ Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,
   impl->options = options;
   impl->model = model;
   if (options.class_names.empty()) impl->options.class_names = coco_class_names();
+  HYPERMAP_ASSIGN_OR_RETURN(impl->size.input_side_px, side_of(options, bytes, model));
   ClassRegistry grown = registry;
   HYPERMAP_ASSIGN_OR_RETURN(impl->classes, register_classes(impl->options.class_names, grown));
+  impl->size.num_classes = impl->classes.size();
   try {
     constexpr int kAllCores = -1;
     cv::setNumThreads(options.num_threads > 0 ? options.num_threads : kAllCores);
     impl->net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
     impl->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     impl->net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
+    impl->output_names = impl->net.getUnconnectedOutLayersNames();
   } catch (const std::exception& e) {
     return model_error(model, "cannot be read by OpenCV: " + printable(e.what()));
   }
-  const ColorImage grey(options.input_side_px, options.input_side_px, Rgb8{114, 114, 114});
-  HYPERMAP_TRY(impl->run(letterbox(grey, options.input_side_px, 1.0)));
+  HYPERMAP_TRY(impl->settle_form());
   registry = std::move(grown);
   return OnnxDetector(std::move(impl));
 }
@@ -182,21 +208,21 @@ Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,
 Result<std::vector<Detection>> OnnxDetector::detect(const ColorImage& image) {
   if (image.empty()) return fail(ErrorCode::kInvalidArgument, "must not be empty", "image");
   const OnnxDetectorOptions& options = impl_->options;
-  const double scale = std::min(static_cast<double>(options.input_side_px) / image.width_px(),
-                                static_cast<double>(options.input_side_px) / image.height_px());
-  HYPERMAP_ASSIGN_OR_RETURN(const cv::Mat output,
-                            impl_->run(letterbox(image, options.input_side_px, scale)));
-  const std::span<const float> rows(output.ptr<float>(), output.total());
-  HYPERMAP_ASSIGN_OR_RETURN(const auto candidates,
-                            decode_yolox(rows,
-                                         {.input_side_px = options.input_side_px,
-                                          .num_classes = impl_->classes.size(),
-                                          .scale = scale,
-                                          .min_score = options.min_score}));
+  const int side = impl_->size.input_side_px;
+  const InputPlacement placement =
+      place(image.width_px(), image.height_px(), side, impl_->convention.fit);
+  HYPERMAP_ASSIGN_OR_RETURN(const RunOutputs run,
+                            impl_->run(network_input(image, placement, side, impl_->convention)));
+  const auto layout = find_layout(run.outputs, impl_->form, impl_->size);
+  if (!layout) return Unexpected(impl_->located(layout.error()));
+  const auto rows = rows_of(run.outputs, *layout, impl_->size);
+  HYPERMAP_ASSIGN_OR_RETURN(auto candidates, candidates_of(*rows, options.min_score));
+  if (!rows->is_suppressed()) candidates = suppress_overlaps(candidates, options.nms_overlap);
   std::vector<Detection> detections;
-  for (const YoloxCandidate& candidate : suppress_overlaps(candidates, options.nms_overlap)) {
+  for (const BoxCandidate& candidate : candidates) {
     if (detections.size() >= options.max_detections) break;
-    HYPERMAP_ASSIGN_OR_RETURN(Detection detection, impl_->detection_of(candidate, rows, image));
+    HYPERMAP_ASSIGN_OR_RETURN(Detection detection,
+                              impl_->detection_of(candidate, *rows, placement, image));
     if (detection.box_px.width_px() > 0.0) detections.push_back(std::move(detection));
   }
   return detections;

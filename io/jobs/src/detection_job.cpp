@@ -62,6 +62,7 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
                             open_dataset(job.input, images_only(job.dataset), classes));
   const auto wanted = wanted_classes(job.wanted_class_names, classes);
   DetectionJobReport report;
+  report.network_form = detector.form();
   report.findings = unknown_names(job.wanted_class_names, "wanted_classes", classes);
   std::vector<FrameDetections> frames;
   for (std::size_t i = 0; i < dataset->size(); ++i) {

@@ -6,27 +6,27 @@
 
 namespace hypermap {
 
-FrameStream::FrameStream(const DatasetReader& dataset, bool ahead, std::size_t first)
-    : dataset_(dataset), ahead_(ahead), next_(first) {
+FrameStream::FrameStream(FrameSource source, std::size_t first, std::size_t end, bool ahead)
+    : source_(std::move(source)), next_(first), end_(end), ahead_(ahead) {
   if (ahead_) start();
 }
 
-Result<RgbdFrame> FrameStream::next() {
-  if (!ahead_) return dataset_.read(next_++);
+Result<PreparedFrame> FrameStream::next() {
+  if (!ahead_) return source_(next_++);
   ++next_;
-  std::future<Result<RgbdFrame>> ready = std::move(pending_);
+  std::future<Result<PreparedFrame>> ready = std::move(pending_);
   ready.wait();  // one at a time
   start();
   return ready.get();
 }
 
 void FrameStream::start() {
-  if (next_ >= dataset_.size()) return;
-  const auto read = [this, index = next_] { return dataset_.read(index); };
+  if (next_ >= end_) return;
+  const auto prepare = [this, position = next_] { return source_(position); };
   try {
-    pending_ = std::async(std::launch::async, read);
-  } catch (const std::system_error&) {  // no thread to be had: read when asked
-    pending_ = std::async(std::launch::deferred, read);
+    pending_ = std::async(std::launch::async, prepare);
+  } catch (const std::system_error&) {  // no thread to be had: prepared when asked
+    pending_ = std::async(std::launch::deferred, prepare);
   }
 }
 

@@ -38,23 +38,33 @@ Error about(Error error, const std::string& frame_name) {
   return error;
 }
 
+/// Whether what a frame does not show of the objects was missed: by the network, or by a detector
+/// whose detections were read.
+DetectorLook look_at(const PreparedFrame& prepared, const MappingRun& run, const MappingJob& job) {
+  const bool has_others = !job.dataset.detections.empty() || !prepared.frame.detections.empty();
+  const bool is_looked = prepared.is_looked_at || has_others || !run.detector;
+  return is_looked ? DetectorLook::kLooked : DetectorLook::kNotLooked;
+}
+
 Result<FrameReport> map_frame(MappingRun& run,
                               std::size_t index,
-                              Result<RgbdFrame> frame,
+                              Result<PreparedFrame> prepared,
                               const MappingJob& job,
                               MappingReport& report) {
-  if (!frame) return Unexpected(std::move(frame).error());
-  StopWatch watch;
-  HYPERMAP_TRY(add_detections(*frame, run.detector));
-  report.seconds.detect += watch.lap();
-  frame->index += run.index_offset;
-  HYPERMAP_ASSIGN_OR_RETURN(FrameReport done, run.mapper->integrate(*frame));
-  run.last = {.position = index, .hash = run.fingerprint.add(*frame)};
-  run.next_frame_index = frame->index + 1;
+  if (!prepared) return Unexpected(std::move(prepared).error());
+  report.seconds.read += prepared->read_s;
+  report.seconds.detect += prepared->detect_s;
+  RgbdFrame& frame = prepared->frame;
+  frame.index += run.index_offset;
+  HYPERMAP_ASSIGN_OR_RETURN(FrameReport done,
+                            run.mapper->integrate(frame, look_at(*prepared, run, job)));
+  report.num_looks += prepared->is_looked_at ? 1U : 0U;
+  run.last = {.position = index, .hash = run.fingerprint.add(frame)};
+  run.next_frame_index = frame.index + 1;
   if (run.first.hash.empty()) run.first = run.last;
-  run.places.push_back({index, frame->map_from_camera.origin().xyz});
+  run.places.push_back({index, frame.map_from_camera.origin().xyz});
   run.views.follow(done, run.mapper->objects());
-  if (job.keep_views) HYPERMAP_TRY(run.views.add(*frame, done));
+  if (job.keep_views) HYPERMAP_TRY(run.views.add(frame, done));
   return done;
 }
 
@@ -143,7 +153,7 @@ Result<void> add_surfaces(MappingRun& run, const MappingJob& job, MappingReport&
   for (std::size_t i = 0; i < run.num_resumed_positions; ++i) {
     if (std::ranges::binary_search(run.skipped_positions, i)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(i));
-    HYPERMAP_TRY(add_detections(frame, run.detector));
+    HYPERMAP_TRY(add_earlier_detections(run, i, frame));
     frame.index += run.index_offset;
     HYPERMAP_ASSIGN_OR_RETURN(const PoseCorrection pose, run.mapper->add_surfaces(frame));
     count(pose, report.poses);
@@ -157,12 +167,13 @@ Result<void> map_frames(MappingRun& run,
                         const JobProgress& progress) {
   const std::size_t begin = run.num_resumed_positions;
   HYPERMAP_TRY(add_surfaces(run, job, report));
-  FrameStream stream(*run.dataset, job.mapper.num_threads > 1, begin);
   const std::size_t total = run.dataset->size();
+  const auto prepare = [&run](std::size_t position) { return prepare_frame(run, position); };
+  FrameStream stream(prepare, begin, total, job.mapper.num_threads > 1);
   for (std::size_t i = begin; i < total; ++i) {
     StopWatch watch;
     auto frame = stream.next();
-    report.seconds.read += watch.lap();
+    report.seconds.wait += watch.lap();
     const auto done = map_frame(run, i, std::move(frame), job, report);
     if (done) {
       count(*done, report);

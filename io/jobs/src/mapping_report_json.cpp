@@ -45,10 +45,15 @@ std::string to_json(const MappingReport& report) {
   json["objects"] = report.num_objects;
   json["objects_tentative"] = report.num_tentative;
   json["leaves"] = {{"occupied", report.leaves.occupied}, {"free", report.leaves.free}};
+  if (report.network_form != NetworkForm::kAuto) {
+    json["network_form"] = std::string(name_of(report.network_form));
+    json["frames_looked_at"] = report.num_looks;
+  }
   json["up"] = report.up;
   json["wall_s"] = seconds.wall;
   json["stages_s"] = {{"read", seconds.read},
                       {"detect", seconds.detect},
+                      {"wait", seconds.wait},
                       {"refine", seconds.refine},
                       {"segment", seconds.segment},
                       {"integrate", seconds.integrate},

@@ -2,6 +2,7 @@
 #include "mapping_run.hpp"
 
 #include "appended_input.hpp"
+#include "hypermap/core/base/stop_watch.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
@@ -103,6 +104,7 @@ Result<void> check(const MappingJob& job) {
   HYPERMAP_TRY(refuse_two_worlds(job));
   HYPERMAP_TRY(refuse_mixed_poses(job));
   HYPERMAP_TRY(validate(job.layers));
+  HYPERMAP_TRY(validate(job.looks));
   HYPERMAP_TRY(check_target(job.output));
   if (job.checkpoint_every > 0) HYPERMAP_TRY(check_target(checkpoint_path(job.output)));
   return {};
@@ -166,6 +168,15 @@ Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingRe
   return {};
 }
 
+/// What the detector sees in the frame is put to its detections.
+Result<void> add_detections(RgbdFrame& frame, OnnxDetector& detector) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector.detect(frame.color));
+  frame.detections.insert(frame.detections.end(),
+                          std::make_move_iterator(found.begin()),
+                          std::make_move_iterator(found.end()));
+  return {};
+}
+
 }  // namespace
 
 Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
@@ -186,6 +197,8 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
     run.views = BestViews(run.previous->views);
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
+  if (run.detector) report.network_form = run.detector->form();
+  run.looks = LookSchedule(job.looks);
   DatasetOptions reading = dataset_options(job);
   if (run.previous) {
     HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,
@@ -212,13 +225,27 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   return run;
 }
 
-Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector) {
-  if (!detector || frame.color.empty()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(auto found, detector->detect(frame.color));
-  frame.detections.insert(frame.detections.end(),
-                          std::make_move_iterator(found.begin()),
-                          std::make_move_iterator(found.end()));
-  return {};
+bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame) {
+  if (!run.detector || frame.color.empty()) return false;
+  return run.looks.take(position, frame.map_from_camera);
+}
+
+Result<PreparedFrame> prepare_frame(MappingRun& run, std::size_t position) {
+  StopWatch watch;
+  HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(position));
+  PreparedFrame prepared;
+  prepared.frame = std::move(frame);
+  prepared.read_s = watch.lap();
+  prepared.is_looked_at = takes_look(run, position, prepared.frame);
+  if (!prepared.is_looked_at) return prepared;
+  HYPERMAP_TRY(add_detections(prepared.frame, *run.detector));
+  prepared.detect_s = watch.lap();
+  return prepared;
+}
+
+Result<void> add_earlier_detections(MappingRun& run, std::size_t position, RgbdFrame& frame) {
+  if (!run.detector || frame.color.empty() || !run.earlier_looks[position]) return {};
+  return add_detections(frame, *run.detector);
 }
 
 Provenance provenance_of(const MappingRun& run, const MappingJob& job) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "best_views.hpp"
+#include "frame_stream.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -12,6 +13,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "input_fingerprint.hpp"
+#include "look_schedule.hpp"
 #include "outlying_regions.hpp"
 #include "run_checkpoint.hpp"
 
@@ -31,6 +33,8 @@ struct MappingRun {
   std::optional<MapArchive> previous;
   std::unique_ptr<DatasetReader> dataset;
   std::optional<OnnxDetector> detector;
+  LookSchedule looks;               ///< Of the detector.
+  std::vector<bool> earlier_looks;  ///< At frames before those of this process.
   std::optional<SemanticMapper> mapper;
   BestViews views;
   InputFingerprint fingerprint;
@@ -49,9 +53,20 @@ struct MappingRun {
 /// Notes findings and the up axis in `report`. Errors: those of run_mapping that need no frame.
 [[nodiscard]] Result<MappingRun> open_run(const MappingJob& job, MappingReport& report);
 
-/// What the detector, if there is one, sees in the frame is put to its detections.
-/// Errors: those of OnnxDetector::detect.
-[[nodiscard]] Result<void> add_detections(RgbdFrame& frame, std::optional<OnnxDetector>& detector);
+/// Whether the detector, if there is one, is to look at a frame of the input.
+/// Requires: asked once for each frame that can be read, in their order.
+[[nodiscard]] bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame);
+
+/// The frame at a position, with what the detector sees in it if it looks. Uses the dataset, the
+/// detector and the schedule of the run alone. Requires: ascending positions.
+/// Errors: those of DatasetReader::read and OnnxDetector::detect.
+[[nodiscard]] Result<PreparedFrame> prepare_frame(MappingRun& run, std::size_t position);
+
+/// What the detector saw in a frame before those of this process, if it looked at it, is put to the
+/// frame's detections. Errors: those of OnnxDetector::detect.
+[[nodiscard]] Result<void> add_earlier_detections(MappingRun& run,
+                                                  std::size_t position,
+                                                  RgbdFrame& frame);
 
 /// What the map is to say of the run. Requires: the dataset is open and aligned.
 [[nodiscard]] Provenance provenance_of(const MappingRun& run, const MappingJob& job);

@@ -57,12 +57,26 @@ Result<void> refuse_other_map(const MappingRun& run, const SavedRun& saved) {
 Result<void> refuse_other_frame(MappingRun& run, const NotedFrame& noted) {
   const std::string name = printable(run.dataset->frame_name(noted.position));
   HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(noted.position));
-  HYPERMAP_TRY(add_detections(frame, run.detector));
+  HYPERMAP_TRY(add_earlier_detections(run, noted.position, frame));
   if (frame_hash(frame) == noted.hash) return {};
   return differs("frame " + name +
                      " has another stamp, camera, pose, depth or detections than in the run to go "
                      "on with",
                  "input");
+}
+
+/// Finds out at which frames before the checkpoint the detector looked. Cost: reads them where that
+/// depends on their poses.
+void repeat_looks(MappingRun& run, std::size_t num_positions) {
+  if (!run.detector) return;
+  run.earlier_looks.assign(num_positions, false);
+  for (std::size_t i = 0; i < num_positions; ++i) {
+    if (!run.looks.needs_poses()) {
+      run.earlier_looks[i] = run.looks.take(i, {});
+    } else if (const auto frame = run.dataset->read(i)) {
+      run.earlier_looks[i] = takes_look(run, i, *frame);
+    }
+  }
 }
 
 Result<void> compare_runs(MappingRun& run, const MappingJob& job, const SavedRun& saved) {
@@ -78,6 +92,7 @@ Result<void> compare_runs(MappingRun& run, const MappingJob& job, const SavedRun
                        std::to_string(checkpoint.num_positions),
                    "input");
   }
+  repeat_looks(run, checkpoint.num_positions);
   HYPERMAP_TRY(refuse_other_frame(run, checkpoint.first));
   return refuse_other_frame(run, checkpoint.last);
 }
@@ -127,7 +142,9 @@ void take_over(MappingRun& run, const SavedRun& saved, MappingReport& report) {
   std::vector<Finding> findings = std::move(report.findings);
   std::string up = std::move(report.up);
   std::string registration = std::move(report.registration);
+  const NetworkForm network_form = report.network_form;
   report = checkpoint.report;
+  report.network_form = network_form;
   report.findings = std::move(findings);
   report.up = std::move(up);
   report.registration = std::move(registration);

@@ -23,6 +23,7 @@ struct CountKey {
 
 constexpr std::array kCountKeys{
     CountKey{"frames", [](MappingReport& r) -> std::size_t& { return r.num_frames; }},
+    CountKey{"looks", [](MappingReport& r) -> std::size_t& { return r.num_looks; }},
     CountKey{"detections", [](MappingReport& r) -> std::size_t& { return r.num_detections; }},
     CountKey{"filtered", [](MappingReport& r) -> std::size_t& { return r.num_filtered; }},
     CountKey{"segments", [](MappingReport& r) -> std::size_t& { return r.num_segments; }},

@@ -70,13 +70,25 @@ std::string joined(std::span<const std::string> names) {
   return all;
 }
 
+std::string numbers_text(std::span<const double> numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    text.append(text.empty() ? "" : ",").append(number_text(number));
+  }
+  return text;
+}
+
 std::string text_of(const OptionRow& row, const OptionValue& value) {
   if (value.is_none()) return kNone;
   if (row.kind == OptionKind::kFlag) return value.scalar() != 0.0 ? "yes" : "no";
+  if (row.kind == OptionKind::kChoice) {
+    return std::string(row.choices[static_cast<std::size_t>(value.scalar())]);
+  }
+  if (row.kind == OptionKind::kNumbers) return numbers_text(value.numbers());
   return number_text(value.scalar());
 }
 
-/// The numbers and flags of an options struct.
+/// The numbers, flags and choices of an options struct.
 template <class Options>
 void add_table(const Options& options,
                const std::string& section,
@@ -84,9 +96,8 @@ void add_table(const Options& options,
   for (const OptionRow& row : option_table(options).rows) {
     const bool is_left_out =
         std::find(kLeftOut.begin(), kLeftOut.end(), row.name) != kLeftOut.end();
-    const bool is_scalar = row.kind == OptionKind::kFlag || row.kind == OptionKind::kCount ||
-                           row.kind == OptionKind::kNumber;
-    if (!is_scalar || is_left_out) continue;
+    const bool is_list = row.kind == OptionKind::kNames || row.kind == OptionKind::kSection;
+    if (is_list || is_left_out) continue;
     entries.emplace_back(section + std::string(row.name),
                          make_text(text_of(row, row.get(&options))));
   }
@@ -94,11 +105,9 @@ void add_table(const Options& options,
 
 std::string placement_text(const std::optional<WorldPlacement>& placement) {
   if (!placement) return kNone;
-  std::string text;
-  for (const double number : {placement->x_m, placement->y_m, placement->z_m, placement->yaw_rad}) {
-    text.append(text.empty() ? "" : ",").append(number_text(number));
-  }
-  return text;
+  const std::array<double, 4> numbers{
+      placement->x_m, placement->y_m, placement->z_m, placement->yaw_rad};
+  return numbers_text(numbers);
 }
 
 /// The frames by number, names and how much was detected in them.
@@ -128,6 +137,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("model", make_text(std::move(model)));
   add_table(job.detector, "detector.", entries);
   entries.emplace_back("detector.classes", make_text(joined(job.detector.class_names)));
+  add_table(job.looks, "detect.", entries);
   entries.emplace_back("poses", make_text(std::move(poses)));
   entries.emplace_back("up", make_text(job.up_axis.value_or(kNone)));
   entries.emplace_back("append", make_text(job.append ? "yes" : "no"));

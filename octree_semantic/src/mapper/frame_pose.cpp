@@ -56,12 +56,15 @@ RefinedPose SemanticMapper::refine(const RgbdFrame& given) const {
   return refiner_.refine(given, transient);
 }
 
-Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& given, StopWatch& watch) {
+Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& given,
+                                                      DetectorLook look,
+                                                      StopWatch& watch) {
   const RefinedPose refined = refine(given);
   HYPERMAP_TRY(check_sensor(octree_.grid(), refined.map_from_camera.origin(), "map_from_camera"));
   const double refine_s = watch.lap();
   const RgbdFrame frame = at_pose(given, refined.map_from_camera);
-  HYPERMAP_ASSIGN_OR_RETURN(FrameReport report, integrate_at_pose(frame, given.detections, watch));
+  HYPERMAP_ASSIGN_OR_RETURN(FrameReport report,
+                            integrate_at_pose(frame, given.detections, look, watch));
   report.pose = refined.correction;
   try {
     refiner_.add(given, refined);

@@ -132,23 +132,25 @@ bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_s
          (wanted.empty() || std::ranges::binary_search(wanted, best->id));
 }
 
-Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame) {
+Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame, DetectorLook look) {
   try {
-    return integrate_or_throw(frame);
+    return integrate_or_throw(frame, look);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "out of memory");
   }
 }
 
-Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& given) {
+Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& given, DetectorLook look) {
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(given));
-  if (options_.refinement.rule != PoseRefinementRule::kNone) return integrate_refined(given, watch);
-  return integrate_at_pose(given, given.detections, watch);
+  if (options_.refinement.rule != PoseRefinementRule::kNone)
+    return integrate_refined(given, look, watch);
+  return integrate_at_pose(given, given.detections, look, watch);
 }
 
 Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
                                                       std::span<const Detection> given_detections,
+                                                      DetectorLook look,
                                                       StopWatch& watch) {
   FrameReport report;
   report.map_from_camera = frame.map_from_camera;
@@ -189,7 +191,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   note_frame(frame.index, frame.stamp);
   report.seconds.integrate = watch.lap();
 
-  apply_missed_detections(frame, association, report);
+  apply_missed_detections(frame, association, look, report);
   report.seconds.visibility = watch.lap();
   report.published = publish_if_due();
   return report;
@@ -242,10 +244,11 @@ Result<void> SemanticMapper::check(const RgbdFrame& frame) const {
 /// Invariant: on any failure the frame is in the map and the objects are unchanged.
 void SemanticMapper::apply_missed_detections(const RgbdFrame& frame,
                                              const AssociationReport& association,
+                                             DetectorLook look,
                                              FrameReport& report) {
   try {
     apply_pending_relabels();
-    if (report.num_deadline_dropped > 0) return;
+    if (look == DetectorLook::kNotLooked || report.num_deadline_dropped > 0) return;
     const std::vector<ObjectId> detected = ids_of_detected(association);
     const auto results = evaluate_objects(frame, detected);
     if (!results) return;

@@ -122,14 +122,16 @@ TEST(OnnxDetector, FilesThatAreNoNetworkAreRefusedAndTheRegistryStays) {
   EXPECT_THAT(refused(good.substr(0, good.size() / 2)), HasSubstr("is no ONNX model"));
   EXPECT_THAT(refused(std::string(1000, '\0')), HasSubstr("is no ONNX model"));
   EXPECT_THAT(refused(test::constant_onnx(kSide, 20, 7, std::vector<float>(140, 0.0F))),
-              HasSubstr("expected 1 x 21 x 7"));
+              HasSubstr("expected yolox 1 x 21 x 7"));
   EXPECT_EQ(registry.size(), 0U);
 }
 
 TEST(OnnxDetector, OptionsOutOfRangeAreNamed) {
   EXPECT_THAT(to_string(validate(OnnxDetectorOptions{.min_score = 1.5}).error()),
               HasSubstr("min_score"));
-  EXPECT_THAT(to_string(validate(OnnxDetectorOptions{.input_side_px = 100}).error()),
+  EXPECT_THAT(to_string(validate(OnnxDetectorOptions{.input_side_px = 100,
+                                                     .network_form = NetworkForm::kYolox})
+                            .error()),
               HasSubstr("multiple of 32"));
 }
 

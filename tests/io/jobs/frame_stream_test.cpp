@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_stream.hpp"
 
+#include "hypermap/io/dataset/dataset_reader.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -52,16 +55,25 @@ class NumberedFrames final : public DatasetReader {
   mutable std::atomic<bool> read_elsewhere_ = false;
 };
 
+FrameSource source_of(const NumberedFrames& dataset) {
+  return [&dataset](std::size_t position) -> Result<PreparedFrame> {
+    HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, dataset.read(position));
+    PreparedFrame prepared;
+    prepared.frame = std::move(frame);
+    return prepared;
+  };
+}
+
 class FrameStreamTest : public ::testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(WhenAskedAndAhead, FrameStreamTest, ::testing::Bool());
 
 TEST_P(FrameStreamTest, GivesEachFrameOnceInOrder) {
   const NumberedFrames dataset(false);
-  FrameStream stream(dataset, GetParam());
+  FrameStream stream(source_of(dataset), 0, kNumFrames, GetParam());
   for (std::size_t i = 0; i < kNumFrames; ++i) {
     const auto frame = stream.next();
     ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->index, i);
+    EXPECT_EQ(frame->frame.index, i);
   }
   EXPECT_EQ(dataset.num_read(), kNumFrames);
   EXPECT_EQ(dataset.most_at_once(), 1);
@@ -70,7 +82,7 @@ TEST_P(FrameStreamTest, GivesEachFrameOnceInOrder) {
 
 TEST_P(FrameStreamTest, ErrorsAndExceptionsStandInTheirPlace) {
   const NumberedFrames dataset(true);
-  FrameStream stream(dataset, GetParam());
+  FrameStream stream(source_of(dataset), 0, kNumFrames, GetParam());
   for (std::size_t i = 0; i < kNumFrames; ++i) {
     if (i == 7) {
       EXPECT_THROW((void)stream.next(), std::runtime_error);
@@ -79,7 +91,7 @@ TEST_P(FrameStreamTest, ErrorsAndExceptionsStandInTheirPlace) {
     const auto frame = stream.next();
     ASSERT_EQ(frame.has_value(), i != 4);
     if (frame) {
-      EXPECT_EQ(frame->index, i);
+      EXPECT_EQ(frame->frame.index, i);
     } else {
       EXPECT_EQ(frame.error().what, "frame 4");
     }
@@ -89,7 +101,7 @@ TEST_P(FrameStreamTest, ErrorsAndExceptionsStandInTheirPlace) {
 TEST_P(FrameStreamTest, MayBeLeftInTheMiddle) {
   const NumberedFrames dataset(false);
   {
-    FrameStream stream(dataset, GetParam());
+    FrameStream stream(source_of(dataset), 0, kNumFrames, GetParam());
     ASSERT_TRUE(stream.next());
   }
   EXPECT_LE(dataset.num_read(), 2U) << "at most one frame ahead";
@@ -97,9 +109,9 @@ TEST_P(FrameStreamTest, MayBeLeftInTheMiddle) {
 
 TEST_P(FrameStreamTest, BeginsWhereItIsTold) {
   const NumberedFrames dataset(false);
-  FrameStream stream(dataset, GetParam(), kNumFrames - 2);
-  EXPECT_EQ(stream.next()->index, kNumFrames - 2);
-  EXPECT_EQ(stream.next()->index, kNumFrames - 1);
+  FrameStream stream(source_of(dataset), kNumFrames - 2, kNumFrames, GetParam());
+  EXPECT_EQ(stream.next()->frame.index, kNumFrames - 2);
+  EXPECT_EQ(stream.next()->frame.index, kNumFrames - 1);
   EXPECT_EQ(dataset.num_read(), 2U);
 }
 

@@ -26,6 +26,7 @@ RunCheckpoint sample_run_checkpoint() {
       {.code = ErrorCode::kIo, .what = "is gone", .file = "d/0.png"},
       {.code = ErrorCode::kLimit, .what = "stands too far", .file = "d/11.png", .field = "pose"}};
   report.num_detections = 1;
+  report.num_looks = 2;
   report.num_filtered = 9;
   report.num_segments = 2;
   report.num_visibility_skipped = 3;
@@ -70,6 +71,7 @@ TEST(RunCheckpoint, AllThatIsNotedComesBack) {
   EXPECT_THAT(again->skipped_positions, ElementsAre(0U, 11U));
   EXPECT_EQ(again->report.num_frames, 10U);
   EXPECT_EQ(again->report.num_detections, 1U);
+  EXPECT_EQ(again->report.num_looks, 2U);
   EXPECT_EQ(again->report.num_filtered, 9U);
   EXPECT_EQ(again->report.num_segments, 2U);
   EXPECT_EQ(again->report.num_visibility_skipped, 3U);

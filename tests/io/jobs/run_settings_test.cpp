@@ -81,6 +81,19 @@ TEST_F(RunSettings, EachSettingIsNamedWithBothValues) {
   other.detector.min_score = 0.5;
   EXPECT_EQ(difference(other),
             "detector.min_score: is 0.5, must be that of the run to go on with, 0.25");
+  other = job_;
+  other.looks.rule = LookRule::kKeyframes;
+  EXPECT_EQ(difference(other),
+            "detect.rule: is keyframes, must be that of the run to go on with, every");
+  other = job_;
+  other.detector.network_form = NetworkForm::kDetr;
+  EXPECT_EQ(difference(other),
+            "detector.network_form: is detr, must be that of the run to go on with, auto");
+  other = job_;
+  other.detector.channel_stddev = {255.0, 255.0, 128.0};
+  EXPECT_EQ(
+      difference(other),
+      "detector.channel_stddev: is 255,255,128, must be that of the run to go on with, 0,0,0");
 }
 
 TEST_F(RunSettings, FilesAreKnownByNameAndContentWhereverTheyLie) {

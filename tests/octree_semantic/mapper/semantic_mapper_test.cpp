@@ -177,6 +177,25 @@ TEST(SemanticMapper, ADeadlineLeavesObjectsThatNobodyLookedFor) {
   EXPECT_TRUE(mapper.objects() == before);
 }
 
+TEST(SemanticMapper, AFrameThatNoDetectorLookedAtBringsItsSurfacesAndMissesNoObject) {
+  SemanticMapper looked = mapper_with();
+  for (const RgbdFrame& frame : frames()) ASSERT_TRUE(looked.integrate(frame));
+  SemanticMapper not_looked =
+      SemanticMapper::resume(looked.options(), looked.octree(), looked.objects()).value();
+  const ObjectMap before = looked.objects();
+  for (RgbdFrame frame : frames()) {
+    frame.detections.clear();
+    const FrameReport missed = looked.integrate(frame).value();
+    const FrameReport report = not_looked.integrate(frame, DetectorLook::kNotLooked).value();
+    EXPECT_TRUE(missed.visibility_evaluated);
+    EXPECT_FALSE(report.visibility_evaluated);
+    EXPECT_EQ(report.integration.num_hits, missed.integration.num_hits);
+    EXPECT_GT(report.integration.num_hits, 0U);
+  }
+  EXPECT_TRUE(not_looked.objects() == before);
+  EXPECT_FALSE(looked.objects() == before) << "none was detected, which speaks against them";
+}
+
 TEST(SemanticMapper, MemoryIsFlatWhileOneRoomIsSeenAgainAndAgain) {
   SemanticMapper mapper = mapper_with();
   std::uint64_t num_seen = 0;

@@ -83,6 +83,12 @@ struct DetectedObject {
   Probability score;           ///< Of the detection.
 };
 
+/// Whether a detector looked at a frame.
+enum class DetectorLook {
+  kLooked,
+  kNotLooked,  ///< That it names no object says nothing: none is missed.
+};
+
 /// What became of one frame.
 struct FrameReport {
   std::size_t num_detections = 0;  ///< After stacking.
@@ -99,8 +105,8 @@ struct FrameReport {
   std::vector<DetectedObject> detected;
   /// In the order in which they happened.
   std::vector<ObjectMerge> merged;
-  /// False when visibility was not evaluated: detections had been dropped, so that a missed
-  /// detection means nothing, or there was no memory or no Embree for it.
+  /// False when visibility was not evaluated: no detector looked or detections had been dropped, so
+  /// that a missed detection means nothing, or there was no memory or no Embree for it.
   bool visibility_evaluated = false;
   /// Whether the frame is in a snapshot now. When memory ends before it is, the next frame tries.
   bool published = false;
@@ -146,7 +152,9 @@ class SemanticMapper {
   /// detection that cannot be found in the depth is counted, no error. Objects are updated on a
   /// copy that takes their place when the octree has the frame; should memory end after that, what
   /// is left of the frame's work waits for the next one, see `FrameReport::visibility_evaluated`.
-  [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame);
+  /// A frame at which no detector looked brings its surfaces and free space; no object is missed.
+  [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame,
+                                              DetectorLook look = DetectorLook::kLooked);
 
   /// Learns the surfaces of a frame that is in the map already, as `integrate` did when it was put
   /// there: the refinement of what comes after a resumed map's frames is then the same as without
@@ -211,10 +219,13 @@ class SemanticMapper {
   void note_frame(std::uint64_t index, Stamp stamp) noexcept;
   [[nodiscard]] bool publish_if_due();
   void publish();
-  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& given);
-  [[nodiscard]] Result<FrameReport> integrate_refined(const RgbdFrame& given, StopWatch& watch);
+  [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& given, DetectorLook look);
+  [[nodiscard]] Result<FrameReport> integrate_refined(const RgbdFrame& given,
+                                                      DetectorLook look,
+                                                      StopWatch& watch);
   [[nodiscard]] Result<FrameReport> integrate_at_pose(const RgbdFrame& frame,
                                                       std::span<const Detection> given_detections,
+                                                      DetectorLook look,
                                                       StopWatch& watch);
   [[nodiscard]] RefinedPose refine(const RgbdFrame& given) const;
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
@@ -233,6 +244,7 @@ class SemanticMapper {
   void apply_pending_relabels();
   void apply_missed_detections(const RgbdFrame& frame,
                                const AssociationReport& association,
+                               DetectorLook look,
                                FrameReport& report);
   [[nodiscard]] Result<std::vector<VisibilityResult>> evaluate_objects(
       const RgbdFrame& frame, std::span<const ObjectId> detected);

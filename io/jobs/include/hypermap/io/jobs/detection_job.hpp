@@ -27,6 +27,7 @@ struct DetectionJob {
 };
 
 struct DetectionJobReport {
+  NetworkForm network_form = NetworkForm::kAuto;  ///< Of the network.
   std::size_t num_frames = 0;
   std::size_t num_detections = 0;  ///< Written.
   std::size_t num_filtered = 0;    ///< Left out, being most probably of a class that is not wanted.

@@ -9,6 +9,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/detector/onnx_detector.hpp"
+#include "hypermap/io/jobs/look_options.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include <cstddef>
@@ -34,6 +35,10 @@ struct MappingJob {
   /// A network that looks at each colour image, besides any detections on file.
   std::optional<std::filesystem::path> model = std::nullopt;
   OnnxDetectorOptions detector = {};
+  /// At which frames the network looks. One that it does not look at, where no other detector is
+  /// asked for, brings surfaces and free space alone: no object counts as missed in it. Each run
+  /// begins anew, with the first frame that it can read.
+  LookOptions looks = {};
   SemanticMapperOptions mapper = {};
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
@@ -77,8 +82,9 @@ struct MappingJob {
 
 /// Wall clock by stage, in seconds.
 struct MappingSeconds {
-  double read = 0.0;
-  double detect = 0.0;
+  double read = 0.0;    ///< Of frames in the map; beside the work on others with several threads,
+  double detect = 0.0;  ///< as is this.
+  double wait = 0.0;    ///< For the next frame: what of these two was not beside other work.
   double refine = 0.0;
   double segment = 0.0;
   double integrate = 0.0;
@@ -107,6 +113,7 @@ struct MappingReport {
   std::size_t num_resumed = 0;    ///< Of these, those that the checkpoint had; not in `seconds`.
   std::vector<Error> skipped;     ///< Frames that could not be used, with the reason.
   std::vector<Finding> findings;  ///< Of the dataset, of class names, of layers, of checkpoints.
+  std::size_t num_looks = 0;      ///< Of these, at which the network looked, if there is one.
   std::size_t num_detections = 0;
   std::size_t num_filtered = 0;  ///< Detections of a class that is transient or not wanted.
   std::size_t num_segments = 0;
@@ -119,6 +126,7 @@ struct MappingReport {
   std::string up;  ///< How the world was aligned to gravity, in words.
   /// Of a colour camera that the images told; empty: depth is registered as it is.
   std::string registration;
+  NetworkForm network_form = NetworkForm::kAuto;  ///< Of the network, if there is one.
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
@@ -126,7 +134,8 @@ struct MappingReport {
 
 /// A few frames are compared first: depth and poses that another reading explains much better, and
 /// an up axis that no camera holds upright, are findings (reading_check.hpp).
-/// With more than one thread the next frame is read and decoded while one is worked on.
+/// With more than one thread the next frame is read, decoded and looked at by the network while one
+/// is worked on; the map is the same.
 ///
 /// What can be told before the first frame is told then: options, and whether files can be made
 /// where the map and its checkpoints are to be. Grids cover the largest region of the map; what
