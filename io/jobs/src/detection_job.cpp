@@ -4,6 +4,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
+#include "known_detectors.hpp"
 #include "unknown_names.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ Result<std::string> as_text(std::span<const FrameDetections> frames, const Detec
   }
   std::string lines;
   for (const FrameDetections& frame : frames) lines += to_json_line(frame);
-  return to_json_lines(lines);
+  return to_json_lines(lines, described_network(job.model, job.detector));
 }
 
 }  // namespace

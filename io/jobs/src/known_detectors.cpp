@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "known_detectors.hpp"
+
+#include "hypermap/io/dataset/class_names.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+/// One more than the largest id of a detection in the logs.
+std::uint64_t num_logged_detectors(const ObjectMap& objects) {
+  std::uint64_t count = 0;
+  const auto note = [&count](DetectorId id) {
+    count = std::max<std::uint64_t>(count, id.value + std::uint64_t{1});
+  };
+  for (const Object& object : objects.objects()) {
+    const ObservationLogState& log = object.observation_log.state();
+    if (log.first) note(log.first->detector);
+    for (const ObservationLogEntry& entry : log.newest) note(entry.detector);
+    for (const ObservationLogSummary& summary : log.summaries) note(summary.detector);
+  }
+  return count;
+}
+
+}  // namespace
+
+Result<DetectorRegistry> known_detectors(const MapArchive& map) {
+  DetectorRegistry detectors = map.detectors;
+  const std::uint64_t num_logged = num_logged_detectors(map.objects);
+  for (std::uint64_t id = detectors.size(); id < num_logged; ++id) {
+    HYPERMAP_TRY(detectors.add({.name = "unnamed detector " + std::to_string(id)}));
+  }
+  return detectors;
+}
+
+DetectorDescription described_network(const std::filesystem::path& model,
+                                      const OnnxDetectorOptions& options) {
+  return {.name = printable(model.stem().string()),
+          .type = "detection",
+          .architecture = "YOLOX",
+          .classes = options.class_names.empty() ? coco_class_names() : options.class_names};
+}
+
+}  // namespace hypermap

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which detectors a job meets again, and what a network says of itself.
+#pragma once
+
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/detector/onnx_detector.hpp"
+
+#include <filesystem>
+
+namespace hypermap {
+
+/// The detectors of a map. One of before they were kept has ids in its observation logs alone: each
+/// becomes "unnamed detector 0" and so on, so that no detector that comes takes its id.
+/// Errors: kLimit for ids from DetectorRegistry::kMaxDetectors on.
+[[nodiscard]] Result<DetectorRegistry> known_detectors(const MapArchive& map);
+
+/// The network of a file, called by its stem.
+[[nodiscard]] DetectorDescription described_network(const std::filesystem::path& model,
+                                                    const OnnxDetectorOptions& options);
+
+}  // namespace hypermap
