@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
+#include "combination_arguments.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -38,6 +39,7 @@ struct MapArguments {
   std::optional<std::string> mode;
   std::optional<std::string> resolution_m;
   std::optional<std::string> max_range_m;
+  CombinationArguments combination;
   bool refine_poses = false;
   bool class_stack = false;
   std::optional<std::string> stats;
@@ -73,9 +75,13 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
       arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
   const std::optional<std::string> class_stack =
       arguments.class_stack ? std::optional<std::string>("true") : std::nullopt;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto weights, arguments.combination.weights_text());
+  const std::optional<std::string> stacking = arguments.combination.rule_text();
   HYPERMAP_ASSIGN_OR_RETURN(options,
                             with_flags(std::move(options),
                                        {{"integration.mode", arguments.mode},
+                                        {"stacking.rule", stacking},
+                                        {"stacking.weights", weights},
                                         {"octree.resolution_m", arguments.resolution_m},
                                         {"integration.max_range_m", arguments.max_range_m},
                                         {"refinement.rule", refinement},
@@ -181,6 +187,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
           "--max-range", arguments.max_range_m, "farther depth only frees, and shows no object")
       ->check(value_of_option("integration.max_range_m"))
       ->default_str(default_of_option("integration.max_range_m"));
+  arguments.combination.add_to(command);
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));

@@ -215,6 +215,9 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
   run.mapper.emplace(std::move(mapper));
+  const StackingOptions& stacking = job.mapper.objects.stacking;
+  append(report.findings, check_weights(stacking, run.detectors));
+  run.mapper->set_stacking_model(stacking_model(stacking, run.detectors));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;
 }

@@ -2,6 +2,7 @@
 // Detectors that come to a map, and come back to it.
 #include "known_detectors.hpp"
 
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "support/synthetic_dataset.hpp"
 #include "support/temp_dir.hpp"
@@ -153,6 +154,40 @@ TEST(KnownDetectors, ClassesOfANewDetectorExtendAnOldMap) {
     EXPECT_EQ(object.observation_log.state().first->detector, DetectorId{1});
     EXPECT_THAT(object.belief.entries(), SizeIs(3)) << "chair, bed and cup";
   }
+}
+
+// [smap] Eq. (3.16) in a run: "yolo" says chair with 0.9 of three classes, "ssd" bed with 0.9.
+TEST(KnownDetectors, WeightsDecideBetweenThem) {
+  const TempDir folder;
+  write_block_dataset(folder / "data");
+  test::write_text(folder / "yolo.jsonl",
+                   words_of(R"({"name": "yolo", "classes": ["chair", "bed", "cup"]})", "chair"));
+  test::write_text(folder / "ssd.jsonl",
+                   words_of(R"({"name": "ssd", "classes": ["chair", "bed", "cup"]})", "bed"));
+  MappingJob job{.input = folder / "data", .output = folder / "a.hmap"};
+  job.dataset.detections = {folder / "yolo.jsonl", folder / "ssd.jsonl"};
+  job.up_axis = "z";
+  job.mapper.num_threads = 1;
+  job.mapper.objects.stacking.rule = StackingRule::kWeighted;
+  const auto best_with = [&](double yolo, double ssd) {
+    job.mapper.objects.stacking.weights = {{"yolo", yolo}, {"ssd", ssd}};
+    const auto report = run_mapping(job);
+    EXPECT_TRUE(report) << to_string(report.error());
+    EXPECT_TRUE(report->findings.empty());
+    const MapArchive map = saved_map(job.output);
+    EXPECT_EQ(map.objects.size(), 1U);
+    const auto best = object_beliefs(*map.objects.objects().begin()).classes.front().id;
+    return map.classes.name(best);
+  };
+  EXPECT_EQ(best_with(2, 1), "chair");
+  EXPECT_EQ(best_with(1, 2), "bed");
+  job.mapper.objects.stacking.weights = {{"yollo", 2.0}};
+  const auto report = run_mapping(job);
+  ASSERT_TRUE(report);
+  ASSERT_THAT(report->findings, SizeIs(1));
+  EXPECT_THAT(
+      to_string(report->findings[0].error),
+      HasSubstr("stacking.weights: no detector is named \"yollo\", did you mean \"yolo\"?"));
 }
 
 TEST(KnownDetectors, OfAMapFromBeforeTheyWereKeptTheIdsAreTaken) {

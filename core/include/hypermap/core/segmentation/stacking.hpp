@@ -5,6 +5,7 @@
 /// Source: [smap] 3.5.3, Eq. (3.14) to (3.16), figure 3.21.
 #pragma once
 
+#include "hypermap/core/base/option_table.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
 
@@ -14,7 +15,7 @@
 
 namespace hypermap {
 
-struct OptionTable;
+class DetectorRegistry;
 
 /// How the values of a class that several detectors know become one.
 enum class StackingRule {
@@ -26,8 +27,8 @@ enum class StackingRule {
 struct StackingOptions {
   /// The operation on the shared cells.
   StackingRule rule = StackingRule::kSum;
-  /// Weight of each detector for kWeighted; one not named has weight 1. No unit.
-  std::map<DetectorId, double> weights = {};
+  /// Weight of each detector by its name, for kWeighted; one not named has weight 1. No unit.
+  std::vector<NamedNumber> weights = {};
   /// Boxes of different detectors that overlap at least so much show the same thing:
   /// intersection over union in the image. No unit.
   double min_overlap = 0.5;
@@ -35,9 +36,24 @@ struct StackingOptions {
   friend bool operator==(const StackingOptions&, const StackingOptions&) = default;
 };
 
-/// Errors: kInvalidArgument naming the field, or the weight that is not finite and >= 0.
+/// Errors: kInvalidArgument naming the field.
 [[nodiscard]] Result<void> validate(const StackingOptions& options);
 [[nodiscard]] const OptionTable& option_table(const StackingOptions& options);
+
+/// What stacking knows of the detectors themselves.
+struct StackingModel {
+  std::map<DetectorId, double> weights = {};  ///< For kWeighted; one that is not there has 1.
+};
+
+/// The weights that `options` gives to detectors of `detectors`. Boundary: other names are left
+/// out, see `check_weights`.
+[[nodiscard]] StackingModel stacking_model(const StackingOptions& options,
+                                           const DetectorRegistry& detectors);
+
+/// What is amiss with the weights, each with the nearest name: names of no detector of `detectors`,
+/// and weights where the rule takes none. Field `stacking.weights`.
+[[nodiscard]] std::vector<Finding> check_weights(const StackingOptions& options,
+                                                 const DetectorRegistry& detectors);
 
 /// One class vector over the combined set: each class once, sorted by id, summing to 1.
 ///
@@ -49,7 +65,8 @@ struct StackingOptions {
 [[nodiscard]] Result<std::vector<ClassEvidence>> combine_class_scores(
     std::span<const std::vector<ClassEvidence>> likelihoods,
     std::span<const DetectorId> detectors,
-    const StackingOptions& options = {});
+    const StackingOptions& options = {},
+    const StackingModel& model = {});
 
 /// Joins detections of different detectors that show the same object; detections of one detector
 /// are never joined with each other.
@@ -60,6 +77,7 @@ struct StackingOptions {
 /// position: the same result for the same input. Errors: those of combine_class_scores, naming the
 /// detection. Cost: O(n^2) in the detections of one image.
 [[nodiscard]] Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
-                                                              const StackingOptions& options = {});
+                                                              const StackingOptions& options = {},
+                                                              const StackingModel& model = {});
 
 }  // namespace hypermap
