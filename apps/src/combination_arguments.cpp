@@ -16,10 +16,13 @@ void CombinationArguments::add_to(CLI::App& command) {
                   "NAME=WEIGHT of detectors, separated by commas; others have 1 (stacking.rule "
                   "weighted)")
       ->delimiter(',');
+  command.add_option(
+      "--combiner", combiner, "what `hypermap combine` learnt (stacking.rule trained)");
 }
 
 std::optional<std::string> CombinationArguments::rule_text() const {
   if (rule) return rule;
+  if (combiner) return "trained";
   if (!weights.empty()) return "weighted";
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace hypermap::app {
 struct CombinationArguments {
   std::optional<std::string> rule;
   std::vector<std::string> weights;  ///< NAME=WEIGHT each.
+  std::optional<std::filesystem::path> combiner;
 
   void add_to(CLI::App& command);
 

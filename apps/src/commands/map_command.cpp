@@ -66,6 +66,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
+  job.combiner = arguments.combination.combiner;
   MapOptions options;
   options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
@@ -244,6 +245,7 @@ void keep_outputs_apart(const MapArguments& arguments) {
                                           dataset.classes.value_or(""),
                                           arguments.config.value_or(""),
                                           arguments.job.model.value_or(""),
+                                          arguments.combination.combiner.value_or(""),
                                           arguments.job.poses.value_or("")};
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");

@@ -67,33 +67,6 @@ bool has_detector(const Group& group, DetectorId detector) {
   });
 }
 
-/// Greedy: each detection joins the best overlapping group that its detector is not yet in.
-std::vector<Group> group_by_overlap(std::span<const Detection> detections, double min_overlap) {
-  std::vector<const Detection*> order;
-  for (const Detection& detection : detections) order.push_back(&detection);
-  std::stable_sort(order.begin(), order.end(), [](const Detection* a, const Detection* b) {
-    return a->score > b->score;
-  });
-  std::vector<Group> groups;
-  for (const Detection* detection : order) {
-    Group* best = nullptr;
-    double best_overlap = 0.0;
-    for (Group& group : groups) {
-      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
-      if (shared < min_overlap || shared <= best_overlap) continue;
-      if (has_detector(group, detection->detector)) continue;
-      best = &group;
-      best_overlap = shared;
-    }
-    if (best != nullptr) {
-      best->push_back(detection);
-    } else {
-      groups.push_back({detection});
-    }
-  }
-  return groups;
-}
-
 PixelBox mean_box(const Group& group) {
   double total = 0.0;
   for (const Detection* member : group) total += member->score.value();
@@ -165,7 +138,7 @@ Result<Detection> join(const Group& group,
                    .embeddings = embeddings_of(group)};
 }
 
-constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted"};
+constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted", "trained"};
 
 constexpr OptionRow kStackingRows[] = {
     option::choice<&StackingOptions::rule>(
@@ -226,6 +199,10 @@ Result<std::vector<ClassEvidence>> combine_class_scores(
     const StackingOptions& options,
     const StackingModel& model) {
   assert(likelihoods.size() == detectors.size());
+  if (options.rule == StackingRule::kTrained) {
+    if (model.combiner) return model.combiner->combine(likelihoods, detectors);
+    return fail(ErrorCode::kInvalidArgument, "is trained, which needs a combiner", "stacking.rule");
+  }
   const Cells cells = combined_set(likelihoods, detectors, options, model);
   std::vector<ClassEvidence> combined;
   if (options.rule == StackingRule::kProduct) combined = normalised_cells(cells, product_of);
@@ -236,11 +213,38 @@ Result<std::vector<ClassEvidence>> combine_class_scores(
   return combined;
 }
 
+std::vector<std::vector<const Detection*>> group_detections(std::span<const Detection> detections,
+                                                            double min_overlap) {
+  std::vector<const Detection*> order;
+  for (const Detection& detection : detections) order.push_back(&detection);
+  std::stable_sort(order.begin(), order.end(), [](const Detection* a, const Detection* b) {
+    return a->score > b->score;
+  });
+  std::vector<Group> groups;
+  for (const Detection* detection : order) {
+    Group* best = nullptr;
+    double best_overlap = 0.0;
+    for (Group& group : groups) {
+      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
+      if (shared < min_overlap || shared <= best_overlap) continue;
+      if (has_detector(group, detection->detector)) continue;
+      best = &group;
+      best_overlap = shared;
+    }
+    if (best != nullptr) {
+      best->push_back(detection);
+    } else {
+      groups.push_back({detection});
+    }
+  }
+  return groups;
+}
+
 Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
                                                 const StackingOptions& options,
                                                 const StackingModel& model) {
   std::vector<Detection> joined;
-  for (const Group& group : group_by_overlap(detections, options.min_overlap)) {
+  for (const Group& group : group_detections(detections, options.min_overlap)) {
     Result<Detection> one = join(group, options, model);
     if (!one) {
       Error error = std::move(one).error();

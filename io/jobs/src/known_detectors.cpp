@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "known_detectors.hpp"
 
+#include "hypermap/core/segmentation/trained_combiner.hpp"
+#include "hypermap/io/combiner/combiner_file.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 
 #include <algorithm>
@@ -42,6 +44,38 @@ DetectorDescription described_network(const std::filesystem::path& model,
           .type = "detection",
           .architecture = "YOLOX",
           .classes = options.class_names.empty() ? coco_class_names() : options.class_names};
+}
+
+Result<Loaded<StackingModel>> model_of_stacking(
+    const StackingOptions& options,
+    const std::optional<std::filesystem::path>& combiner,
+    const DetectorRegistry& detectors,
+    ClassRegistry& classes) {
+  if (combiner.has_value() != (options.rule == StackingRule::kTrained)) {
+    return fail(ErrorCode::kInvalidArgument,
+                combiner ? "must be trained where a combiner is given"
+                         : "is trained, which needs a combiner (--combiner)",
+                "stacking.rule");
+  }
+  Loaded<StackingModel> loaded{.value = stacking_model(options, detectors),
+                               .findings = check_weights(options, detectors)};
+  if (!combiner) return loaded;
+  HYPERMAP_ASSIGN_OR_RETURN(const CombinerModel model, read_combiner(*combiner));
+  auto bound = TrainedCombiner::bind(model, detectors, classes);
+  if (!bound) {
+    bound.error().file = combiner->string();
+    return Unexpected(bound.error());
+  }
+  for (std::uint32_t id = 0; id < detectors.size(); ++id) {
+    if ((*bound)->knows(DetectorId{id})) continue;
+    loaded.findings.push_back({.error = {.code = ErrorCode::kNotFound,
+                                         .what = "was not learnt of detector " +
+                                                 to_string(detectors.description(DetectorId{id})) +
+                                                 ": what it says counts where no other speaks",
+                                         .file = combiner->string()}});
+  }
+  loaded.value.combiner = *bound;
+  return loaded;
 }
 
 }  // namespace hypermap

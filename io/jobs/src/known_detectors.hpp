@@ -5,10 +5,13 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/detector_registry.hpp"
+#include "hypermap/core/segmentation/stacking.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/detector/onnx_detector.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 namespace hypermap {
 
@@ -20,5 +23,15 @@ namespace hypermap {
 /// The network of a file, called by its stem.
 [[nodiscard]] DetectorDescription described_network(const std::filesystem::path& model,
                                                     const OnnxDetectorOptions& options);
+
+/// What the rules of stacking need to know of the detectors; the classes of a combiner are added to
+/// `classes`. Findings: those of check_weights; detectors that the combiner does not know.
+/// Errors: those of read_combiner and TrainedCombiner::bind; kInvalidArgument, field
+/// `stacking.rule`, for rule trained without a combiner, and for a combiner with another rule.
+[[nodiscard]] Result<Loaded<StackingModel>> model_of_stacking(
+    const StackingOptions& options,
+    const std::optional<std::filesystem::path>& combiner,
+    const DetectorRegistry& detectors,
+    ClassRegistry& classes);
 
 }  // namespace hypermap

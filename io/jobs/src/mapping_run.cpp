@@ -213,11 +213,13 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   if (job.resume || job.checkpoint_every > 0) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto stacking,
+      model_of_stacking(job.mapper.objects.stacking, job.combiner, run.detectors, run.classes));
+  append(report.findings, std::move(stacking.findings));
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
   run.mapper.emplace(std::move(mapper));
-  const StackingOptions& stacking = job.mapper.objects.stacking;
-  append(report.findings, check_weights(stacking, run.detectors));
-  run.mapper->set_stacking_model(stacking_model(stacking, run.detectors));
+  run.mapper->set_stacking_model(std::move(stacking.value));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;
 }

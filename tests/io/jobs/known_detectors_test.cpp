@@ -4,13 +4,12 @@
 
 #include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
-#include "support/synthetic_dataset.hpp"
+#include "support/block_dataset.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -26,45 +25,11 @@ using testing::SizeIs;
 
 constexpr int kNumFrames = 4;
 
-/// A block of 20 x 20 pixels, 1.5 m away, before a wall 2 m away.
-std::string block_before_wall() {
-  constexpr int kWidth = 64;
-  constexpr int kHeight = 48;
-  std::string image = test::pgm16(2000, kWidth, kHeight);
-  const std::size_t first = image.size() - std::size_t{2} * kWidth * kHeight;
-  for (int v = 14; v < 34; ++v) {
-    for (int u = 22; u < 42; ++u) {
-      const std::size_t at = first + 2 * static_cast<std::size_t>(v * kWidth + u);
-      image[at] = static_cast<char>(1500 >> 8);
-      image[at + 1] = static_cast<char>(1500 & 0xFF);
-    }
-  }
-  return image;
-}
-
-void write_block_dataset(const fs::path& folder) {
-  std::string depth;
-  std::string poses;
-  for (int i = 0; i < kNumFrames; ++i) {
-    const std::string second = std::to_string(100 + i);
-    depth.append(second).append(".0 depth/").append(second).append(".pgm\n");
-    poses.append(second).append(".0 0.0").append(std::to_string(i)).append(" 0 0 0 0 0 1\n");
-    test::write_text(folder / ("depth/" + second + ".pgm"), block_before_wall());
-  }
-  test::write_text(folder / "dataset.yaml",
-                   "intrinsics: {width: 64, height: 48, fx: 64, fy: 64, cx: 31.5, cy: 23.5}\n"
-                   "depth: depth.txt\ndepth_scale: 1000\ntrajectory: groundtruth.txt\n");
-  test::write_text(folder / "depth.txt", depth);
-  test::write_text(folder / "groundtruth.txt", poses);
-}
-
 /// Who speaks, and what it sees in every frame.
 std::string words_of(const std::string& detector, const std::string& label) {
   std::string text = detector.empty() ? "" : "{\"detector\": " + detector + "}\n";
   for (int i = 0; i < kNumFrames; ++i) {
-    text += "{\"timestamp\": \"" + std::to_string(100 + i) +
-            ".0\", \"detections\": [{\"label\": \"" + label +
-            "\", \"score\": 0.9, \"bbox\": [21, 13, 43, 35]}]}\n";
+    text += test::block_seen_as(i, "{\"label\": \"" + label + "\", \"score\": 0.9");
   }
   return text;
 }
@@ -74,7 +39,7 @@ constexpr const char* kYolo =
 
 /// A map of a dataset of four frames with detections by yolo.
 MappingJob mapped_by_yolo(const TempDir& folder) {
-  write_block_dataset(folder / "data");
+  test::write_block_dataset(folder / "data", kNumFrames);
   test::write_text(folder / "yolo.jsonl", words_of(kYolo, "chair"));
   MappingJob job{.input = folder / "data", .output = folder / "a.hmap"};
   job.dataset.detections = {folder / "yolo.jsonl"};
@@ -159,7 +124,7 @@ TEST(KnownDetectors, ClassesOfANewDetectorExtendAnOldMap) {
 // [smap] Eq. (3.16) in a run: "yolo" says chair with 0.9 of three classes, "ssd" bed with 0.9.
 TEST(KnownDetectors, WeightsDecideBetweenThem) {
   const TempDir folder;
-  write_block_dataset(folder / "data");
+  test::write_block_dataset(folder / "data", kNumFrames);
   test::write_text(folder / "yolo.jsonl",
                    words_of(R"({"name": "yolo", "classes": ["chair", "bed", "cup"]})", "chair"));
   test::write_text(folder / "ssd.jsonl",

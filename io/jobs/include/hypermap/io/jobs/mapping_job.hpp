@@ -34,6 +34,9 @@ struct MappingJob {
   /// A network that looks at each colour image, besides any detections on file.
   std::optional<std::filesystem::path> model = std::nullopt;
   OnnxDetectorOptions detector = {};
+  /// What combines detectors by stacking rule `trained`, as train_combiner_job writes it: needed by
+  /// that rule, refused with another.
+  std::optional<std::filesystem::path> combiner = std::nullopt;
   SemanticMapperOptions mapper = {};
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
