@@ -66,6 +66,7 @@ using Action = std::function<ExitCode()>;
 
 /// Each adds its subcommand to `program` and, when that was chosen, stores what to do in `action`.
 void add_simulate_command(CLI::App& program, const CommonOptions& common, Action& action);
+void add_combine_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_map_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_info_command(CLI::App& program, Action& action);

@@ -25,6 +25,7 @@ CommandLine::CommandLine()
 
   add_simulate_command(program, common, action);
   add_detect_command(program, common, action);
+  add_combine_command(program, common, action);
   add_map_command(program, common, action);
   add_info_command(program, action);
   add_config_command(program, action);

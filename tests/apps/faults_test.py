@@ -263,5 +263,13 @@ class Detections(FaultCase):
         self.check_faults(lambda: output.write_bytes(OLD), command, count=SAMPLE // 2)
 
 
+class Combining(FaultCase):
+    def test_what_was_learnt(self):
+        output = self.out / "combiner.json"
+        said = Inputs.simulation(12) / "detections.jsonl"
+        command = ["combine", "--input", Inputs.simulation(12), "--detections", said, "--labels", said, "--output", output]
+        self.check_faults(lambda: output.write_bytes(OLD), command, count=SAMPLE // 2)
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=1)

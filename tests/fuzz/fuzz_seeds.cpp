@@ -27,6 +27,7 @@ std::string_view target_of(std::string_view member) {
   if (member == "hmap_config.yaml") return "config";
   if (member == "provenance.yaml") return "provenance";
   if (member == "classes.yaml") return "yaml";
+  if (member == "detectors.yaml") return "detectors";
   if (member.ends_with(".yaml")) return "map";
   if (member.ends_with(".png")) return "png";
   if (member.ends_with(".ot")) return "octree";

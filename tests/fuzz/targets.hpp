@@ -11,10 +11,12 @@ namespace hypermap::fuzz {
 void fuzz_archive(std::string_view bytes);
 void fuzz_bmp(std::string_view bytes);
 void fuzz_classes(std::string_view bytes);
+void fuzz_combiner(std::string_view bytes);
 void fuzz_config(std::string_view bytes);
 void fuzz_dataset(std::string_view bytes);
 void fuzz_deflate(std::string_view bytes);
 void fuzz_detections(std::string_view bytes);
+void fuzz_detectors(std::string_view bytes);
 void fuzz_embeddings(std::string_view bytes);
 void fuzz_intrinsics(std::string_view bytes);
 void fuzz_jpeg(std::string_view bytes);
@@ -54,10 +56,12 @@ struct Target {
 inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"bmp", fuzz_bmp},
                                       {"classes", fuzz_classes},
+                                      {"combiner", fuzz_combiner},
                                       {"config", fuzz_config},
                                       {"dataset", fuzz_dataset},
                                       {"deflate", fuzz_deflate},
                                       {"detections", fuzz_detections},
+                                      {"detectors", fuzz_detectors},
                                       {"embeddings", fuzz_embeddings},
                                       {"intrinsics", fuzz_intrinsics},
                                       {"jpeg", fuzz_jpeg},

@@ -23,10 +23,11 @@ THIRD_PARTY = {
     "octomap/": ("octomap", ()),  # the oracle of tests only
     "embree3/": ("embree", ("octree_semantic", "simulator")),
     "hwy/": ("hwy::hwy", ("octree_semantic",)),
-    "opencv2/core": ("opencv_core", ("detector", "grid_registration", "viewer_offscreen")),
+    "opencv2/core": ("opencv_core", ("combiner", "detector", "grid_registration", "viewer_offscreen")),
     "opencv2/dnn": ("opencv_dnn", ("detector",)),
     "opencv2/features2d": ("opencv_features2d", ("grid_registration",)),
     "opencv2/freetype": ("opencv_freetype", ("viewer_offscreen",)),
+    "opencv2/ml": ("opencv_ml", ("combiner",)),
     "opencv2/imgproc": ("opencv_imgproc", ("detector", "viewer_offscreen")),
     "yaml-cpp/": ("yaml-cpp", ("codec",)),
     "zlib.h": ("ZLIB::ZLIB", ("codec",)),

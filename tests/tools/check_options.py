@@ -28,7 +28,6 @@ HAS_NO_DEFAULT_OF_ITS_OWN = re.compile(r"^(double|float|bool|int|unsigned|char|s
 
 MAP_OPTIONS = "MapOptions"
 NO_OPTION_OF_A_FILE = {
-    "StackingOptions.weights": "detectors by number have no meaning elsewhere",
     "AssociationOptions.transient_classes": "classes by number have no meaning elsewhere",
 }
 WITHOUT_TABLE = {

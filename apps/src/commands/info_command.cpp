@@ -100,6 +100,9 @@ void print(const ArchiveInfo& info) {
         (relations.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name_of(kind));
   }
   if (!relations.empty()) std::printf("relations of objects: %s\n", relations.c_str());
+  for (const DetectorDescription& detector : info.detectors) {
+    std::printf("detector %s\n", to_string(detector).c_str());
+  }
   for (const ModelSummary& model : info.models) {
     std::printf("embeddings of %s: %s of %zu numbers\n",
                 printable(model.model).c_str(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
+#include "combination_arguments.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -42,6 +43,7 @@ struct MapArguments {
   std::optional<std::string> mode;
   std::optional<std::string> resolution_m;
   std::optional<std::string> max_range_m;
+  CombinationArguments combination;
   bool refine_poses = false;
   bool class_stack = false;
   std::optional<std::string> stats;
@@ -69,6 +71,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.network.applied_to(job.detector));
+  job.combiner = arguments.combination.combiner;
   MapOptions options;
   options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
@@ -78,9 +81,13 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
       arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
   const std::optional<std::string> class_stack =
       arguments.class_stack ? std::optional<std::string>("true") : std::nullopt;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto weights, arguments.combination.weights_text());
+  const std::optional<std::string> stacking = arguments.combination.rule_text();
   HYPERMAP_ASSIGN_OR_RETURN(options,
                             with_flags(std::move(options),
                                        {{"integration.mode", arguments.mode},
+                                        {"stacking.rule", stacking},
+                                        {"stacking.weights", weights},
                                         {"octree.resolution_m", arguments.resolution_m},
                                         {"integration.max_range_m", arguments.max_range_m},
                                         {"refinement.rule", refinement},
@@ -189,6 +196,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
           "--max-range", arguments.max_range_m, "farther depth only frees, and shows no object")
       ->check(value_of_option("integration.max_range_m"))
       ->default_str(default_of_option("integration.max_range_m"));
+  arguments.combination.add_to(command);
   command
       .add_option("--up", arguments.job.up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));
@@ -245,6 +253,7 @@ void keep_outputs_apart(const MapArguments& arguments) {
                                           dataset.classes.value_or(""),
                                           arguments.config.value_or(""),
                                           arguments.job.model.value_or(""),
+                                          arguments.combination.combiner.value_or(""),
                                           arguments.job.poses.value_or("")};
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
   const std::filesystem::path stats = arguments.stats.value_or("");

@@ -111,12 +111,18 @@ void print_line(std::string_view key, const std::string& text) {
   std::printf("  %-10s %s\n", std::string(key).c_str(), text.c_str());
 }
 
-void print_namings(const Explanation& why, const ClassRegistry& classes) {
+std::string detector_text(DetectorId id, const DetectorRegistry& detectors) {
+  return detectors.contains(id) ? printable(detectors.description(id).name)
+                                : std::to_string(id.value);
+}
+
+void print_namings(const Explanation& why, const MapArchive& archive) {
   std::string_view key = "named";
   for (const Naming& naming : why.namings) {
     print_line(key,
-               printable(classes.name(naming.class_id)) + " " + times(naming.num_detections) +
-                   " by detector " + std::to_string(naming.detector.value) + ", from " +
+               printable(archive.classes.name(naming.class_id)) + " " +
+                   times(naming.num_detections) + " by detector " +
+                   detector_text(naming.detector, archive.detectors) + ", from " +
                    count_text(static_cast<std::size_t>(naming.num_directions), "direction") +
                    ", score " + fixed(naming.mean_score, 2) + " in the mean");
     key = "";
@@ -155,18 +161,18 @@ void print_moments(const Explanation& why) {
   }
 }
 
-void print_object(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
+void print_object(const Explanation& why, const MapArchive& archive, bool is_shown) {
   std::printf("%s is %s\n",
-              name_of(why, classes).c_str(),
+              name_of(why, archive.classes).c_str(),
               is_shown ? "shown" : ("withheld: " + withheld_text(why.missed_conditions)).c_str());
-  print_line(
-      "belief",
-      "real " + fixed(why.beliefs.real.value(), 2) + "; " + classes_text(why.beliefs, classes));
+  print_line("belief",
+             "real " + fixed(why.beliefs.real.value(), 2) + "; " +
+                 classes_text(why.beliefs, archive.classes));
   std::uint64_t num_detections = 0;
   for (const Naming& naming : why.namings) num_detections += naming.num_detections;
   print_line("seen", times(num_detections) + " from " + directions_text(why.directions));
   print_moments(why);
-  print_namings(why, classes);
+  print_namings(why, archive);
   const MissedDetections& missed = why.missed_detections;
   if (missed.num_frames > 0) {
     print_line("doubted",
@@ -210,7 +216,7 @@ void print_place(const PlaceExplanation& place, const MapArchive& archive, const
   if (place.withheld.empty()) {
     print_line("withheld", "nothing: the map tracks no other object there");
   }
-  for (const Explanation& why : place.withheld) print_object(why, archive.classes, false);
+  for (const Explanation& why : place.withheld) print_object(why, archive, false);
 }
 
 }  // namespace
@@ -224,7 +230,7 @@ Result<void> print_why(const MapArchive& archive, ObjectId id, bool json) {
   if (json) {
     std::printf("%s\n", json_text(*why, archive.classes, shown).c_str());
   } else {
-    print_object(*why, archive.classes, shown);
+    print_object(*why, archive, shown);
   }
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/number_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -85,6 +86,22 @@ void append(const OptionTable& table,
   }
 }
 
+Result<void> check_named_numbers(const OptionRow& row, OptionValue::NamedNumbers numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto& [name, number] = numbers[i];
+    if (name.empty()) return fail(ErrorCode::kInvalidArgument, "must name each number");
+    if (std::ranges::find(numbers.first(i), name, &NamedNumber::name) != numbers.first(i).end()) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "must name each once, \"" + printable(name) + "\" is there twice");
+    }
+    if (row.range.contains(number)) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "each " + interval_rule(row.range) + ", that of \"" + printable(name) + "\" is " +
+                    number_text(number));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string to_string(const OptionRange& range) {
@@ -103,6 +120,8 @@ std::string range_text(const OptionRow& row) {
       return "true, false";
     case OptionKind::kNames:
       return "names";
+    case OptionKind::kNamedNumbers:
+      return "numbers by name, each " + to_string(row.range);
     case OptionKind::kChoice: {
       std::string text;
       for (const std::string_view name : row.choices) {
@@ -127,6 +146,8 @@ Result<void> check_value(const OptionRow& row, const OptionValue& value) {
       return refused(interval_rule(row.range), number_text(value.scalar()));
     case OptionKind::kChoice:
       return check_choice(row, value.scalar());
+    case OptionKind::kNamedNumbers:
+      return check_named_numbers(row, value.named_numbers());
     case OptionKind::kNumbers:
       for (const double number : value.numbers()) {
         if (!row.range.contains(number)) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/segmentation/stacking.hpp"
 
-#include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,18 +17,19 @@ namespace {
 /// The combined set: per class, what each detector that knows it says, already weighted.
 using Cells = std::map<ClassId, std::vector<double>>;
 
-double weight_of(DetectorId detector, const StackingOptions& options) {
+double weight_of(DetectorId detector, const StackingOptions& options, const StackingModel& model) {
   if (options.rule != StackingRule::kWeighted) return 1.0;
-  const auto found = options.weights.find(detector);
-  return found == options.weights.end() ? 1.0 : found->second;
+  const auto found = model.weights.find(detector);
+  return found == model.weights.end() ? 1.0 : found->second;
 }
 
 Cells combined_set(std::span<const std::vector<ClassEvidence>> likelihoods,
                    std::span<const DetectorId> detectors,
-                   const StackingOptions& options) {
+                   const StackingOptions& options,
+                   const StackingModel& model) {
   Cells cells;
   for (std::size_t i = 0; i < likelihoods.size(); ++i) {
-    const double weight = weight_of(detectors[i], options);
+    const double weight = weight_of(detectors[i], options, model);
     for (const ClassEvidence& evidence : likelihoods[i]) {
       cells[evidence.id].push_back(weight * evidence.probability.value());
     }
@@ -63,33 +65,6 @@ bool has_detector(const Group& group, DetectorId detector) {
   return std::any_of(group.begin(), group.end(), [&](const Detection* member) {
     return member->detector == detector;
   });
-}
-
-/// Greedy: each detection joins the best overlapping group that its detector is not yet in.
-std::vector<Group> group_by_overlap(std::span<const Detection> detections, double min_overlap) {
-  std::vector<const Detection*> order;
-  for (const Detection& detection : detections) order.push_back(&detection);
-  std::stable_sort(order.begin(), order.end(), [](const Detection* a, const Detection* b) {
-    return a->score > b->score;
-  });
-  std::vector<Group> groups;
-  for (const Detection* detection : order) {
-    Group* best = nullptr;
-    double best_overlap = 0.0;
-    for (Group& group : groups) {
-      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
-      if (shared < min_overlap || shared <= best_overlap) continue;
-      if (has_detector(group, detection->detector)) continue;
-      best = &group;
-      best_overlap = shared;
-    }
-    if (best != nullptr) {
-      best->push_back(detection);
-    } else {
-      groups.push_back({detection});
-    }
-  }
-  return groups;
 }
 
 PixelBox mean_box(const Group& group) {
@@ -139,7 +114,9 @@ std::vector<Embedding> embeddings_of(const Group& group) {
   return out;
 }
 
-Result<Detection> join(const Group& group, const StackingOptions& options) {
+Result<Detection> join(const Group& group,
+                       const StackingOptions& options,
+                       const StackingModel& model) {
   std::vector<std::vector<ClassEvidence>> likelihoods;
   std::vector<DetectorId> detectors;
   for (const Detection* member : group) {
@@ -147,7 +124,7 @@ Result<Detection> join(const Group& group, const StackingOptions& options) {
     detectors.push_back(member->detector);
   }
   HYPERMAP_ASSIGN_OR_RETURN(std::vector<ClassEvidence> scores,
-                            combine_class_scores(likelihoods, detectors, options));
+                            combine_class_scores(likelihoods, detectors, options, model));
   if (group.size() == 1) {
     Detection alone = *group.front();
     alone.class_scores = std::move(scores);
@@ -161,33 +138,28 @@ Result<Detection> join(const Group& group, const StackingOptions& options) {
                    .embeddings = embeddings_of(group)};
 }
 
-constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted"};
+constexpr std::string_view kStackingNames[] = {"sum", "product", "weighted", "trained"};
 
 constexpr OptionRow kStackingRows[] = {
     option::choice<&StackingOptions::rule>(
         "rule",
         kStackingNames,
         {.source = "[smap] 3.5.3", .effect = "How class scores of several detectors become one."}),
+    option::named_numbers<&StackingOptions::weights>(
+        "weights",
+        {1e-6, 1e6},
+        {.source = "[smap] 3.5.3",
+         .effect = "How much a detector counts by rule weighted, else 1."}),
     option::number<&StackingOptions::min_overlap>(
         "min_overlap",
         option::above(0, 1),
         {.effect = "Boxes that overlap so much show the same thing."}),
 };
 
-Result<void> check_weights(const StackingOptions& options) {
-  for (const auto& [detector, weight] : options.weights) {
-    if (std::isfinite(weight) && weight >= 0.0) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                "must be finite and >= 0, is " + number_text(weight),
-                "weights[" + std::to_string(detector.value) + "]");
-  }
-  return {};
-}
-
 }  // namespace
 
 const OptionTable& option_table(const StackingOptions&) {
-  static constexpr OptionTable kTable{kStackingRows, kRule<check_weights>};
+  static constexpr OptionTable kTable{kStackingRows};
   return kTable;
 }
 
@@ -195,12 +167,43 @@ Result<void> validate(const StackingOptions& options) {
   return check_options(options);
 }
 
+StackingModel stacking_model(const StackingOptions& options, const DetectorRegistry& detectors) {
+  StackingModel model;
+  for (const auto& [name, weight] : options.weights) {
+    if (const auto id = detectors.find(name)) model.weights.emplace(*id, weight);
+  }
+  return model;
+}
+
+std::vector<Finding> check_weights(const StackingOptions& options,
+                                   const DetectorRegistry& detectors) {
+  constexpr const char* kField = "stacking.weights";
+  std::vector<Finding> findings;
+  if (!options.weights.empty() && options.rule != StackingRule::kWeighted) {
+    findings.push_back(
+        {.error = {.what = "has no effect unless stacking.rule is weighted", .field = kField}});
+  }
+  const std::vector<std::string> names = detectors.names();
+  for (const NamedNumber& weight : options.weights) {
+    if (detectors.find(weight.name)) continue;
+    findings.push_back({.error = {.code = ErrorCode::kNotFound,
+                                  .what = nothing_named("detector", weight.name, names),
+                                  .field = kField}});
+  }
+  return findings;
+}
+
 Result<std::vector<ClassEvidence>> combine_class_scores(
     std::span<const std::vector<ClassEvidence>> likelihoods,
     std::span<const DetectorId> detectors,
-    const StackingOptions& options) {
+    const StackingOptions& options,
+    const StackingModel& model) {
   assert(likelihoods.size() == detectors.size());
-  const Cells cells = combined_set(likelihoods, detectors, options);
+  if (options.rule == StackingRule::kTrained) {
+    if (model.combiner) return model.combiner->combine(likelihoods, detectors);
+    return fail(ErrorCode::kInvalidArgument, "is trained, which needs a combiner", "stacking.rule");
+  }
+  const Cells cells = combined_set(likelihoods, detectors, options, model);
   std::vector<ClassEvidence> combined;
   if (options.rule == StackingRule::kProduct) combined = normalised_cells(cells, product_of);
   if (combined.empty()) combined = normalised_cells(cells, sum_of);
@@ -210,11 +213,39 @@ Result<std::vector<ClassEvidence>> combine_class_scores(
   return combined;
 }
 
+std::vector<std::vector<const Detection*>> group_detections(std::span<const Detection> detections,
+                                                            double min_overlap) {
+  std::vector<const Detection*> order;
+  for (const Detection& detection : detections) order.push_back(&detection);
+  std::stable_sort(order.begin(), order.end(), [](const Detection* a, const Detection* b) {
+    return a->score > b->score;
+  });
+  std::vector<Group> groups;
+  for (const Detection* detection : order) {
+    Group* best = nullptr;
+    double best_overlap = 0.0;
+    for (Group& group : groups) {
+      const double shared = intersection_over_union(group.front()->box_px, detection->box_px);
+      if (shared < min_overlap || shared <= best_overlap) continue;
+      if (has_detector(group, detection->detector)) continue;
+      best = &group;
+      best_overlap = shared;
+    }
+    if (best != nullptr) {
+      best->push_back(detection);
+    } else {
+      groups.push_back({detection});
+    }
+  }
+  return groups;
+}
+
 Result<std::vector<Detection>> stack_detections(std::span<const Detection> detections,
-                                                const StackingOptions& options) {
+                                                const StackingOptions& options,
+                                                const StackingModel& model) {
   std::vector<Detection> joined;
-  for (const Group& group : group_by_overlap(detections, options.min_overlap)) {
-    Result<Detection> one = join(group, options);
+  for (const Group& group : group_detections(detections, options.min_overlap)) {
+    Result<Detection> one = join(group, options, model);
     if (!one) {
       Error error = std::move(one).error();
       error.entry = "detection " + std::to_string(group.front() - detections.data());

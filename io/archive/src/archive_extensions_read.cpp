@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 #include "extension_entries.hpp"
+#include "hypermap/io/archive/detectors_file.hpp"
 #include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
@@ -39,6 +40,7 @@ class ExtensionReader {
     if (entry_.format == kEmbeddingsFormat) return read_embeddings();
     if (entry_.format == kViewsFormat) return read_views();
     if (entry_.format == kClassesFormat) return read_classes();
+    if (entry_.format == kDetectorsFormat) return read_detectors();
     if (entry_.format == kProvenanceFormat) return read_provenance();
     if (entry_.format == kTrueSurfacesFormat) return read_true_surfaces();
     return read_checkpoint();
@@ -54,6 +56,7 @@ class ExtensionReader {
     if (entry_.format == kEmbeddingsFormat) return !embeddings_of(archive_.objects).empty();
     if (entry_.format == kViewsFormat) return !archive_.views.empty();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
+    if (entry_.format == kDetectorsFormat) return archive_.detectors.size() > 0;
     if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
     if (entry_.format == kTrueSurfacesFormat) return archive_.true_surfaces.has_value();
     return archive_.checkpoint.kind != ValueKind::kNull;
@@ -165,6 +168,15 @@ class ExtensionReader {
     }
     keep_entry(archive_, entry_);
     return std::vector<Finding>{};
+  }
+
+  Result<std::vector<Finding>> read_detectors() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_text_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(auto detectors, parse_detectors(bytes, source()));
+    archive_.detectors = std::move(detectors.value);
+    keep_entry(archive_, entry_);
+    return std::move(detectors.findings);
   }
 
   Result<std::vector<Finding>> read_provenance() {

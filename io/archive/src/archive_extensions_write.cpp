@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "archive_extensions.hpp"
 #include "extension_entries.hpp"
+#include "hypermap/io/archive/detectors_file.hpp"
 #include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
@@ -75,6 +76,11 @@ void put_classes(WrittenExtensions& written, const MapArchive& archive) {
       write_yaml(make_list(std::move(names)), YamlStyle::kBlock));
 }
 
+void put_detectors(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.detectors.size() == 0) return;
+  put(written, entry_of(archive, kDetectorsFormat), write_detectors(archive.detectors));
+}
+
 Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
   for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
     const ClassGrid& grid = archive.class_grids[i];
@@ -132,6 +138,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_embeddings(written, archive));
   HYPERMAP_TRY(put_views(written, archive));
   put_classes(written, archive);
+  put_detectors(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));
   put_checkpoint(written, archive);

@@ -62,11 +62,13 @@ ArchiveInfo describe(const MapArchive& archive) {
     info.layers.push_back(summary_of(layer));
     extended = extended || !is_strict_form(layer);
   }
-  extended = extended || archive.classes.size() > 0 || !archive.provenance.empty() ||
-             archive.checkpoint.kind != ValueKind::kNull || archive.true_surfaces.has_value() ||
-             !archive.foreign_extensions.empty();
+  extended = extended || archive.classes.size() > 0 || archive.detectors.size() > 0 ||
+             !archive.provenance.empty() || archive.checkpoint.kind != ValueKind::kNull ||
+             archive.true_surfaces.has_value() || !archive.foreign_extensions.empty();
   info.format_version = extended ? kArchiveFormatVersion : 0;
   info.classes.assign(archive.classes.names().begin(), archive.classes.names().end());
+  const auto detectors = archive.detectors.detectors();
+  info.detectors.assign(detectors.begin(), detectors.end());
   const auto transforms = archive.hypermap.frames().transforms();
   info.transforms.assign(transforms.begin(), transforms.end());
   info.provenance = archive.provenance;

@@ -120,6 +120,22 @@ std::string json_of_classes(const std::vector<std::string>& names) {
   });
 }
 
+std::string json_of_detectors(const std::vector<DetectorDescription>& detectors) {
+  const auto text = [](const std::string& said) {
+    return said.empty() ? std::string("null") : json_quoted(said);
+  };
+  std::size_t id = 0;
+  return json_array(detectors, [&](const DetectorDescription& detector) {
+    const auto name = [](const std::string& one) { return json_quoted(one); };
+    return json_object(
+        {{"id", std::to_string(id++)},
+         {"name", json_quoted(detector.name)},
+         {"type", text(detector.type)},
+         {"architecture", text(detector.architecture)},
+         {"classes", detector.classes.empty() ? "null" : json_array(detector.classes, name)}});
+  });
+}
+
 std::string json_of_counts(const std::array<std::size_t, kRelationKinds.size()>& num_relations) {
   std::string text = "{";
   for (const RelationKind kind : kRelationKinds) {
@@ -143,6 +159,7 @@ std::string to_json(const ArchiveInfo& info) {
   return json_object({{"format_version", std::to_string(info.format_version)},
                       {"layers", json_array(info.layers, json)},
                       {"classes", json_of_classes(info.classes)},
+                      {"detectors", json_of_detectors(info.detectors)},
                       {"transforms", json_array(info.transforms, json)},
                       {"relations", json_of_counts(info.num_relations)},
                       {"embeddings", json_array(info.models, json)},

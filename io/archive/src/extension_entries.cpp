@@ -25,6 +25,9 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kClassesFormat) {
     entry.name = "classes";
     entry.file = "classes.yaml";
+  } else if (format == kDetectorsFormat) {
+    entry.name = "detectors";
+    entry.file = "detectors.yaml";
   } else if (format == kProvenanceFormat) {
     entry.name = "provenance";
     entry.file = "provenance.yaml";

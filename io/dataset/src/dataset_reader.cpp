@@ -181,6 +181,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
     }
   }
   DetectionReadOptions reading = options.detection_reading;
+  std::vector<DetectorId> read;
   for (const fs::path& file : files) {
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, reading));
     reading.embeddings = loaded.value.embeddings;
@@ -193,7 +194,10 @@ Result<void> read_detection_files(const DatasetOptions& options,
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
     if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
-    paired.detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
+    const auto detector = register_detector(paired, read, summary.detectors);
+    if (!detector) return Unexpected(in_file(detector.error(), paired.file));
+    paired.detector = *detector;
+    read.push_back(*detector);
     auto ids = register_classes(distinct_classes(paired.set.class_names), registry);
     if (!ids) return Unexpected(in_file(std::move(ids).error(), paired.file));
     paired.known_classes = std::move(*ids);
@@ -224,7 +228,8 @@ Result<void> prepare_labels(const DatasetOptions& options,
   for (const auto& [number, name] : sequence.label_names.of_number) names.push_back(name);
   HYPERMAP_ASSIGN_OR_RETURN(sequence.label_classes,
                             register_classes(distinct_classes(names), registry));
-  sequence.label_detector = DetectorId{static_cast<std::uint32_t>(sequence.detectors.size())};
+  HYPERMAP_ASSIGN_OR_RETURN(sequence.label_detector,
+                            sequence.summary.detectors.add({.name = "labels", .type = "labels"}));
   return {};
 }
 
@@ -276,6 +281,7 @@ Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path&
   HYPERMAP_TRY(settle_cameras(sequence));
   settle_registration(sequence);
   summary.depth_units_per_m = d.depth_format.units_per_m;
+  summary.detectors = options.detectors;
   ClassRegistry grown = registry;
   HYPERMAP_TRY(read_detection_files(options, sequence, grown));
   HYPERMAP_TRY(prepare_labels(options, sequence, grown));

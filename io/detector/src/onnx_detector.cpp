@@ -69,6 +69,7 @@ struct OnnxDetector::Impl {
   OnnxDetectorOptions options;
   NetworkSize size;
   NetworkForm form = NetworkForm::kAuto;
+  DetectorId id{0};
   InputConvention convention;
   std::vector<ClassId> classes;
   std::filesystem::path model;
@@ -145,7 +146,7 @@ struct OnnxDetector::Impl {
                                                const InputPlacement& placement,
                                                const ColorImage& image) const {
     Detection out;
-    out.detector = options.detector;
+    out.detector = id;
     out.score = Probability(candidate.score);
     const auto inside =
         clipped(placement.in_image(candidate.box_px), image.width_px(), image.height_px());
@@ -174,6 +175,10 @@ std::span<const ClassId> OnnxDetector::classes() const noexcept {
 
 NetworkForm OnnxDetector::form() const noexcept {
   return impl_->form;
+}
+
+void OnnxDetector::set_id(DetectorId id) noexcept {
+  impl_->id = id;
 }
 
 Result<OnnxDetector> OnnxDetector::load(const std::filesystem::path& model,

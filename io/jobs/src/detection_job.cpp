@@ -4,6 +4,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
+#include "known_detectors.hpp"
 #include "unknown_names.hpp"
 
 #include <algorithm>
@@ -40,7 +41,9 @@ bool is_of_one(const Detection& detection, const std::vector<ClassId>& ids) {
   return best && std::find(ids.begin(), ids.end(), best->id) != ids.end();
 }
 
-Result<std::string> as_text(std::span<const FrameDetections> frames, const DetectionJob& job) {
+Result<std::string> as_text(std::span<const FrameDetections> frames,
+                            const DetectionJob& job,
+                            NetworkForm form) {
   if (job.output.extension() != ".jsonl") {
     const auto names =
         job.detector.class_names.empty() ? coco_class_names() : job.detector.class_names;
@@ -48,7 +51,7 @@ Result<std::string> as_text(std::span<const FrameDetections> frames, const Detec
   }
   std::string lines;
   for (const FrameDetections& frame : frames) lines += to_json_line(frame);
-  return to_json_lines(lines);
+  return to_json_lines(lines, described_network(job.model, job.detector, form));
 }
 
 }  // namespace
@@ -90,7 +93,7 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
   if (frames.empty()) {
     return fail(ErrorCode::kNotFound, "no frame of the dataset could be given to the detector");
   }
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, as_text(frames, job));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, as_text(frames, job, detector.form()));
   HYPERMAP_TRY(write_file_atomically(job.output, text));
   return report;
 }

@@ -8,6 +8,7 @@
 #include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/dataset/reading_check.hpp"
 #include "hypermap/io/options/options_file.hpp"
+#include "known_detectors.hpp"
 #include "map_agreement.hpp"
 #include "resumed_run.hpp"
 #include "run_settings.hpp"
@@ -36,13 +37,17 @@ Result<void> add_named_classes(const SemanticMapperOptions& options, ClassRegist
   return {};
 }
 
-Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job, ClassRegistry& classes) {
+Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job,
+                                                  ClassRegistry& classes,
+                                                  DetectorRegistry& detectors) {
   if (!job.model) return std::optional<OnnxDetector>();
   OnnxDetectorOptions options = job.detector;
-  options.detector = DetectorId{static_cast<std::uint32_t>(job.dataset.detections.size()) + 1};
   options.num_threads = job.mapper.num_threads;
   HYPERMAP_ASSIGN_OR_RETURN(OnnxDetector detector,
                             OnnxDetector::load(*job.model, options, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const DetectorId id,
+                            detectors.add(described_network(*job.model, options, detector.form())));
+  detector.set_id(id);
   return std::optional<OnnxDetector>(std::move(detector));
 }
 
@@ -193,18 +198,21 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
     HYPERMAP_ASSIGN_OR_RETURN(
         auto loaded, load_archive(job.output, job.limits, archive_layer_types(), job.stop));
     run.classes = loaded.value.classes;
+    HYPERMAP_ASSIGN_OR_RETURN(run.detectors, known_detectors(loaded.value));
     run.previous = std::move(loaded.value);
     run.views = BestViews(run.previous->views);
   }
-  HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(run.detector, load_detector(job, run.classes, run.detectors));
   if (run.detector) report.network_form = run.detector->form();
   run.looks = LookSchedule(job.looks);
   DatasetOptions reading = dataset_options(job);
+  reading.detectors = run.detectors;
   if (run.previous) {
     HYPERMAP_ASSIGN_OR_RETURN(reading.detection_reading.embeddings,
                               embedding_dimensions(run.previous->objects));
   }
   HYPERMAP_ASSIGN_OR_RETURN(run.dataset, open_dataset(job.input, reading, run.classes));
+  run.detectors = run.dataset->summary().detectors;
   if (job.poses) {
     HYPERMAP_ASSIGN_OR_RETURN(run.dataset,
                               with_corrected_poses(std::move(run.dataset), *job.poses));
@@ -219,8 +227,13 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   if (job.resume || job.checkpoint_every > 0) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto stacking,
+      model_of_stacking(job.mapper.objects.stacking, job.combiner, run.detectors, run.classes));
+  append(report.findings, std::move(stacking.findings));
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
   run.mapper.emplace(std::move(mapper));
+  run.mapper->set_stacking_model(std::move(stacking.value));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;
 }
@@ -275,6 +288,7 @@ MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   MapArchive archive = run.previous.value_or(MapArchive{});
   archive.checkpoint = {};
   archive.classes = run.classes;
+  archive.detectors = run.detectors;
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
   archive.views = run.views.views();

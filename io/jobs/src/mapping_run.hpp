@@ -30,6 +30,7 @@ namespace hypermap {
 struct MappingRun {
   std::string input_name;
   ClassRegistry classes;
+  DetectorRegistry detectors;
   std::optional<MapArchive> previous;
   std::unique_ptr<DatasetReader> dataset;
   std::optional<OnnxDetector> detector;

@@ -86,6 +86,9 @@ Result<void> compare_runs(MappingRun& run, const MappingJob& job, const SavedRun
   if (!(run.classes == saved.map.classes)) {
     return differs("the input has other classes than in the run to go on with", "classes");
   }
+  if (!(run.detectors == saved.map.detectors)) {
+    return differs("the input has other detectors than in the run to go on with", "detectors");
+  }
   const RunCheckpoint& checkpoint = saved.checkpoint;
   if (checkpoint.num_positions > run.dataset->size()) {
     return differs("has " + std::to_string(run.dataset->size()) + " frames, the run had done " +

@@ -138,6 +138,8 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   add_table(job.detector, "detector.", entries);
   entries.emplace_back("detector.classes", make_text(joined(job.detector.class_names)));
   add_table(job.looks, "detect.", entries);
+  HYPERMAP_ASSIGN_OR_RETURN(std::string combiner, identity_of(job.combiner));
+  entries.emplace_back("combiner", make_text(std::move(combiner)));
   entries.emplace_back("poses", make_text(std::move(poses)));
   entries.emplace_back("up", make_text(job.up_axis.value_or(kNone)));
   entries.emplace_back("append", make_text(job.append ? "yes" : "no"));

@@ -87,6 +87,24 @@ Result<void> assign_numbers(const BoundOption& option, const YamlNode& node) {
   return assign_checked(option, OptionValue(OptionValue::Numbers(numbers)), node);
 }
 
+Result<void> assign_named_numbers(const BoundOption& option, const YamlNode& node) {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto entries, node.as_map());
+  std::vector<NamedNumber> numbers;
+  for (const auto& [name, value] : entries) {
+    HYPERMAP_ASSIGN_OR_RETURN(const double number, value.as_double());
+    numbers.push_back({.name = name, .number = number});
+  }
+  return assign_checked(option, OptionValue(OptionValue::NamedNumbers(numbers)), node);
+}
+
+std::string named_numbers_text(OptionValue::NamedNumbers numbers) {
+  std::string out = "{";
+  for (const auto& [name, number] : numbers) {
+    out += (out.size() > 1 ? ", " : "") + yaml_scalar(name) + ": " + json_number(number);
+  }
+  return out + "}";
+}
+
 }  // namespace
 
 std::string yaml_text(const BoundOption& option) {
@@ -103,6 +121,8 @@ std::string yaml_text(const BoundOption& option) {
       return list_text(value.numbers(), json_number);
     case OptionKind::kNames:
       return list_text(value.names(), [](const std::string& name) { return yaml_scalar(name); });
+    case OptionKind::kNamedNumbers:
+      return named_numbers_text(value.named_numbers());
     default:
       return json_number(value.scalar());
   }
@@ -113,6 +133,7 @@ Result<void> assign_yaml(const BoundOption& option, const YamlNode& node) {
   if (row.may_be_none && says_none(node)) return assign_checked(option, kNoValue, node);
   if (row.kind == OptionKind::kNames) return assign_names(option, node);
   if (row.kind == OptionKind::kNumbers) return assign_numbers(option, node);
+  if (row.kind == OptionKind::kNamedNumbers) return assign_named_numbers(option, node);
   HYPERMAP_ASSIGN_OR_RETURN(const double value, scalar(row, node));
   return assign_checked(option, value, node);
 }

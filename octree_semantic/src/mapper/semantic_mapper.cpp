@@ -157,8 +157,9 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   apply_pending_relabels();  // what an earlier frame left to be done
   HYPERMAP_ASSIGN_OR_RETURN(auto dimensions,
                             with_embeddings_of(given_detections, embedding_dimensions_));
-  HYPERMAP_ASSIGN_OR_RETURN(auto detections,
-                            stack_detections(given_detections, options_.objects.stacking));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto detections,
+      stack_detections(given_detections, options_.objects.stacking, stacking_model_));
   report.num_detections = detections.size();
   std::erase_if(detections,
                 [this](const Detection& d) { return !class_filter_.accepts(d.class_scores); });

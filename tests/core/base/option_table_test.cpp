@@ -34,6 +34,7 @@ struct OuterOptions {
   Flavour flavour = Flavour::kSour;
   std::optional<double> range_m = std::nullopt;
   std::vector<std::string> classes = {};
+  std::vector<NamedNumber> shares = {};
   int threads = 1;
   std::optional<std::size_t> most = std::nullopt;
 };
@@ -58,6 +59,7 @@ constexpr OptionRow kOuterRows[] = {
     option::choice<&OuterOptions::flavour>("flavour", kFlavours, {.smap = Flavour::kSweet}),
     option::number<&OuterOptions::range_m>("range_m", {1, 8}, {.smap = 1.5, .hypermap = kNoValue}),
     option::names<&OuterOptions::classes>("classes", {}),
+    option::named_numbers<&OuterOptions::shares>("shares", {0, 1}, {}),
     option::count<&OuterOptions::threads>("threads", {1, 4}, {.is_listed = false}),
     option::count<&OuterOptions::most>("most", option::at_least(1), {.is_listed = false}),
 };
@@ -103,6 +105,12 @@ TEST(OptionTable, ARefusalNamesFieldRuleAndValue) {
   EXPECT_EQ(refusal({.flavour = static_cast<Flavour>(2)}),
             "flavour: must be one of sweet, sour, is no. 2");
   EXPECT_EQ(refusal({.range_m = 0.5}), "range_m: must be in 1 .. 8, is 0.5");
+  EXPECT_EQ(refusal({.shares = {{"a", 1.0}, {"b", 2.0}}}),
+            "shares: each must be in 0 .. 1, that of \"b\" is 2");
+  EXPECT_EQ(refusal({.shares = {{"a", 1.0}, {"a", 0.5}}}),
+            "shares: must name each once, \"a\" is there twice");
+  EXPECT_EQ(refusal({.shares = {{"", 1.0}}}), "shares: must name each number");
+  EXPECT_EQ(refusal({.shares = {{"a", 1.0}, {"b", 0.0}}}), "none");
   EXPECT_EQ(refusal({.threads = 5}), "threads: must be in 1 .. 4, is 5");
   EXPECT_EQ(refusal({.most = 0}), "most: must be at least 1, is 0");
   EXPECT_EQ(refusal({.most = 1}), "none");
@@ -177,6 +185,7 @@ TEST(OptionTable, RangesReadAsSentences) {
                                       "sweet, sour",
                                       "none or 1 .. 8",
                                       "names",
+                                      "numbers by name, each 0 .. 1",
                                       "1 .. 4",
                                       "none or at least 1"}));
 }
@@ -212,7 +221,8 @@ TEST(OptionTable, ListedOptionsAreReadAndWrittenByName) {
                                       "is_on",
                                       "flavour",
                                       "range_m",
-                                      "classes"}));
+                                      "classes",
+                                      "shares"}));
   EXPECT_EQ(bound[0].value().scalar(), 0.5);
   bound[0].assign(0.75);
   bound[1].assign(1.0);
@@ -223,12 +233,16 @@ TEST(OptionTable, ListedOptionsAreReadAndWrittenByName) {
   bound[7].assign(2.0);
   const std::vector<std::string> classes{"cup"};
   bound[8].assign(OptionValue(OptionValue::Names(classes)));
+  const std::vector<NamedNumber> shares{{"cup", 0.25}};
+  bound[9].assign(OptionValue(OptionValue::NamedNumbers(shares)));
   EXPECT_EQ(options.inner.share, 0.75);
   EXPECT_EQ(options.inner.bound, LogOdds(1.0));
   EXPECT_EQ(options.inner.weights, (std::array<double, 2>{3.0, 4.0}));
   EXPECT_EQ(options.flavour, Flavour::kSweet);
   EXPECT_EQ(options.range_m, 2.0);
   EXPECT_EQ(options.classes, classes);
+  EXPECT_EQ(options.shares, shares);
+  EXPECT_EQ(bound[9].value().named_numbers().size(), 1U);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/segmentation/stacking.hpp"
 
+#include "hypermap/core/segmentation/detector_registry.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -24,8 +26,9 @@ Scores scores(const std::map<ClassId, double>& values) {
 }
 
 std::map<ClassId, double> combined(const std::vector<Scores>& likelihoods,
-                                   const StackingOptions& options) {
-  const Scores cells = combine_class_scores(likelihoods, kTwoDetectors, options).value();
+                                   const StackingOptions& options,
+                                   const StackingModel& model = {}) {
+  const Scores cells = combine_class_scores(likelihoods, kTwoDetectors, options, model).value();
   std::map<ClassId, double> out;
   for (const ClassEvidence& evidence : cells) {
     out[evidence.id] = evidence.probability.value();
@@ -54,13 +57,59 @@ TEST(CombineClassScores, MultipliesSharedCells) {
   EXPECT_NEAR(out[kC], 0.5 / 1.2, 1e-12);
 }
 
-// [smap] Eq. (3.16), weights 3 and 1: A 1.2, B 1.8 + 0.5 = 2.3, C 0.5; all 4.0.
-TEST(CombineClassScores, WeighsDetectors) {
-  auto out = combined(kOneKnowsAbTheOtherBc,
-                      {.rule = StackingRule::kWeighted, .weights = {{DetectorId{0}, 3.0}}});
+DetectorRegistry yolo_and_ssd() {
+  DetectorRegistry detectors;
+  EXPECT_TRUE(detectors.add({.name = "yolo"}));
+  EXPECT_TRUE(detectors.add({.name = "ssd"}));
+  return detectors;
+}
+
+// [smap] Eq. (3.14), (3.15), (3.16), weights 3 and 1: A 1.2, B 1.8 + 0.5 = 2.3, C 0.5; all 4.0.
+TEST(CombineClassScores, WeighsDetectorsByName) {
+  const StackingOptions options{.rule = StackingRule::kWeighted, .weights = {{"yolo", 3.0}}};
+  auto out = combined(kOneKnowsAbTheOtherBc, options, stacking_model(options, yolo_and_ssd()));
   EXPECT_NEAR(out[kA], 0.3, 1e-12);
   EXPECT_NEAR(out[kB], 2.3 / 4.0, 1e-12);
   EXPECT_NEAR(out[kC], 0.125, 1e-12);
+}
+
+// Two detectors of one mind, "a" of three and "b" of one class: with weights 2 and 6
+// A 2 * 0.5 = 1, B 2 * 0.25 + 6 * 1 = 6.5, C 2 * 0.25 = 0.5; all 8.
+TEST(CombineClassScores, AWeightMovesTheBalance) {
+  const std::vector<Scores> likelihoods{scores({{kA, 0.5}, {kB, 0.25}, {kC, 0.25}}),
+                                        scores({{kB, 1.0}})};
+  const StackingOptions options{.rule = StackingRule::kWeighted,
+                                .weights = {{"ssd", 6.0}, {"yolo", 2.0}}};
+  auto out = combined(likelihoods, options, stacking_model(options, yolo_and_ssd()));
+  EXPECT_NEAR(out[kA], 0.125, 1e-12);
+  EXPECT_NEAR(out[kB], 0.8125, 1e-12);
+  EXPECT_NEAR(out[kC], 0.0625, 1e-12);
+}
+
+TEST(CombineClassScores, WeightsCountByRuleWeightedAlone) {
+  const StackingModel model{.weights = {{DetectorId{0}, 3.0}}};
+  auto out = combined(kOneKnowsAbTheOtherBc, {.rule = StackingRule::kSum}, model);
+  EXPECT_NEAR(out[kA], 0.20, 1e-12);
+}
+
+TEST(StackingModel, NamesOfNoDetectorAreSaid) {
+  const StackingOptions options{.rule = StackingRule::kWeighted,
+                                .weights = {{"yollo", 3.0}, {"ssd", 2.0}}};
+  EXPECT_EQ(stacking_model(options, yolo_and_ssd()).weights,
+            (std::map<DetectorId, double>{{DetectorId{1}, 2.0}}));
+  const auto findings = check_weights(options, yolo_and_ssd());
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(to_string(findings[0].error),
+            "stacking.weights: no detector is named \"yollo\", did you mean \"yolo\"? (there are: "
+            "yolo, ssd)");
+  EXPECT_TRUE(check_weights({}, yolo_and_ssd()).empty());
+}
+
+TEST(StackingModel, WeightsThatNoRuleTakesAreSaid) {
+  const auto findings = check_weights({.weights = {{"ssd", 2.0}}}, yolo_and_ssd());
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(to_string(findings[0].error),
+            "stacking.weights: has no effect unless stacking.rule is weighted");
 }
 
 TEST(CombineClassScores, FallsBackToTheSumWhenDetectorsContradictEachOther) {
@@ -132,8 +181,11 @@ TEST(StackDetections, NamesTheDetectionWithoutEvidence) {
 
 TEST(StackingRules, NameTheBrokenField) {
   EXPECT_EQ(validate(StackingOptions{.min_overlap = 0.0}).error().field, "min_overlap");
-  EXPECT_EQ(validate(StackingOptions{.weights = {{DetectorId{2}, -1.0}}}).error().field,
-            "weights[2]");
+  const Error negative = validate(StackingOptions{.weights = {{"ssd", -1.0}}}).error();
+  EXPECT_EQ(to_string(negative),
+            "weights: each must be in 0.000001 .. 1000000, that of \"ssd\" is -1");
+  EXPECT_EQ(validate(StackingOptions{.weights = {{"ssd", 1.0}, {"ssd", 1.0}}}).error().what,
+            "must name each once, \"ssd\" is there twice");
   EXPECT_TRUE(validate(StackingOptions{}).has_value());
 }
 

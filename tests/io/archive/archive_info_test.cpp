@@ -70,12 +70,26 @@ TEST(ArchiveInfo, AnArchiveWithoutExtensionsHasVersionZero) {
   EXPECT_EQ(describe(MapArchive{}).format_version, 0);
 }
 
+TEST(ArchiveInfo, TellsOfTheDetectors) {
+  MapArchive archive;
+  EXPECT_EQ(describe(archive).format_version, 0);
+  ASSERT_TRUE(archive.detectors.add({.name = "yolo", .architecture = "X", .classes = {"cup"}}));
+  ASSERT_TRUE(archive.detectors.add({.name = "labels"}));
+  const ArchiveInfo info = describe(archive);
+  EXPECT_EQ(info.format_version, 1);
+  EXPECT_THAT(to_json(info),
+              HasSubstr(R"("detectors":[{"id":0,"name":"yolo","type":null,"architecture":"X",)"
+                        R"("classes":["cup"]},{"id":1,"name":"labels","type":null,)"
+                        R"("architecture":null,"classes":null}])"));
+}
+
 TEST(ArchiveInfo, ItsJsonHasTheFieldsThatScriptsRelyOn) {
   const std::string text = to_json(describe(test::sample_archive()));
   const auto document = JsonDocument::parse(text, "info");
   ASSERT_TRUE(document) << to_string(document.error());
   const JsonNode root = document->root();
-  for (const char* key : {"format_version", "layers", "classes", "transforms", "provenance"})
+  for (const char* key :
+       {"format_version", "layers", "classes", "detectors", "transforms", "provenance"})
     EXPECT_TRUE(root.find(key)) << key;
   const JsonNode first = root.find("layers")->at(0);
   EXPECT_EQ(first.find("class")->string().value(), "OccupancyGridLayer");

@@ -76,6 +76,27 @@ TEST(OptionsFile, SectionsNestAndOnlyWhatIsNamedChanges) {
   EXPECT_EQ(*options, expected);
 }
 
+TEST(OptionsFile, WeightsOfDetectorsGoByName) {
+  const TempDir dir;
+  write_text(dir / "o.yaml", "stacking: {rule: weighted, weights: {yolo: 2, \"no\": 0.5}}\n");
+  const auto options = read_options(dir / "o.yaml", {});
+  ASSERT_TRUE(options) << to_string(options.error());
+  MapOptions expected;
+  expected.mapper.objects.stacking.rule = StackingRule::kWeighted;
+  expected.mapper.objects.stacking.weights = {{"yolo", 2.0}, {"no", 0.5}};
+  EXPECT_EQ(*options, expected);
+  write_text(dir / "again.yaml", write_options(*options));
+  EXPECT_EQ(read_options(dir / "again.yaml", {}).value(), expected);
+  EXPECT_EQ(with_option(*options, "stacking.weights", "{}")->mapper.objects.stacking.weights.size(),
+            0U);
+  EXPECT_THAT(options_refusal("stacking: {weights: {yolo: -2}}\n"),
+              HasSubstr("o.yaml:1: stacking.weights: each must be in 0.000001 .. 1000000, that of "
+                        "\"yolo\" is -2"));
+  EXPECT_THAT(options_refusal("stacking: {weights: {yolo: much}}\n"),
+              HasSubstr("stacking.weights.yolo"));
+  EXPECT_THAT(options_refusal("stacking: {weights: [2, 1]}\n"), HasSubstr("stacking.weights"));
+}
+
 TEST(OptionsFile, APresetIsTheBaseOfTheOtherKeys) {
   const TempDir dir;
   write_text(dir / "o.yaml", "segmentation: {max_range_m: 3}\npreset: smap\n");

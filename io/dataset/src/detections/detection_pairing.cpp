@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace hypermap {
@@ -90,6 +92,16 @@ PairedDetections pair_detections(DetectionSet set,
   }
   out.set = std::move(set);
   return out;
+}
+
+Result<DetectorId> register_detector(const PairedDetections& paired,
+                                     std::span<const DetectorId> read,
+                                     DetectorRegistry& detectors) {
+  if (!paired.set.detector.name.empty()) return detectors.add(paired.set.detector);
+  const std::filesystem::path file(paired.file);
+  const std::filesystem::path stem = file.has_stem() ? file.stem() : file.parent_path().stem();
+  const std::string name = printable(stem.string());
+  return detectors.add_unnamed(name.empty() ? "detections" : name, read);
 }
 
 }  // namespace hypermap

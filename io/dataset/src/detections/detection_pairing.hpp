@@ -4,10 +4,12 @@
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 #include "sequence_index.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,5 +29,11 @@ struct PairedDetections {
 [[nodiscard]] PairedDetections pair_detections(DetectionSet set,
                                                const std::vector<SequenceEntry>& entries,
                                                double stamp_tolerance_s);
+
+/// The detector whose words these are: by its own name, else by the stem of the file, beside those
+/// of the files that were `read` before. Errors: those of DetectorRegistry::add.
+[[nodiscard]] Result<DetectorId> register_detector(const PairedDetections& paired,
+                                                   std::span<const DetectorId> read,
+                                                   DetectorRegistry& detectors);
 
 }  // namespace hypermap

@@ -2,6 +2,7 @@
 #include "hypermap/io/dataset/detections_file.hpp"
 
 #include "detections_head.hpp"
+#include "detector_line.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/dataset/detections_parsing.hpp"
@@ -19,6 +20,11 @@ DetectionSetBuilder::DetectionSetBuilder(std::string file, const DetectionReadOp
 
 void DetectionSetBuilder::add_class(const std::string& name) {
   if (known_classes_.insert(name).second) set_.class_names.push_back(name);
+}
+
+void DetectionSetBuilder::set_detector(DetectorDescription detector) {
+  for (const std::string& name : detector.classes) add_class(name);
+  set_.detector = std::move(detector);
 }
 
 Result<void> DetectionSetBuilder::add(FrameDetections frame, int line) {
@@ -133,6 +139,10 @@ Result<void> parse_json_lines(std::string_view text,
       HYPERMAP_TRY(check_detections_head(document.root(), text_behind(line.text, text)));
       continue;
     }
+    if (is_detector_line(document.root())) {
+      HYPERMAP_TRY(parse_detector_line(document.root(), builder));
+      continue;
+    }
     HYPERMAP_TRY(parse_frame_json(document.root(), builder));
   }
   return {};
@@ -150,6 +160,7 @@ Result<void> parse_json(std::string_view text,
       JsonDocument::parse(text, builder.file(), json_limits(builder.options())));
   const JsonNode root = document.root();
   if (is_detections_head(root)) return check_detections_head(root, {});
+  if (is_detector_line(root)) return parse_detector_line(root, builder);
   const bool is_coco =
       root.is(JsonKind::kArray) || root.find("annotations") || root.find("results");
   return is_coco ? parse_coco_json(root, folder, builder) : parse_frame_json(root, builder);

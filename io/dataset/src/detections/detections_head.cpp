@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detections_head.hpp"
 
+#include "detector_line.hpp"
 #include "hypermap/io/codec/checksum.hpp"
 #include "hypermap/io/codec/json_fields.hpp"
 #include "hypermap/io/codec/json_text.hpp"
@@ -18,9 +19,13 @@ namespace {
 constexpr std::string_view kDetectionsFormat = "hypermap-detections";
 
 std::uint64_t num_images(std::string_view lines) {
-  const std::vector<TextLine> all = split_lines(lines);
-  return static_cast<std::uint64_t>(std::count_if(
-      all.begin(), all.end(), [](const TextLine& line) { return !trimmed(line.text).empty(); }));
+  std::uint64_t count = 0;
+  bool has_detector = false;
+  for (const TextLine& line : split_lines(lines)) {
+    if (trimmed(line.text).empty()) continue;
+    if (count++ == 0) has_detector = is_detector_line(line.text);
+  }
+  return has_detector ? count - 1 : count;
 }
 
 Result<void> check_version(const JsonNode& head) {
@@ -59,13 +64,14 @@ Result<void> check_detections_head(const JsonNode& head, std::string_view lines)
                             ": the file was damaged, or changed without taking the first line out");
 }
 
-std::string to_json_lines(std::string_view lines) {
+std::string to_json_lines(std::string_view lines, const DetectorDescription& detector) {
+  const std::string rest = detector_line(detector).append(lines);
   std::string text =
       json_object({{"format", json_quoted(kDetectionsFormat)},
                    {"version", std::to_string(kDetectionsVersion)},
                    {"num_images", std::to_string(std::count(lines.begin(), lines.end(), '\n'))},
-                   {"crc32", json_quoted(checksum_text(crc32_of(lines)))}});
-  return text.append("\n").append(lines);
+                   {"crc32", json_quoted(checksum_text(crc32_of(rest)))}});
+  return text.append("\n").append(rest);
 }
 
 }  // namespace hypermap

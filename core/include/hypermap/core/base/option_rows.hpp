@@ -85,6 +85,9 @@ OptionValue value_of(const std::array<double, N>& field) {
 inline OptionValue value_of(const std::vector<std::string>& field) {
   return OptionValue(OptionValue::Names(field));
 }
+inline OptionValue value_of(const std::vector<NamedNumber>& field) {
+  return OptionValue(OptionValue::NamedNumbers(field));
+}
 
 template <class Field>
 void assign(Field& field, const OptionValue& value) {
@@ -102,6 +105,9 @@ void assign(std::array<double, N>& field, const OptionValue& value) {
 }
 inline void assign(std::vector<std::string>& field, const OptionValue& value) {
   field.assign(value.names().begin(), value.names().end());
+}
+inline void assign(std::vector<NamedNumber>& field, const OptionValue& value) {
+  field.assign(value.named_numbers().begin(), value.named_numbers().end());
 }
 
 /// The struct and the field of a pointer to member.
@@ -197,6 +203,16 @@ constexpr OptionRow choice(std::string_view name,
 template <auto Member>
 constexpr OptionRow names(std::string_view name, const OptionNotes& notes) {
   return detail::row<Member>(name, OptionKind::kNames, notes);
+}
+
+/// A number for each of some names.
+template <auto Member>
+constexpr OptionRow named_numbers(std::string_view name,
+                                  OptionRange range,
+                                  const OptionNotes& notes) {
+  OptionRow row = detail::row<Member>(name, OptionKind::kNamedNumbers, notes);
+  row.range = range;
+  return row;
 }
 
 /// The options of a struct inside, by its own table.

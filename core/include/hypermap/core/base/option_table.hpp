@@ -23,12 +23,20 @@
 
 namespace hypermap {
 
+/// A number that belongs to a name: the weight of a detector.
+struct NamedNumber {
+  std::string name;
+  double number = 0.0;
+  friend bool operator==(const NamedNumber&, const NamedNumber&) = default;
+};
+
 /// What a field holds. A scalar is a number, a flag 0 or 1, a choice the position of its name.
 /// A view: lists stay where they are.
 class OptionValue {
  public:
   using Numbers = std::span<const double>;
   using Names = std::span<const std::string>;
+  using NamedNumbers = std::span<const NamedNumber>;
 
   constexpr OptionValue() noexcept = default;  ///< None: the field is empty.
   /// Implicit, so that a table says `.smap = 1.7`.
@@ -42,15 +50,19 @@ class OptionValue {
   constexpr explicit OptionValue(const T& strong) noexcept : value_(strong.value()) {}
   constexpr explicit OptionValue(Numbers numbers) noexcept : value_(numbers) {}
   constexpr explicit OptionValue(Names names) noexcept : value_(names) {}
+  constexpr explicit OptionValue(NamedNumbers numbers) noexcept : value_(numbers) {}
 
   [[nodiscard]] constexpr bool is_none() const noexcept { return value_.index() == 0; }
-  /// Requires: a scalar, numbers, names.
+  /// Requires: a scalar, numbers, names, numbers by name.
   [[nodiscard]] constexpr double scalar() const { return std::get<double>(value_); }
   [[nodiscard]] constexpr Numbers numbers() const { return std::get<Numbers>(value_); }
   [[nodiscard]] constexpr Names names() const { return std::get<Names>(value_); }
+  [[nodiscard]] constexpr NamedNumbers named_numbers() const {
+    return std::get<NamedNumbers>(value_);
+  }
 
  private:
-  std::variant<std::monostate, double, Numbers, Names> value_;
+  std::variant<std::monostate, double, Numbers, Names, NamedNumbers> value_;
 };
 
 /// Of a field that may be empty: it is.
@@ -85,7 +97,8 @@ enum class OptionKind : std::uint8_t {
   kChoice,   ///< One of `OptionRow::choices`, named in the order of the enumerators from 0 on.
   kNumbers,  ///< As many as the field has.
   kNames,
-  kSection,  ///< Not an option, but a struct that has some.
+  kNamedNumbers,  ///< A number for each name that is given, which is there once.
+  kSection,       ///< Not an option, but a struct that has some.
 };
 
 struct OptionTable;
@@ -119,7 +132,8 @@ struct OptionTable {
   Result<void> (*rule)(const void* options) = nullptr;
 };
 
-/// "true, false", "names", the names of a choice, or the interval: "none or 0 .. 1".
+/// "true, false", "names", "numbers by name", the names of a choice, or the interval: "none or 0 ..
+/// 1".
 [[nodiscard]] std::string range_text(const OptionRow& row);
 
 /// Errors: kInvalidArgument, without a field: the rule that `value` breaks, and the value.

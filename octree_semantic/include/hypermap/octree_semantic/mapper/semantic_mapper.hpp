@@ -174,6 +174,10 @@ class SemanticMapper {
   /// empty.
   void set_clock(Clock clock) { clock_ = std::move(clock); }
 
+  /// What `objects.stacking` needs to know of the detectors: weights that its options name. Until
+  /// it is set all weights are 1. Threads: as `integrate`.
+  void set_stacking_model(StackingModel model) { stacking_model_ = std::move(model); }
+
   /// Which classes the ids of detections stand for: what snapshots say from the next one on. The
   /// mapper keeps a copy, so the registry of the caller may grow at any other time.
   ///
@@ -251,6 +255,7 @@ class SemanticMapper {
 
   SemanticMapperOptions options_;
   ClassFilter class_filter_;
+  StackingModel stacking_model_;
   SemanticOctree octree_;
   ObjectMap objects_;
   OcclusionScene occlusion_;

@@ -35,7 +35,8 @@ struct ModelSummary {
 struct ArchiveInfo {
   std::int64_t format_version = 0;  ///< 0: the first implementation's form, nothing beyond it.
   std::vector<LayerSummary> layers;
-  std::vector<std::string> classes;  ///< In the order of their ids.
+  std::vector<std::string> classes;                 ///< In the order of their ids.
+  std::vector<DetectorDescription> detectors = {};  ///< The same.
   std::vector<FrameTransform> transforms;
   std::vector<Provenance> provenance;  ///< Of each run, oldest first.
   /// Of the confirmed objects (`archive_relations`), as many of each of `kRelationKinds`.
@@ -50,10 +51,11 @@ struct ArchiveInfo {
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
-/// {`min`, `max`}}], `classes` [{`id`, `name`}], `transforms`, `relations` {`on`, `in`, `under`,
-/// `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}], `views`: how
-/// many, `provenance` (of the newest run, with the others, oldest first, in its list `earlier`;
-/// null when there is none).
+/// {`min`, `max`}}], `classes` [{`id`, `name`}], `detectors` [{`id`, `name`,
+/// `type`, `architecture`, `classes`; null what is not stated}], `transforms`, `relations` {`on`,
+/// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
+/// `views`: how many, `provenance` (of the newest run, with the others, oldest first, in its list
+/// `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

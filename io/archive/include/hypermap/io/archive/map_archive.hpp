@@ -11,6 +11,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/evaluation/true_surfaces.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/layer_types.hpp"
 #include "hypermap/io/archive/object_views.hpp"
@@ -59,6 +60,9 @@ struct ClassGrid {
 struct MapArchive {
   Hypermap hypermap;
   ClassRegistry classes = {};
+  /// Whose words the observation logs hold, by the ids there. Maps of before they were kept have
+  /// none.
+  DetectorRegistry detectors = {};
   ObjectMap objects = {};
   ObjectViews views = {};  ///< Of objects, where they were kept.
   std::optional<SemanticOctree> octree = {};

@@ -10,6 +10,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/camera.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/io/dataset/dataset_description.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
@@ -28,12 +29,15 @@ struct OptionTable;
 struct DatasetOptions {
   /// A description from outside, its paths relative to the folder; none: look in the folder.
   std::optional<std::filesystem::path> description = std::nullopt;
-  /// Detections files, one detector each, in the order of their DetectorId. Empty: those that lie
-  /// in the folder (`detections.jsonl`, `detections.json`, or what the description names).
+  /// Detections files, one detector each. Empty: those that lie in the folder (`detections.jsonl`,
+  /// `detections.json`, or what the description names). A file that does not say whose it is is
+  /// that of the detector of its stem's name, label images are that of `labels`.
   std::vector<std::filesystem::path> detections = {};
   /// False: detections in the folder are not read unless named above.
   bool find_detections = true;
   DetectionReadOptions detection_reading = {};
+  /// Detectors that are known from elsewhere: the map that is gone on from, a network.
+  DetectorRegistry detectors = {};
   /// Partners may be this far apart; none: the description's, else 0.02 s. Range: 0 .. 3600
   std::optional<double> stamp_tolerance_s = std::nullopt;
   std::size_t first = 0;   ///< Frames before it are left out.
@@ -61,6 +65,7 @@ struct DatasetSummary {
   std::size_t num_depth = 0;
   std::size_t num_color = 0;
   std::size_t num_poses = 0;
+  DetectorRegistry detectors;  ///< Those of the options, and of the detections that were read.
   std::size_t num_detection_frames = 0;
   std::size_t num_detections = 0;
   std::optional<std::string> up_axis;  ///< "z", "-y" ... when the description says so.
@@ -106,8 +111,8 @@ class DatasetReader {
 /// Classes of the detections are added to `registry`.
 ///
 /// Errors: those of validate(options); kNotFound when it is no known layout, with what was looked
-/// for; kIo; whatever the trajectory, intrinsics, detections and description files give; kNotFound
-/// when there is no frame.
+/// for; kIo; those of DetectorRegistry::add; whatever the trajectory, intrinsics, detections and
+/// description files give; kNotFound when there is no frame.
 [[nodiscard]] Result<std::unique_ptr<DatasetReader>> open_dataset(const std::filesystem::path& path,
                                                                   const DatasetOptions& options,
                                                                   ClassRegistry& registry);

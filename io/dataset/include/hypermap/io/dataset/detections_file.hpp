@@ -9,6 +9,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
+#include "hypermap/core/segmentation/detector_registry.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -85,8 +86,9 @@ struct FrameDetections {
 /// All that one detector said about a sequence.
 struct DetectionSet {
   std::vector<FrameDetections> frames;  ///< In the order of the file.
-  /// What the detector can name: given by the options, else by the file's categories, else the
-  /// labels in the order of first mention.
+  DetectorDescription detector = {};    ///< Whose words these are; without a name: not stated.
+  /// What the detector can name: given by the options, else by its description or the file's
+  /// categories, and the labels in the order of first mention.
   std::vector<std::string> class_names;
   std::size_t num_clipped = 0;     ///< Boxes that exceeded an image whose size is stated.
   EmbeddingDimensions embeddings;  ///< Those of the options, and of the file.
@@ -149,9 +151,11 @@ struct ResolvedDetections {
 /// back the same; embeddings in base64.
 [[nodiscard]] std::string to_json_line(const FrameDetections& frame);
 
-/// A file of such lines, one an image, behind a head that holds their number and their CRC-32:
-/// `{"format": "hypermap-detections", "version": 1, "num_images": 2, "crc32": "8 digits"}`.
-[[nodiscard]] std::string to_json_lines(std::string_view lines);
+/// A file of such lines, one an image, behind a head that holds their number and the CRC-32 of all
+/// that follows: `{"format": "hypermap-detections", "version": 1, "num_images": 2, "crc32": "8
+/// digits"}`. Where `detector` has a name, a line `{"detector": {"name": ...}}` stands between.
+[[nodiscard]] std::string to_json_lines(std::string_view lines,
+                                        const DetectorDescription& detector = {});
 
 /// COCO results: a list of {image_id, file_name, category_id, category, bbox [x, y, w, h], score,
 /// scores, segmentation}. `image_id` counts frames from 0, `category_id` counts `class_names` from

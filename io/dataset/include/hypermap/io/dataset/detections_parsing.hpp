@@ -30,6 +30,12 @@ class DetectionSetBuilder {
   void note(Finding finding) { findings_.push_back(std::move(finding)); }
   /// Classes that the file lists.
   void add_class(const std::string& name);
+  /// Whose words the file holds; its classes are known from here on.
+  void set_detector(DetectorDescription detector);
+  /// Whether the file said who speaks, or what was detected in some image.
+  [[nodiscard]] bool has_begun() const {
+    return !set_.frames.empty() || !set_.detector.name.empty();
+  }
   [[nodiscard]] const DetectionReadOptions& options() const { return options_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] Loaded<DetectionSet> take() &&;

@@ -31,7 +31,6 @@ struct OnnxDetectorOptions {
   /// multiple of 32 for forms with grids.
   int input_side_px = 0;
   std::size_t max_detections = 1000;  ///< The best of an image are kept. Range: 1 .. 1000
-  DetectorId detector{0};             ///< Written into the detections.
   NetworkForm network_form = NetworkForm::kAuto;     ///< What the outputs mean.
   ImageFit image_fit = ImageFit::kAuto;              ///< How the image lies in the square.
   ChannelOrder channel_order = ChannelOrder::kAuto;  ///< In which order colours go in.
@@ -82,6 +81,9 @@ class OnnxDetector {
 
   /// What the outputs were found to mean; never `kAuto`.
   [[nodiscard]] NetworkForm form() const noexcept;
+
+  /// Detections bear this id from now on; 0 before.
+  void set_id(DetectorId id) noexcept;
 
  private:
   struct Impl;

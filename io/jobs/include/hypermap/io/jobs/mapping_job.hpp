@@ -39,6 +39,9 @@ struct MappingJob {
   /// asked for, brings surfaces and free space alone: no object counts as missed in it. Each run
   /// begins anew, with the first frame that it can read.
   LookOptions looks = {};
+  /// What combines detectors by stacking rule `trained`, as train_combiner_job writes it: needed by
+  /// that rule, refused with another.
+  std::optional<std::filesystem::path> combiner = std::nullopt;
   SemanticMapperOptions mapper = {};
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who speaks in a detections file.
+#include "hypermap/io/dataset/detections_file.hpp"
+#include "opened_dataset.hpp"
+#include "support/synthetic_dataset.hpp"
+#include "support/temp_dir.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+namespace hypermap {
+namespace {
+
+using test::opened;
+using test::refusal;
+using test::TempDir;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kYoloLine =
+    R"({"detector": {"name": "yolo", "architecture": "YOLOX", "classes": ["sofa", "chair"]}})"
+    "\n";
+
+DetectionSet parsed_set(const std::string& text) {
+  const auto loaded = parse_detections(text, "a.jsonl");
+  EXPECT_TRUE(loaded) << to_string(loaded.error());
+  return loaded ? loaded->value : DetectionSet{};
+}
+
+std::string line_refusal(const std::string& text) {
+  const auto loaded = parse_detections(text, "a.jsonl");
+  return loaded ? "was accepted" : to_string(loaded.error());
+}
+
+TEST(DetectorLine, SaysWhoSpeaksAndWhatItCanName) {
+  const DetectionSet set = parsed_set(kYoloLine + test::chair_in("a.png"));
+  EXPECT_EQ(set.detector.name, "yolo");
+  EXPECT_EQ(set.detector.type, "");
+  EXPECT_EQ(set.detector.architecture, "YOLOX");
+  EXPECT_THAT(set.class_names, ElementsAre("sofa", "chair"));
+  EXPECT_EQ(set.frames.size(), 1U);
+  EXPECT_EQ(parsed_set(kYoloLine).detector.name, "yolo");
+  EXPECT_EQ(parsed_set(test::chair_in("a.png")).detector, DetectorDescription{});
+}
+
+TEST(DetectorLine, IsPartOfWhatTheHeadProtects) {
+  const DetectorDescription detector{
+      .name = "y\"1", .type = "detection", .architecture = "X", .classes = {"cup", "chair"}};
+  const std::string text = to_json_lines(test::chair_in("a.png"), detector);
+  const DetectionSet set = parsed_set(text);
+  EXPECT_EQ(set.detector, detector);
+  EXPECT_EQ(set.frames.size(), 1U);
+  EXPECT_EQ(parsed_set(to_json_lines("", detector)).detector, detector);
+  for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
+    std::string changed = text;
+    changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ 1 << (bit % 8));
+    EXPECT_FALSE(parse_detections(changed, "a.jsonl")) << bit / 8 << ": " << changed[bit / 8];
+  }
+}
+
+TEST(DetectorLine, RefusalsNameTheLine) {
+  EXPECT_THAT(line_refusal(test::chair_in("a.png") + kYoloLine),
+              HasSubstr("a.jsonl:2: $: the detector must be named once, before the first image"));
+  EXPECT_THAT(line_refusal(kYoloLine + kYoloLine), HasSubstr("must be named once"));
+  EXPECT_THAT(line_refusal(R"({"detector": {"type": "detection"}})"), HasSubstr("name"));
+  EXPECT_THAT(line_refusal(R"({"detector": {"name": "a", "colour": 1}})"), HasSubstr("colour"));
+  EXPECT_THAT(line_refusal(R"({"detector": {"name": "a", "classes": ["x", "X"]}})"),
+              HasSubstr("$.detector: classes: names[1]"));
+  EXPECT_THAT(line_refusal(R"({"detector": {"name": ""}})"), HasSubstr("must not be empty"));
+  EXPECT_THAT(line_refusal(R"({"detector": "yolo"})"), HasSubstr("$.detector"));
+}
+
+TEST(DetectorLine, AFrameMayHaveAKeyOfThatName) {
+  const DetectionSet set = parsed_set(R"({"image": "a.png", "detector": 3, "detections": []})");
+  EXPECT_EQ(set.frames.size(), 1U);
+  EXPECT_EQ(set.detector.name, "");
+}
+
+TEST(DetectorLine, FilesThatDoNotSayAreCalledByTheirStems) {
+  const TempDir folder;
+  test::write_tum(folder.path());
+  test::write_text(folder / "a/yolo.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "b/yolo.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "ssd.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
+  ClassRegistry classes;
+  const auto reader = opened(
+      folder.path(),
+      classes,
+      {.detections = {folder / "a/yolo.jsonl", folder / "b/yolo.jsonl", folder / "ssd.jsonl"}});
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(reader->summary().detectors.names(), ElementsAre("yolo", "yolo 2"))
+      << "a file that says who speaks is that detector's, whatever the file is called";
+}
+
+TEST(DetectorLine, DetectorsThatAreKnownKeepTheirIds) {
+  const TempDir folder;
+  test::write_tum(folder.path());
+  test::write_text(folder / "new.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "y.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
+  DatasetOptions options{.detections = {folder / "new.jsonl", folder / "y.jsonl"}};
+  ASSERT_TRUE(options.detectors.add({.name = "yolo", .architecture = "YOLOX"}));
+  ClassRegistry classes;
+  const auto reader = opened(folder.path(), classes, options);
+  ASSERT_NE(reader, nullptr);
+  const auto frame = reader->read(2);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->detections.size(), 2U);
+  EXPECT_EQ(frame->detections[0].detector, DetectorId{1});
+  EXPECT_EQ(frame->detections[1].detector, DetectorId{0});
+  DatasetOptions clash{.detections = {folder / "y.jsonl"}};
+  ASSERT_TRUE(clash.detectors.add({.name = "yolo", .architecture = "YOLOv5"}));
+  EXPECT_THAT(refusal(folder.path(), clash),
+              HasSubstr("y.jsonl: detector: \"yolo\" (YOLOX, 2 classes) has another architecture "
+                        "than the detector \"yolo\" (YOLOv5)"));
+}
+
+}  // namespace
+}  // namespace hypermap
