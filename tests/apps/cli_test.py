@@ -596,6 +596,35 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(wrong.returncode, 4, wrong)
         self.assertIn("is no step of this policy, which has range, surroundings, planes, parts", wrong.stderr)
 
+    def test_tune_tells_times_of_a_sequence(self):
+        output = self.folder / "times"
+        told = run("tune", "--input", self.dataset, "--times", "--output", output, "--json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        times = json.loads(told.stdout)
+        self.assertEqual([step["name"] for step in times["steps"]], ["window", "planes", "surfaces", "object"])
+        self.assertLessEqual(times["steps"][0]["points"]["lower"], times["steps"][0]["points"]["upper"])
+        self.assertEqual({path.name for path in output.iterdir()}, {"times.png", "points.png"})
+        self.assertIn("points left", run("tune", "--input", self.dataset, "--times").stdout)
+
+    def test_tune_sweeps_given_and_simulated_sequences(self):
+        axis = ("--sweep", "publication.min_observations=3,1000")
+        given = run("tune", "--input", self.dataset, "--truth", self.dataset / "truth.hmap", *axis, "--json")
+        self.assertEqual(given.returncode, 0, given.stderr)
+        points = json.loads(given.stdout)["points"]
+        self.assertGreater(points[0]["mean"]["f1"], 0.0)
+        self.assertEqual(points[1]["mean"]["recall"], 0.0)
+        table = run("tune", *axis, "--seeds", "1", "--frames", 3)
+        self.assertEqual(table.returncode, 0, table.stderr)
+        self.assertEqual([line.split()[:2] for line in table.stdout.splitlines()[1:]],
+                         [["3", "mean"], ["3", "worst"], ["1000", "mean"], ["1000", "worst"]])
+        for arguments, told in ((["--sweep", "publication.min_observation=3"], "min_observations"),
+                                ([*axis, "--frame", "3"], "--frame"),
+                                ([*axis, "--input", self.dataset], "--truth"),
+                                (["--frame", "3"], "--input")):
+            refused = run("tune", *arguments)
+            self.assertEqual(refused.returncode, 4, refused)
+            self.assertIn(told, refused.stderr)
+
     def test_sizes_of_a_map_add_up(self):
         sizes = json.loads(run("info", self.archive, "--sizes", "--json").stdout)
         self.assertEqual(sizes["bytes"], self.archive.stat().st_size)

@@ -10,6 +10,8 @@
 #include "outputs.hpp"
 #include "tables.hpp"
 #include "tune_options.hpp"
+#include "tune_sweep.hpp"
+#include "tune_times.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -24,11 +26,13 @@ namespace {
 struct TuneArguments {
   DatasetArguments dataset;
   std::vector<std::string> detections;
-  std::size_t frame = 0;
+  std::optional<std::size_t> frame;
   std::optional<std::size_t> detection;
   std::optional<std::string> output;
   std::optional<std::string> up_axis;
   TuneOptions options;
+  SweepArguments sweep;
+  bool times = false;
 };
 
 std::string file_safe(std::string text) {
@@ -140,19 +144,24 @@ Result<void> align_world(DatasetReader& dataset, const std::optional<std::string
   return {};
 }
 
-Result<RgbdFrame> read_asked_frame(const TuneArguments& arguments, ClassRegistry& classes) {
+Result<std::unique_ptr<DatasetReader>> open_aligned(const TuneArguments& arguments,
+                                                    ClassRegistry& classes) {
   HYPERMAP_ASSIGN_OR_RETURN(DatasetOptions dataset_options, arguments.dataset.options());
   dataset_options.detections.assign(arguments.detections.begin(), arguments.detections.end());
-  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
+  HYPERMAP_ASSIGN_OR_RETURN(auto dataset,
                             open_dataset(arguments.dataset.input, dataset_options, classes));
-  if (arguments.frame >= dataset->size()) {
+  HYPERMAP_TRY(align_world(*dataset, arguments.up_axis));
+  return dataset;
+}
+
+Result<RgbdFrame> read_asked_frame(const TuneArguments& arguments, const DatasetReader& dataset) {
+  if (*arguments.frame >= dataset.size()) {
     return fail(ErrorCode::kNotFound,
-                "the dataset has frames 0.." + std::to_string(dataset->size() - 1) +
-                    ", asked for " + std::to_string(arguments.frame),
+                "the dataset has frames 0.." + std::to_string(dataset.size() - 1) + ", asked for " +
+                    std::to_string(*arguments.frame),
                 "--frame");
   }
-  HYPERMAP_TRY(align_world(*dataset, arguments.up_axis));
-  HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, dataset->read(arguments.frame));
+  HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, dataset.read(*arguments.frame));
   if (frame.detections.empty()) {
     return fail(ErrorCode::kNotFound, "nothing was detected in it", frame.name);
   }
@@ -165,11 +174,12 @@ Result<RgbdFrame> read_asked_frame(const TuneArguments& arguments, ClassRegistry
   return frame;
 }
 
-Result<void> tune(const TuneArguments& arguments, const MapOptions& options) {
-  ClassRegistry classes;
-  HYPERMAP_ASSIGN_OR_RETURN(const RgbdFrame frame, read_asked_frame(arguments, classes));
+Result<void> show_frame(const TuneArguments& arguments,
+                        const DatasetReader& dataset,
+                        const ClassRegistry& classes,
+                        const ObjectPipelineOptions& objects) {
+  HYPERMAP_ASSIGN_OR_RETURN(const RgbdFrame frame, read_asked_frame(arguments, dataset));
   HYPERMAP_ASSIGN_OR_RETURN(const FigureFolder folder, FigureFolder::create(arguments.output));
-  const ObjectPipelineOptions objects = with_ranges(options.mapper).objects;
   HYPERMAP_TRY(folder.frame(frame, classes, objects.binned_depth));
   for (std::size_t i = 0; i < frame.detections.size(); ++i) {
     if (arguments.detection && *arguments.detection != i) continue;
@@ -181,16 +191,44 @@ Result<void> tune(const TuneArguments& arguments, const MapOptions& options) {
   return {};
 }
 
+Result<void> tune(const TuneArguments& arguments,
+                  const MapOptions& options,
+                  const std::string& progress_when) {
+  ClassRegistry classes;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset, open_aligned(arguments, classes));
+  const ObjectPipelineOptions objects = with_ranges(options.mapper).objects;
+  if (!arguments.times) return show_frame(arguments, *dataset, classes, objects);
+  return tell_times(
+      *dataset, objects.segmentation, arguments.output, arguments.sweep.json, progress_when);
+}
+
+/// Which frame, unless maps are compared; which dataset, unless their sequences are simulated.
+void require_inputs(const TuneArguments& arguments) {
+  const bool has_input = !arguments.dataset.input.empty();
+  if (arguments.sweep.is_asked()) {
+    if (arguments.sweep.truth && !has_input) throw CLI::RequiredError("--input");
+    if (has_input && !arguments.sweep.truth) {
+      throw CLI::ValidationError("--input", "is swept when its --truth is given");
+    }
+    return;
+  }
+  if (!has_input) throw CLI::RequiredError("--input");
+  if (arguments.sweep.json && !arguments.times) {
+    throw CLI::ValidationError("--json", "goes with --sweep and --times");
+  }
+  if (!arguments.frame && !arguments.times) throw CLI::RequiredError("--frame");
+}
+
 }  // namespace
 
-void add_tune_command(CLI::App& program, Action& action) {
+void add_tune_command(CLI::App& program, const CommonOptions& common, Action& action) {
   auto arguments = std::make_shared<TuneArguments>();
-  CLI::App& command =
-      *program.add_subcommand("tune", "The segmentation of one frame's detections, step by step");
+  CLI::App& command = *program.add_subcommand(
+      "tune", "The segmentation of one frame's detections, step by step; maps with other options");
   arguments->dataset.add_to(command);
+  command.get_option("--input")->required(false);
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
   command.add_option("--frame", arguments->frame, "which frame, counted from 0")
-      ->required()
       ->check(CLI::NonNegativeNumber.description("at least 0"));
   command
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
@@ -198,14 +236,26 @@ void add_tune_command(CLI::App& program, Action& action) {
   command
       .add_option("--up", arguments->up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));
-  command.add_option("--output",
-                     arguments->output,
-                     "folder for figures of the detections, each step, the box and the panels");
+  command.add_option(
+      "--output",
+      arguments->output,
+      "folder for figures of the detections, each step, the box and the panels; for box plots");
   arguments->options.add_to(command);
+  arguments->sweep.add_to(command);
+  command
+      .add_flag("--times",
+                arguments->times,
+                "instead of --frame: what each step takes and leaves over all detections, with box "
+                "plots in --output")
+      ->excludes(command.get_option("--frame"))
+      ->excludes(command.get_option("--sweep"));
   show_examples(command,
                 {"hypermap tune --input lab --frame 10 --detection 0 --output steps",
-                 "hypermap tune --input lab --frame 10 --preset smap --without outliers,clusters"});
-  command.callback([arguments, &action] {
+                 "hypermap tune --input lab --frame 10 --preset smap --without outliers,clusters",
+                 "hypermap tune --input lab --times --output plots",
+                 "hypermap tune --sweep octree.resolution_m=0.03,0.05 --seeds 1,2,3"});
+  command.callback([arguments, &common, &action] {
+    require_inputs(*arguments);
     const auto options = map_options_of(arguments->options);
     if (!options) {
       const Error& error = options.error();
@@ -216,8 +266,12 @@ void add_tune_command(CLI::App& program, Action& action) {
       throw CLI::ValidationError("tune", to_string(error));
     }
     if (arguments->output) keep_out_of_datasets("--output", *arguments->output);
-    action = [arguments, options = *options] {
-      const auto done = tune(*arguments, options);
+    action = [arguments, &common, options = *options] {
+      if (arguments->sweep.is_asked()) {
+        return sweep(
+            arguments->sweep, arguments->dataset, arguments->detections, options, common.progress);
+      }
+      const auto done = tune(*arguments, options, common.progress);
       return done ? ExitCode::kDone : report(done.error());
     };
   });
