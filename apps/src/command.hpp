@@ -78,6 +78,6 @@ void add_cells_command(CLI::App& program, const CommonOptions& common, Action& a
 void add_snapshot_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
-void add_tune_command(CLI::App& program, Action& action);
+void add_tune_command(CLI::App& program, const CommonOptions& common, Action& action);
 
 }  // namespace hypermap::app

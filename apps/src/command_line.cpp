@@ -35,7 +35,7 @@ CommandLine::CommandLine()
   add_cells_command(program, common, action);
   add_snapshot_command(program, action);
   add_eval_command(program, action);
-  add_tune_command(program, action);
+  add_tune_command(program, common, action);
   add_check_command(program, action);
 }
 

@@ -560,7 +560,76 @@ class Pipeline(unittest.TestCase):
         output = self.folder / "tune"
         result = run("tune", "--input", self.dataset, "--frame", SHOWN_FRAME, "--output", output)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertTrue(list(output.glob("*.png")))
+        names = {path.name for path in output.glob("*.png")}
+        for name in ("detections.png", "panels.png", "panels-from-above.png", "detection-0-step-1-window.png",
+                     "detection-0-box.png"):
+            self.assertIn(name, names)
+
+    def tuned(self, *arguments):
+        return run("tune", "--input", self.dataset, "--frame", SHOWN_FRAME, "--detection", 0,
+                   "--set", "segmentation.max_range_m=6", *arguments)
+
+    def test_tune_takes_presets_files_and_any_option(self):
+        smap = self.tuned("--preset", "smap")
+        self.assertIn("outliers", smap.stdout, smap)
+        config = self.folder / "tune.yaml"
+        config.write_text("preset: smap\nsegmentation:\n  leaf_size_m: 0.02\n")
+        coarse = self.tuned("--config", config)
+        self.assertNotEqual(coarse.stdout.split("segment of")[1], smap.stdout.split("segment of")[1])
+        by_flag = self.tuned("--preset", "smap", "--set", "segmentation.leaf_size_m=0.02")
+        self.assertEqual(by_flag.stdout.split("segment of")[1], coarse.stdout.split("segment of")[1])
+        wrong = self.tuned("--set", "segmentation.leaf_size=0.1")
+        self.assertEqual(wrong.returncode, 4, wrong)
+        self.assertIn("leaf_size_m", wrong.stderr)
+
+    def test_tune_leaves_steps_out(self):
+        def points(step, *arguments):
+            told = self.tuned("--preset", "smap", *arguments)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            return next(int(line.split(step)[1].split()[0]) for line in told.stdout.splitlines() if line.startswith("  " + step))
+
+        without = ("--without", "outliers,voxel-grid")
+        self.assertGreater(points("voxel grid", *without), points("voxel grid"))
+        self.assertEqual(points("outliers", *without), points("voxel grid", *without))
+        self.assertLess(points("outliers"), points("voxel grid"))
+        wrong = self.tuned("--without", "clusters")
+        self.assertEqual(wrong.returncode, 4, wrong)
+        self.assertIn("is no step of this policy, which has range, surroundings, planes, parts", wrong.stderr)
+
+    def test_tune_tells_times_of_a_sequence(self):
+        output = self.folder / "times"
+        told = run("tune", "--input", self.dataset, "--times", "--output", output, "--json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        times = json.loads(told.stdout)
+        self.assertEqual([step["name"] for step in times["steps"]], ["window", "planes", "surfaces", "object"])
+        self.assertLessEqual(times["steps"][0]["points"]["lower"], times["steps"][0]["points"]["upper"])
+        self.assertEqual({path.name for path in output.iterdir()}, {"times.png", "points.png"})
+        self.assertIn("points left", run("tune", "--input", self.dataset, "--times").stdout)
+
+    def test_tune_sweeps_given_and_simulated_sequences(self):
+        axis = ("--sweep", "publication.min_observations=3,1000")
+        given = run("tune", "--input", self.dataset, "--truth", self.dataset / "truth.hmap", *axis, "--json")
+        self.assertEqual(given.returncode, 0, given.stderr)
+        points = json.loads(given.stdout)["points"]
+        self.assertGreater(points[0]["mean"]["f1"], 0.0)
+        self.assertEqual(points[1]["mean"]["recall"], 0.0)
+        table = run("tune", *axis, "--seeds", "1", "--frames", 3)
+        self.assertEqual(table.returncode, 0, table.stderr)
+        self.assertEqual([line.split()[:2] for line in table.stdout.splitlines()[1:]],
+                         [["3", "mean"], ["3", "worst"], ["1000", "mean"], ["1000", "worst"]])
+        for arguments, told in ((["--sweep", "publication.min_observation=3"], "min_observations"),
+                                ([*axis, "--frame", "3"], "--frame"),
+                                ([*axis, "--input", self.dataset], "--truth"),
+                                (["--frame", "3"], "--input")):
+            refused = run("tune", *arguments)
+            self.assertEqual(refused.returncode, 4, refused)
+            self.assertIn(told, refused.stderr)
+
+    def test_sizes_of_a_map_add_up(self):
+        sizes = json.loads(run("info", self.archive, "--sizes", "--json").stdout)
+        self.assertEqual(sizes["bytes"], self.archive.stat().st_size)
+        self.assertLess(sum(part["packed_bytes"] for part in sizes["parts"]), sizes["bytes"])
+        self.assertIn("of an object", run("info", self.archive, "--sizes").stdout)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,11 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
           arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
   auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
+  if (request.format == ExportFormat::kClassGrids && loaded.value.class_grids.empty()) {
+    std::fprintf(stderr,
+                 "export: the map has no class grids: these are made from the footprints in its "
+                 "semantic layer\n");
+  }
   return written;
 }
 
@@ -67,6 +72,9 @@ void add_export_command(CLI::App& program, Action& action) {
       ->delimiter(',');
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
+  command.add_flag("--without-objects",
+                   arguments->request.without_objects,
+                   "ros-map: the floor that the map's objects stand on is free");
   command.add_flag("--complete",
                    arguments->request.complete,
                    "geojson: also a guess of the box of objects that were seen from few sides");
@@ -75,6 +83,7 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_option("--rules", arguments->rules, kRulesHelp);
   show_examples(command,
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
+                 "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
                  "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
                  "hypermap export lab.hmap --format relations --output lab.dot"});
   command.callback([arguments, &action] {

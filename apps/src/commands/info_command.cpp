@@ -3,10 +3,12 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
+#include "hypermap/io/archive/archive_sizes.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "load_arguments.hpp"
+#include "sizes_text.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -29,6 +31,7 @@ struct InfoArguments {
   std::string file;
   std::optional<std::string> description;
   bool json = false;
+  bool sizes = false;
   LoadArguments load;
 };
 
@@ -181,6 +184,18 @@ ExitCode report_all(const std::vector<Finding>& findings) {
   return worst;
 }
 
+ExitCode show_sizes(const InfoArguments& arguments) {
+  const auto loaded = load_archive(
+      arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted());
+  if (!loaded) return report(loaded.error());
+  const auto sizes = archive_sizes(loaded->value);
+  if (!sizes) return report(with_source(sizes.error(), {arguments.file}));
+  std::printf("%s%s",
+              (arguments.json ? to_json(*sizes) : sizes_text(*sizes)).c_str(),
+              arguments.json ? "\n" : "");
+  return report_all(loaded->findings);
+}
+
 ExitCode run(const InfoArguments& arguments) {
   const auto described = describe_file(
       arguments.file, arguments.load.limits, stop_when_interrupted(), arguments.description);
@@ -204,10 +219,16 @@ void add_info_command(CLI::App& program, Action& action) {
       *program.add_subcommand("info", "What is in an archive, octree, map_server YAML or dataset");
   command.add_option("file", arguments->file, "file, or folder of a dataset")->required();
   command.add_option("--dataset", arguments->description, kDescriptionHelp);
+  command.add_flag(
+      "--sizes", arguments->sizes, "of an archive: what each part of the map costs in it");
   command.add_flag("--json", arguments->json, "one JSON document");
   arguments->load.add_to(command);
-  show_examples(command, {"hypermap info lab.hmap", "hypermap info lab --json"});
-  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+  show_examples(
+      command,
+      {"hypermap info lab.hmap", "hypermap info lab --json", "hypermap info lab.hmap --sizes"});
+  command.callback([arguments, &action] {
+    action = [arguments] { return arguments->sizes ? show_sizes(*arguments) : run(*arguments); };
+  });
 }
 
 }  // namespace hypermap::app

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/io/archive/cleared_floor.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
@@ -33,19 +34,9 @@ Result<OccupancyGrid> floor_of(const MapArchive& archive) {
                 "the map has no occupancy grid of that name, by which rooms are told",
                 std::string(kFloorLayer));
   }
-  const Layer* semantic = archive.hypermap.find(kSemanticLayer);
-  const std::string& frame_id = archive.hypermap.find(kFloorLayer)->info.frame_id;
-  if (semantic != nullptr && semantic->info.frame_id != frame_id) {
-    return fail(ErrorCode::kUnsupported,
-                "must be in the frame of the occupancy grid, " + printable(frame_id) + ", is in " +
-                    printable(semantic->info.frame_id),
-                std::string(kSemanticLayer));
-  }
-  std::vector<Polygon> furniture;
-  for (const SemanticObject& object : shapes_of(archive)) {
-    furniture.insert(furniture.end(), object.parts.begin(), object.parts.end());
-  }
-  return without_obstacles(occupancy->grid, furniture);
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyLayer floor,
+                            without_objects(archive, *archive.hypermap.find(kFloorLayer)));
+  return std::move(floor.grid);
 }
 
 RoomNumber room_of_shape(const RoomPlan& plan, const SemanticObject& object) {

@@ -1,39 +1,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_folder.hpp"
 #include "export_parts.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/io/archive/footprint_grids.hpp"
 #include "map_file_pair.hpp"
 
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
 
-bool is_wanted(const ClassGrid& grid,
-               const MapArchive& archive,
-               const std::optional<std::set<ClassId>>& wanted) {
-  if (!wanted) return true;
-  const auto id = archive.classes.find(grid.class_name);
-  return id && wanted->contains(*id);
+std::vector<std::string> class_names_of(const std::vector<ClassGrid>& grids) {
+  std::vector<std::string> names;
+  for (const ClassGrid& grid : grids) names.push_back(grid.class_name);
+  return names;
+}
+
+bool is_spelled(const std::string& name, const std::vector<std::string>& names) {
+  return std::ranges::any_of(names,
+                             [&](const std::string& one) { return is_spelling_of(one, name); });
+}
+
+/// Those of `grids` whose class was asked for; a class without a grid that the map knows has none.
+Result<std::set<std::string>> wanted_names(const MapArchive& archive,
+                                           const std::vector<ClassGrid>& grids,
+                                           const ExportRequest& request) {
+  std::vector<std::string> known = class_names_of(grids);
+  std::set<std::string> wanted(known.begin(), known.end());
+  if (request.classes.empty()) return wanted;
+  known.insert(known.end(), archive.classes.names().begin(), archive.classes.names().end());
+  for (const std::string& name : request.classes) {
+    if (is_spelled(name, known)) continue;
+    return fail(ErrorCode::kNotFound, nothing_named("class", name, known), "--class");
+  }
+  std::erase_if(wanted,
+                [&](const std::string& name) { return !is_spelled(name, request.classes); });
+  return wanted;
 }
 
 }  // namespace
 
 Result<WrittenFiles> export_class_grids(const MapArchive& archive, const ExportRequest& request) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
-  if (archive.class_grids.empty()) return fail(ErrorCode::kNotFound, "the map has no class grids");
-  const bool has_any = std::any_of(
-      archive.class_grids.begin(), archive.class_grids.end(), [&](const ClassGrid& grid) {
-        return is_wanted(grid, archive, wanted);
-      });
-  if (!has_any) return WrittenFiles{};
+  std::vector<ClassGrid> grids = archive.class_grids;
+  if (grids.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(FootprintGrids made, footprint_grids(archive));
+    grids = std::move(made.grids);
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const std::set<std::string> wanted,
+                            wanted_names(archive, grids, request));
+  if (wanted.empty()) return WrittenFiles{};
   HYPERMAP_TRY(make_export_folder(request.output));
   WrittenFiles written;
   FileNames names;
-  for (const ClassGrid& grid : archive.class_grids) {
+  for (const ClassGrid& grid : grids) {
     const std::string name = names.add(grid.class_name);
-    if (!is_wanted(grid, archive, wanted)) continue;
+    if (!wanted.contains(grid.class_name)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(
         const WrittenFiles pair,
         write_map_pair(OccupancyLayer(grid.grid), request.output / name, request.keep_rotation));

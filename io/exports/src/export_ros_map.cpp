@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/io/archive/cleared_floor.hpp"
 #include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -99,7 +100,10 @@ std::filesystem::path ros_map_yaml(std::filesystem::path output) {
 Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
                             wanted_layer<OccupancyLayer>(archive, request, kOccupancyLayerClass));
-  const auto& map = *layer->content.as<OccupancyLayer>();
+  OccupancyLayer map = *layer->content.as<OccupancyLayer>();
+  if (request.without_objects) {
+    HYPERMAP_ASSIGN_OR_RETURN(map, without_objects(archive, *layer));
+  }
   const OccupancyCounts counts = map.grid.counts();
   if (counts.occupied + counts.free + counts.between == 0) return WrittenFiles{};
   const std::filesystem::path stem = ros_map_yaml(request.output).replace_extension();

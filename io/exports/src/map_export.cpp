@@ -80,6 +80,11 @@ Result<void> validate(const ExportRequest& request) {
                 "goes with --format geojson, not with " + flag_of(request.format),
                 "--complete");
   }
+  if (request.without_objects && request.format != ExportFormat::kRosMap) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes with --format ros-map, not with " + flag_of(request.format),
+                "--without-objects");
+  }
   if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
     return fail(ErrorCode::kInvalidArgument,
                 "does not go with --format ros-map, whose cells have no class; --format "

@@ -108,6 +108,29 @@ TEST(ExportClassGrids, ALongNameIsCutBetweenCharacters) {
                                    name.substr(0, 200) + ".yaml"));
 }
 
+TEST(ExportClassGrids, WithoutClassGridsTheyComeFromFootprints) {
+  MapArchive archive = test::sample_archive();
+  archive.class_grids.clear();
+  const test::TempDir dir;
+  ASSERT_TRUE(export_grids(archive, dir / "grids"));
+  EXPECT_THAT(names_in(dir / "grids"),
+              UnorderedElementsAre("sink-<hash>.pgm",
+                                   "sink-<hash>.pgw",
+                                   "sink.yaml",
+                                   "cup-<hash>.pgm",
+                                   "cup-<hash>.pgw",
+                                   "cup.yaml"));
+  ExportRequest request;
+  request.format = ExportFormat::kClassGrids;
+  request.output = dir / "one";
+  request.classes = {"Sink"};
+  EXPECT_EQ(export_map(archive, request).value().size(), 3U);
+  request.classes = {"chair"};
+  EXPECT_THAT(export_map(archive, request).value(), IsEmpty()) << "known, and not there";
+  request.classes = {"sinks"};
+  EXPECT_THAT(export_map(archive, request).error().what, HasSubstr("sink"));
+}
+
 /// A map of one cell.
 MapArchive map_of(std::int8_t occupancy) {
   GridGeometry geometry;
@@ -125,6 +148,23 @@ MapArchive map_of(std::int8_t occupancy) {
 std::string loaded_cell(const std::filesystem::path& yaml) {
   const auto map = read_map(yaml);
   return map ? std::to_string(map->value.grid.at({0, 0})) : to_string(map.error());
+}
+
+TEST(ExportRosMap, WithoutObjectsTheFloorUnderThemIsFree) {
+  MapArchive archive = map_of(100);
+  SemanticObject rug = test::sample_shape(1, "rug", 0.0);
+  rug.parts = {make_polygon({{0, 0}, {0.05, 0}, {0.05, 0.05}, {0, 0.05}}).value()};
+  ASSERT_TRUE(archive.hypermap.add_layer(
+      {.info = {.name = "semantic"}, .content = SemanticLayer::create({rug}).value()}));
+  const test::TempDir dir;
+  ExportRequest request;
+  request.format = ExportFormat::kRosMap;
+  request.output = dir / "floor";
+  request.without_objects = true;
+  ASSERT_TRUE(export_map(archive, request));
+  EXPECT_EQ(loaded_cell(dir / "floor.yaml"), "0");
+  request.format = ExportFormat::kClassGrids;
+  EXPECT_EQ(export_map(archive, request).error().field, "--without-objects");
 }
 
 TEST(ExportRosMap, IsAYamlAndAnImageNamedAfterItsContent) {

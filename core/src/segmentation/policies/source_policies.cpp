@@ -86,7 +86,9 @@ Result<Segment> segment_by_cluster(const RgbdFrame& frame,
     });
   };
   const std::size_t num_voxels = grid.centroids.size();
-  show("voxel grid", num_voxels, {}, std::vector<std::int32_t>(num_voxels, 1));
+  std::vector<std::int32_t> voxel_labels(num_voxels);
+  std::iota(voxel_labels.begin(), voxel_labels.end(), 1);
+  show("voxel grid", num_voxels, {}, voxel_labels);
 
   const PointIndices kept =
       options.outlier_neighbours > 0
@@ -131,8 +133,9 @@ Result<Segment> segment_by_region_growing(const RgbdFrame& frame,
   PixelCloud largest = subset(cloud, regions.front());
   const ThinnedCloud grid = voxel_grid(largest.points_in_camera, options.leaf_size_m);
   if (recorder != nullptr) {
-    recorder->record(
-        "voxel grid", grid.centroids.size(), 1, largest.pixels, [](std::size_t) { return 1; });
+    recorder->record("voxel grid", grid.centroids.size(), 1, largest.pixels, [&](std::size_t i) {
+      return static_cast<std::int32_t>(grid.voxel_of_point[i]) + 1;
+    });
   }
   return describe(frame, std::move(largest.pixels), grid.centroids, options);
 }

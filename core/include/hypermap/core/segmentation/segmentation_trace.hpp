@@ -18,7 +18,8 @@ namespace hypermap {
 using LabelImage = Image<std::int32_t>;
 inline constexpr std::int32_t kLabelAbsent = -1;  ///< Not looked at, or dropped.
 inline constexpr std::int32_t kLabelNone = 0;     ///< Looked at, and in no segment.
-// 1, 2, ...: in that segment. Steps that do not separate segments use 1.
+// 1, 2, ...: in that segment. Steps that do not separate segments use 1, a voxel grid the number of
+// the voxel.
 
 /// One step and what it left.
 struct SegmentationStep {

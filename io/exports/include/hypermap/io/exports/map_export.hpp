@@ -19,7 +19,8 @@ namespace hypermap {
 
 enum class ExportFormat {
   kRosMap,        ///< map_server YAML + PGM with world file of an occupancy layer.
-  kClassGrids,    ///< The same for each class, in a folder.
+  kClassGrids,    ///< The same for each class, in a folder; of a map without class grids, from
+                  ///< the shapes of its semantic layer (footprint_grids.hpp).
   kOctomap,       ///< `.ot` of an OcTree, or `.bt`.
   kColorOctomap,  ///< `.ot` of a ColorOcTree coloured by class.
   kPly,           ///< Occupied voxels as points with scalar_label, _instance, _confidence.
@@ -52,13 +53,14 @@ struct ExportRequest {
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;
-  bool complete = false;       ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
-  ClassPalette palette = {};   ///< Of formats in colour.
-  RelationOptions rules = {};  ///< kGeojson and kRelations: of relations.
+  bool without_objects = false;  ///< kRosMap: the floor that objects stand on is free.
+  bool complete = false;         ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
+  ClassPalette palette = {};     ///< Of formats in colour.
+  RelationOptions rules = {};    ///< kGeojson and kRelations: of relations.
 };
 
 /// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",
-/// "--complete", "--class", and the formats that it goes with.
+/// "--complete", "--class", "--without-objects", and the formats that it goes with.
 [[nodiscard]] Result<void> validate(const ExportRequest& request);
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
