@@ -74,6 +74,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   report.seconds.integrate = watch.lap();
   try {
     apply_pending_relabels();
+    grow_topological_map(cloud.sensor, association);
   } catch (const std::bad_alloc&) {
     return report;  // the next frame goes on with what is left
   }

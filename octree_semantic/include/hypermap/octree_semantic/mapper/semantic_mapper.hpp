@@ -14,6 +14,7 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/registration/pose_refinement.hpp"
 #include "hypermap/core/registration/pose_refiner.hpp"
 #include "hypermap/core/segmentation/labelled_cloud.hpp"
@@ -27,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -49,6 +51,8 @@ struct SemanticMapperOptions {
   DeadlineOptions deadline = {};
   /// Mends given poses of frames by the surfaces that earlier frames showed; off to begin with.
   PoseRefinementOptions refinement = {};
+  /// Of the topological map, which grows with the sensor's way and toward objects.
+  TopologicalMapOptions places = {};
   /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
   /// not stay are named in `objects.transient_class_names`.
   std::vector<std::string> wanted_class_names = {};
@@ -132,11 +136,15 @@ class SemanticMapper {
   /// Goes on from a map that was made before, which is the first snapshot when any are published.
   /// Voxels that bear an id of no object are freed of it.
   /// Errors: those of create; kInvalidArgument when the tree's options are not those of
-  /// `options.octree`; objects whose embeddings of one model differ in their dimension.
-  [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
-                                                     SemanticOctree octree,
-                                                     ObjectMap objects,
-                                                     const ClassRegistry& classes = {});
+  /// `options.octree`, or the topological map's not `options.places`; objects whose embeddings of
+  /// one model differ in their dimension. Boundary: no topological map, as of a map that was made
+  /// without: one is begun, and made toward all objects that there are.
+  [[nodiscard]] static Result<SemanticMapper> resume(
+      const SemanticMapperOptions& options,
+      SemanticOctree octree,
+      ObjectMap objects,
+      const ClassRegistry& classes = {},
+      std::optional<TopologicalMap> topological_map = std::nullopt);
 
   /// Puts one frame into the map: whole, or on an error not at all. With `refinement` it stands in
   /// the map at its refined pose, for everything that is learnt from it.
@@ -183,6 +191,9 @@ class SemanticMapper {
 
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
   [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
+  /// The places that the sensor came to and those made toward objects; see object_vertices.hpp for
+  /// which object belongs to which. Source: [smap] 3.5.1.
+  [[nodiscard]] const TopologicalMap& topological_map() const noexcept { return topological_map_; }
   /// As given, with the ranges that follow filled in.
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
 
@@ -198,6 +209,7 @@ class SemanticMapper {
                  ClassFilter class_filter,
                  SemanticOctree octree,
                  ObjectMap objects,
+                 TopologicalMap topological_map,
                  OcclusionScene occlusion,
                  std::shared_ptr<const ClassRegistry> classes,
                  std::unique_ptr<SnapshotExchange> snapshots);
@@ -225,6 +237,10 @@ class SemanticMapper {
   void adopt(ObjectMap objects,
              std::span<const PixelLabels> labels,
              std::span<const ObjectMerge> merges) noexcept;
+  /// The sensor came to a place, and objects were created, updated or merged: the topological map
+  /// grows to both. Requires: octree and objects have the frame. Throws std::bad_alloc; what is
+  /// missing then, the next frame makes as far as it shows it.
+  void grow_topological_map(const PointInMap& sensor, const AssociationReport& association);
   void find_voxels_of_objects();
   /// Of an object that `prepare_to_adopt` made room for; else nothing.
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
@@ -241,6 +257,7 @@ class SemanticMapper {
   ClassFilter class_filter_;
   SemanticOctree octree_;
   ObjectMap objects_;
+  TopologicalMap topological_map_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   PoseRefiner refiner_;
