@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,17 @@ DatasetOptions dataset_options(const MappingJob& job) {
   options.read_color = options.read_color && (job.model.has_value() || job.keep_views);
   if (job.model) options.find_detections = false;
   return options;
+}
+
+/// Tells the mapper what belongs where, if its options want that.
+Result<void> set_prior_source(const MappingJob& job, SemanticMapper& mapper) {
+  if (job.mapper.prior.source == ClassPriorKind::kNone) return {};
+  if (!job.place_rules) {
+    return fail(ErrorCode::kInvalidArgument, "needs rules of what belongs where", "prior.source");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto prior, PlacePrior::create(*job.place_rules, job.mapper.prior));
+  mapper.set_prior_source(std::make_shared<const PlacePrior>(std::move(prior)));
+  return {};
 }
 
 /// A map does not depend on the clock.
@@ -218,6 +230,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
+  HYPERMAP_TRY(set_prior_source(job, mapper));
   run.mapper.emplace(std::move(mapper));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
   return run;

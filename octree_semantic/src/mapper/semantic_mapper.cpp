@@ -166,7 +166,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto observations =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
-  for (Observation& observation : observations) observation.num_classes = classes_->size();
+  inform(observations);
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The topological map grows with the sensor's way and toward the objects that it shows.
+// The topological map: it grows with the sensor's way and toward objects, and tells of their
+// places.
 #include "mapper/topological_growth.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
@@ -86,6 +87,14 @@ void SemanticMapper::grow_topological_map(const PointInMap& sensor,
   const double margin_m = options_.places.vertex_distance_m;
   for (const ObjectId id : moved_objects(objects_, association, margin_m)) {
     grow_toward(objects_.at(id), topological_map_);
+  }
+}
+
+void SemanticMapper::inform(std::vector<Observation>& observations) const {
+  for (Observation& observation : observations) {
+    observation.num_classes = classes_->size();
+    if (!prior_source_) continue;
+    observation.prior = prior_source_->prior_of(observation, objects_, topological_map_, *classes_);
   }
 }
 

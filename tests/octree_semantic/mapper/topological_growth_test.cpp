@@ -10,8 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace hypermap {
@@ -91,6 +92,34 @@ TEST(TopologicalGrowth, AMapOfOtherOptionsIsNotGoneOnFrom) {
                                             before.topological_map());
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().field, "places");
+}
+
+/// Knows of one class that it is twice as probable, and how often it was asked.
+class Insistent final : public ClassPriorSource {
+ public:
+  explicit Insistent(ClassId id) : id_(id) {}
+  [[nodiscard]] ClassPrior prior_of(const Observation&,
+                                    const ObjectMap&,
+                                    const TopologicalMap&,
+                                    const ClassRegistry&) const override {
+    return ClassPrior::create({{id_, LogOdds(std::log(2.0))}}).value();
+  }
+
+ private:
+  ClassId id_;
+};
+
+TEST(TopologicalGrowth, OutsideKnowledgeReachesTheObjectsThatAreObserved) {
+  SemanticMapper mapper = SemanticMapper::create({}).value();
+  const ClassId id{3};
+  mapper.set_prior_source(std::make_shared<const Insistent>(id));
+  for (const RgbdFrame& frame : frames()) ASSERT_TRUE(mapper.integrate(frame));
+  ASSERT_FALSE(mapper.objects().empty());
+  for (const Object& object : mapper.objects().objects()) {
+    EXPECT_NEAR(object.prior.factor(id), 2.0, 1e-12);
+  }
+  const SemanticMapper without = mapper_of(frames());
+  for (const Object& object : without.objects().objects()) EXPECT_TRUE(object.prior.empty());
 }
 
 /// Along one side of a wall that ends at x = 3.2 m and back along the other, 0.6 m apart.

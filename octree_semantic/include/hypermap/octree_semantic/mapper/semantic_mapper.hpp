@@ -14,6 +14,7 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/places/place_prior.hpp"
 #include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/registration/pose_refinement.hpp"
 #include "hypermap/core/registration/pose_refiner.hpp"
@@ -53,6 +54,8 @@ struct SemanticMapperOptions {
   PoseRefinementOptions refinement = {};
   /// Of the topological map, which grows with the sensor's way and toward objects.
   TopologicalMapOptions places = {};
+  /// Of what is known of classes besides detections; set_prior_source has it.
+  PlacePriorOptions prior = {};
   /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
   /// not stay are named in `objects.transient_class_names`.
   std::vector<std::string> wanted_class_names = {};
@@ -170,6 +173,12 @@ class SemanticMapper {
   /// Errors: those of validate(cloud) and FrameIntegrator::integrate_far_cloud.
   [[nodiscard]] Result<FrameReport> integrate_cloud(const LabelledCloud& cloud);
 
+  /// Whom each observation's class is asked of besides its detection, from the next frame on; null,
+  /// as to begin with: nobody. `options().prior` makes none by itself.
+  void set_prior_source(std::shared_ptr<const ClassPriorSource> source) {
+    prior_source_ = std::move(source);
+  }
+
   /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
   /// empty.
   void set_clock(Clock clock) { clock_ = std::move(clock); }
@@ -241,6 +250,8 @@ class SemanticMapper {
   /// grows to both. Requires: octree and objects have the frame. Throws std::bad_alloc; what is
   /// missing then, the next frame makes as far as it shows it.
   void grow_topological_map(const PointInMap& sensor, const AssociationReport& association);
+  /// Tells observations how many classes there are, and what is known of theirs.
+  void inform(std::vector<Observation>& observations) const;
   void find_voxels_of_objects();
   /// Of an object that `prepare_to_adopt` made room for; else nothing.
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
@@ -258,6 +269,7 @@ class SemanticMapper {
   SemanticOctree octree_;
   ObjectMap objects_;
   TopologicalMap topological_map_;
+  std::shared_ptr<const ClassPriorSource> prior_source_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   PoseRefiner refiner_;
