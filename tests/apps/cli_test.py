@@ -467,10 +467,10 @@ class Pipeline(unittest.TestCase):
 
     def test_exports_are_made_and_checked(self):
         for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-                     "relations"):
+                     "relations", "topological-map"):
             with self.subTest(form):
                 suffix = {"octomap": ".ot", "color-octomap": ".ot", "ply": ".ply",
-                          "geojson": ".local.geojson", "relations": ".dot"}.get(form, "")
+                          "geojson": ".local.geojson", "relations": ".dot", "topological-map": ".dot"}.get(form, "")
                 output = self.folder / f"export-{form}{suffix}"
                 result = run("export", self.archive, "--format", form, "--output", output)
                 self.assertEqual(result.returncode, 0, result.stderr)
@@ -529,6 +529,15 @@ class Pipeline(unittest.TestCase):
                      "--stats", self.folder / "missing-pose.json")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertEqual(json.loads((self.folder / "missing-pose.json").read_text())["frames_skipped"], 1)
+
+    def test_a_map_in_two_runs_has_the_places_of_one(self):
+        parts = self.folder / "parts.hmap"
+        for more in (("--max-frames", NUM_FRAMES // 2), ("--first", NUM_FRAMES // 2, "--append", "--same-world")):
+            result = run("map", "--input", self.dataset, "--output", parts, *more)
+            self.assertLessEqual(result.returncode, 1, result.stderr)
+        member = "topological_map.jsonl"
+        self.assertEqual(self.members(parts)[member], self.members(self.archive)[member])
+        self.assertRegex(run("info", parts).stdout, r"(?m)^topological map: \d+ vert(ex|ices), \d+ edges?$")
 
     def test_append_goes_on_from_the_archive(self):
         grown = self.folder / "grown.hmap"

@@ -34,6 +34,7 @@ std::string_view target_of(std::string_view member) {
   if (member == "embeddings.bin") return "embeddings";
   if (member == "views.bin") return "views";
   if (member == "true_surfaces.jsonl") return "surfaces";
+  if (member == "topological_map.jsonl") return "topology";
   if (member.ends_with(".jsonl")) return "objects";
   return "semantic";
 }
@@ -68,6 +69,10 @@ void write_members(std::shared_ptr<const ByteSource> source,
 /// The tests' sample with what only a simulation knows: two surfaces, one of them seen.
 MapArchive simulated_archive() {
   MapArchive archive = test::sample_archive();
+  archive.topological_map.emplace();
+  archive.topological_map->observe({0, 0, 1.2});
+  archive.topological_map->observe({1.5, 0, 1.2});
+  archive.topological_map->cover({1.5, 2.5, 0.4});
   archive.true_surfaces = {
       .seen_cell_m = 0.025,
       .objects = {{.id = ObjectId{2},

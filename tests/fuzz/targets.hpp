@@ -35,6 +35,7 @@ void fuzz_semantic(std::string_view bytes);
 void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
+void fuzz_topology(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_vector(std::string_view bytes);
 void fuzz_views(std::string_view bytes);
@@ -80,6 +81,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"sogm", fuzz_sogm},
                                       {"surfaces", fuzz_surfaces},
                                       {"tile", fuzz_tile},
+                                      {"topology", fuzz_topology},
                                       {"trajectory", fuzz_trajectory},
                                       {"vector", fuzz_vector},
                                       {"views", fuzz_views},

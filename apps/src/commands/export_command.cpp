@@ -57,11 +57,13 @@ void add_export_command(CLI::App& program, Action& action) {
       ->required()
       ->transform(one_of(export_format_names()));
   command
-      .add_option("--output",
-                  arguments->request.output,
-                  "file; for ros-map the stem or .yaml (the image beside it is named after its "
-                  "content), for class-grids, tiles and views a folder, for geojson a name in "
-                  ".local.geojson, for relations such a name or one in .dot")
+      .add_option(
+          "--output",
+          arguments->request.output,
+          "file; for ros-map the stem or .yaml (the image beside it is named after its "
+          "content), for class-grids, tiles and views a folder, for geojson a name in "
+          ".local.geojson, for relations such a name or one in .dot, for topological-map one in "
+          ".dot")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");

@@ -114,6 +114,12 @@ void print(const ArchiveInfo& info) {
   }
   if (info.num_views > 0)
     std::printf("views of %s\n", count_text(info.num_views, "object").c_str());
+  if (info.num_vertices > 0) {
+    std::printf("topological map: %s, %s\n",
+                info.num_vertices == 1 ? "1 vertex"
+                                       : (std::to_string(info.num_vertices) + " vertices").c_str(),
+                count_text(info.num_edges, "edge").c_str());
+  }
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",
                 printable(transform.child_frame_id).c_str(),

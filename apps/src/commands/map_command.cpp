@@ -5,6 +5,7 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
+#include "hypermap/io/options/place_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "look_arguments.hpp"
 #include "map_hints.hpp"
@@ -13,6 +14,7 @@
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
+#include "places.hpp"
 #include "progress.hpp"
 
 #include <CLI/Validators.hpp>
@@ -48,6 +50,7 @@ struct MapArguments {
   bool class_stack = false;
   std::optional<std::string> stats;
   std::optional<std::string> transform;
+  std::string places;
   int num_threads = 0;
   LoadArguments load;
 };
@@ -59,6 +62,12 @@ Result<std::optional<WorldPlacement>> placement_of(const std::optional<std::stri
                                       .y_m = numbers[1],
                                       .z_m = numbers[2],
                                       .yaw_rad = numbers[3] * std::numbers::pi / 180.0});
+}
+
+/// A file of what belongs where is given to be used.
+std::optional<std::string> prior_of(const MapArguments& arguments) {
+  if (arguments.places.empty()) return std::nullopt;
+  return "places";
 }
 
 /// Preset, then the options file, then the command line.
@@ -91,9 +100,13 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
                                         {"octree.resolution_m", arguments.resolution_m},
                                         {"integration.max_range_m", arguments.max_range_m},
                                         {"refinement.rule", refinement},
+                                        {"prior.source", prior_of(arguments)},
                                         {"projection.class_stack", class_stack}}));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
+  if (job.mapper.prior.source == ClassPriorKind::kPlaces) {
+    HYPERMAP_ASSIGN_OR_RETURN(job.place_rules, read_place_rules(places_file(arguments.places)));
+  }
   auto& transient = job.mapper.objects.transient_class_names;
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
   auto& wanted = job.mapper.wanted_class_names;
@@ -218,6 +231,11 @@ void add_options(CLI::App& command, MapArguments& arguments) {
                    arguments.refine_poses,
                    "mend given poses that are a little wrong by the surfaces that earlier frames "
                    "showed (refinement.rule)");
+  command.add_option(
+      "--places",
+      arguments.places,
+      "YAML file with what belongs where, as data/places.yaml: what stands around an "
+      "object then counts for its class (prior.source places)");
   command.add_flag("--views",
                    arguments.job.keep_views,
                    "keep the best colour view of each object, a small image");

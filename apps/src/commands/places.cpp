@@ -132,9 +132,7 @@ Json json_of(const MapArchive& archive, const MapRoom& room) {
 
 /// Errors: those of read_place_rules and map_places.
 Result<MapPlaces> places_of(const MapArchive& archive, const std::string& rules_file) {
-  const std::filesystem::path path =
-      rules_file.empty() ? data_dir() / "places.yaml" : std::filesystem::path(rules_file);
-  HYPERMAP_ASSIGN_OR_RETURN(PlaceRules rules, read_place_rules(path));
+  HYPERMAP_ASSIGN_OR_RETURN(PlaceRules rules, read_place_rules(places_file(rules_file)));
   HYPERMAP_ASSIGN_OR_RETURN(const auto classifier, BelongingsClassifier::create(std::move(rules)));
   return map_places(archive, classifier);
 }
@@ -218,6 +216,10 @@ Result<void> print_route(const MapArchive& archive,
 }
 
 }  // namespace
+
+std::filesystem::path places_file(const std::string& given) {
+  return given.empty() ? data_dir() / "places.yaml" : std::filesystem::path(given);
+}
 
 void add_place_options(CLI::App& command, PlaceArguments& arguments) {
   command.add_flag("--rooms",

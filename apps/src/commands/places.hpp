@@ -9,6 +9,7 @@
 
 #include <CLI/App.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,9 @@ struct PlaceArguments {
   std::optional<std::string> route;  ///< "FROM,TO"
   std::string rules;                 ///< File of what belongs where; empty: that of the program.
 };
+
+/// The file of what belongs where; empty: that of the program.
+[[nodiscard]] std::filesystem::path places_file(const std::string& given);
 
 void add_place_options(CLI::App& command, PlaceArguments& arguments);
 /// Whether any of it is given.

@@ -32,6 +32,7 @@ Object merged(const Object& a, const Object& b, LogOdds max_existence) {
   const Object& younger = b.id < a.id ? a : b;
   Object out = b.id < a.id ? b : a;
   out.belief = merged_belief(out, younger);
+  if (younger.num_observations > out.num_observations) out.prior = younger.prior;
   out.existence = std::min(out.existence + younger.existence, max_existence);
   out.box_confidence = std::max(a.box_confidence, b.box_confidence);
   out.histogram.merge(younger.histogram);

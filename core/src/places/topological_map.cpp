@@ -57,6 +57,12 @@ Unexpected refused_part(std::string_view list, std::size_t index, std::string wh
               std::string(list) + "[" + std::to_string(index) + "]");
 }
 
+/// The next element is added without any memory.
+template <class T>
+void make_room(std::vector<T>& list) {
+  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
+}
+
 }  // namespace
 
 const OptionTable& option_table(const TopologicalMapOptions&) {
@@ -259,15 +265,21 @@ TopologicalMap::Cell TopologicalMap::cell_of(const Eigen::Vector3d& position) co
   return cell;
 }
 
+/// Invariant: memory that ends leaves all three lists as they were.
 VertexId TopologicalMap::add(const Eigen::Vector3d& position, VertexKind kind) {
   const VertexId id{static_cast<std::uint32_t>(vertices_.size())};
+  make_room(vertices_);
+  make_room(joined_);
+  cells_[cell_of(position)].push_back(id);
   vertices_.push_back({position, kind});
   joined_.emplace_back();
-  cells_[cell_of(position)].push_back(id);
   return id;
 }
 
+/// Invariant: as add; an edge stands at both of its ends or at none.
 void TopologicalMap::join(VertexId a, VertexId b) {
+  make_room(joined_[a.value]);
+  make_room(joined_[b.value]);
   const auto insert = [](std::vector<VertexId>& ids, VertexId id) {
     const auto place = std::ranges::lower_bound(ids, id);
     if (place == ids.end() || *place != id) ids.insert(place, id);

@@ -19,6 +19,8 @@ Result<void> check_object(const ClassRegistry& classes, const Object& object) {
   const std::string where = "object " + std::to_string(object.id.value);
   for (const ClassLogOdds& entry : object.belief.entries())
     HYPERMAP_TRY(check_class(classes, entry.id, where));
+  for (const ClassLogOdds& entry : object.prior.log_factors())
+    HYPERMAP_TRY(check_class(classes, entry.id, where));
   const ObservationLogState& observation_log = object.observation_log.state();
   if (observation_log.first)
     HYPERMAP_TRY(check_class(classes, observation_log.first->class_id, where));

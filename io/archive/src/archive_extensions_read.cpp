@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/archive/topological_map_json.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
@@ -39,6 +40,7 @@ class ExtensionReader {
     if (entry_.format == kObjectsFormat) return read_objects();
     if (entry_.format == kEmbeddingsFormat) return read_embeddings();
     if (entry_.format == kViewsFormat) return read_views();
+    if (entry_.format == kTopologicalMapFormat) return read_topological_map();
     if (entry_.format == kClassesFormat) return read_classes();
     if (entry_.format == kDetectorsFormat) return read_detectors();
     if (entry_.format == kProvenanceFormat) return read_provenance();
@@ -55,6 +57,7 @@ class ExtensionReader {
       return !archive_.objects.empty() || archive_.objects.next_id() != ObjectMap().next_id();
     if (entry_.format == kEmbeddingsFormat) return !embeddings_of(archive_.objects).empty();
     if (entry_.format == kViewsFormat) return !archive_.views.empty();
+    if (entry_.format == kTopologicalMapFormat) return archive_.topological_map.has_value();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
     if (entry_.format == kDetectorsFormat) return archive_.detectors.size() > 0;
     if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
@@ -151,6 +154,15 @@ class ExtensionReader {
                           .what = "is of " + std::to_string(num_objects) +
                                   " objects that the map does not have; theirs are left out"},
                          source())}};
+  }
+
+  Result<std::vector<Finding>> read_topological_map() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_objects_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.topological_map,
+                              parse_topological_map(bytes, source(), {}, members_.budget()));
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
   }
 
   Result<std::vector<Finding>> read_classes() {

@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/object_embeddings.hpp"
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
+#include "hypermap/io/archive/topological_map_json.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
@@ -64,6 +65,13 @@ Result<void> put_views(WrittenExtensions& written, const MapArchive& archive) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_object_views(archive.views));
   put(written, entry_of(archive, kViewsFormat), std::move(bytes));
+  return {};
+}
+
+Result<void> put_topological_map(WrittenExtensions& written, const MapArchive& archive) {
+  if (!archive.topological_map) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_topological_map(*archive.topological_map));
+  put(written, entry_of(archive, kTopologicalMapFormat), std::move(bytes));
   return {};
 }
 
@@ -137,6 +145,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_objects(written, archive));
   HYPERMAP_TRY(put_embeddings(written, archive));
   HYPERMAP_TRY(put_views(written, archive));
+  HYPERMAP_TRY(put_topological_map(written, archive));
   put_classes(written, archive);
   put_detectors(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));

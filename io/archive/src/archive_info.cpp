@@ -64,7 +64,8 @@ ArchiveInfo describe(const MapArchive& archive) {
   }
   extended = extended || archive.classes.size() > 0 || archive.detectors.size() > 0 ||
              !archive.provenance.empty() || archive.checkpoint.kind != ValueKind::kNull ||
-             archive.true_surfaces.has_value() || !archive.foreign_extensions.empty();
+             archive.true_surfaces.has_value() || archive.topological_map.has_value() ||
+             !archive.foreign_extensions.empty();
   info.format_version = extended ? kArchiveFormatVersion : 0;
   info.classes.assign(archive.classes.names().begin(), archive.classes.names().end());
   const auto detectors = archive.detectors.detectors();
@@ -74,6 +75,10 @@ ArchiveInfo describe(const MapArchive& archive) {
   info.provenance = archive.provenance;
   info.models = models_of(archive.objects);
   info.num_views = archive.views.size();
+  if (archive.topological_map) {
+    info.num_vertices = archive.topological_map->vertices().size();
+    info.num_edges = archive.topological_map->edges().size();
+  }
   for (const Relation& relation : archive_relations(archive).relations) {
     ++info.num_relations[static_cast<std::size_t>(relation.kind)];
   }

@@ -164,6 +164,9 @@ std::string to_json(const ArchiveInfo& info) {
                       {"relations", json_of_counts(info.num_relations)},
                       {"embeddings", json_array(info.models, json)},
                       {"views", std::to_string(info.num_views)},
+                      {"topological_map",
+                       json_object({{"vertices", std::to_string(info.num_vertices)},
+                                    {"edges", std::to_string(info.num_edges)}})},
                       {"provenance", json_of_runs(info.provenance)}});
 }
 

@@ -22,6 +22,9 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kViewsFormat) {
     entry.name = "views";
     entry.file = "views.bin";
+  } else if (format == kTopologicalMapFormat) {
+    entry.name = "topological_map";
+    entry.file = "topological_map.jsonl";
   } else if (format == kClassesFormat) {
     entry.name = "classes";
     entry.file = "classes.yaml";

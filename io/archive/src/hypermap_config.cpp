@@ -40,6 +40,7 @@ constexpr std::array kLayerFormats{kOctomapFormat,
                                    kCheckpointFormat,
                                    kEmbeddingsFormat,
                                    kViewsFormat,
+                                   kTopologicalMapFormat,
                                    kTrueSurfacesFormat};
 constexpr std::int64_t kExtensionVersion = 1;
 constexpr std::size_t kMaxExtensions = 1024;

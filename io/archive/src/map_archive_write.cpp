@@ -72,6 +72,7 @@ std::string first_difference(const MapArchive& a, const MapArchive& b) {
   if (!(a.classes == b.classes)) return "classes";
   if (!(a.objects == b.objects)) return "objects";
   if (!(a.views == b.views)) return "views";
+  if (!(a.topological_map == b.topological_map)) return "topological map";
   if (!(a.octree == b.octree)) return "octree";
   if (!(a.class_grids == b.class_grids)) return "class grids";
   if (!(a.provenance == b.provenance)) return "provenance";

@@ -57,7 +57,8 @@ Result<void> check_extensions(const MapArchive& archive, const UprightMotion& mo
   if (!archive.foreign_extensions.empty()) {
     return unsupported("extensions", "one of unknown format cannot be moved");
   }
-  for (const std::string_view format : {kOctomapFormat, kObjectsFormat, kTrueSurfacesFormat}) {
+  for (const std::string_view format :
+       {kOctomapFormat, kObjectsFormat, kTopologicalMapFormat, kTrueSurfacesFormat}) {
     const auto entry = archive.extension_entries.find(format);
     if (entry == archive.extension_entries.end() || entry->second.frame_id == kMapFrame) continue;
     return unsupported(format, "must lie in frame map to be moved");
@@ -126,6 +127,10 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
     HYPERMAP_ASSIGN_OR_RETURN(grid.grid, transformed(grid.grid, motion));
   }
   HYPERMAP_ASSIGN_OR_RETURN(archive.objects, transformed(archive.objects, motion));
+  if (archive.topological_map) {
+    HYPERMAP_ASSIGN_OR_RETURN(archive.topological_map,
+                              transformed(*archive.topological_map, motion));
+  }
   const MapFromOldMap map_from_old(motion.in_space());
   if (archive.octree) {
     HYPERMAP_ASSIGN_OR_RETURN(archive.octree, transformed(*archive.octree, map_from_old));

@@ -90,4 +90,15 @@ Result<SemanticLayer> transformed(const SemanticLayer& layer, const UprightMotio
   return SemanticLayer::create(std::move(objects));
 }
 
+Result<TopologicalMap> transformed(const TopologicalMap& map, const UprightMotion& motion) {
+  const Eigen::Isometry3d space = motion.in_space();
+  std::vector<TopologicalVertex> vertices = map.vertices();
+  for (TopologicalVertex& vertex : vertices) {
+    vertex.position_in_map = space * vertex.position_in_map;
+  }
+  auto walk = map.walk();
+  if (walk) walk->position_in_map = space * walk->position_in_map;
+  return TopologicalMap::create(map.options(), vertices, map.edges(), walk);
+}
+
 }  // namespace hypermap

@@ -6,6 +6,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
@@ -40,5 +41,9 @@ struct UprightMotion {
                                                 const UprightMotion& motion);
 /// Errors: as of polygons, and kLimit beyond 1e6 m, naming the object.
 [[nodiscard]] Result<ObjectMap> transformed(const ObjectMap& objects, const UprightMotion& motion);
+
+/// The sensor stays where it is in it. Errors: as TopologicalMap::create beyond 1e6 m.
+[[nodiscard]] Result<TopologicalMap> transformed(const TopologicalMap& map,
+                                                 const UprightMotion& motion);
 
 }  // namespace hypermap

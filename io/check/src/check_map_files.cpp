@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks of maps and of their parts.
 #include "file_checks.hpp"
+#include "hypermap/core/places/topological_routes.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
@@ -9,10 +10,38 @@
 #include "hypermap/io/codec/embedding_file.hpp"
 #include "hypermap/io/codec/image_file.hpp"
 
+#include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
+namespace {
+
+/// Rule 2 of [smap] 3.5.1, of the first object for which it does not hold; what is read obeys the
+/// others.
+std::optional<Finding> find_object_without_vertex(const MapArchive& archive,
+                                                  const std::filesystem::path& path) {
+  const TopologicalMap& map = *archive.topological_map;
+  for (const Object& object : archive.objects.objects()) {
+    const auto nearest = map.nearest(object.centroid_in_map);
+    const auto broken = nearest ? broken_rules(map.options(),
+                                               {&map.vertices()[nearest->value], 1},
+                                               {},
+                                               {&object.centroid_in_map, 1})
+                                : std::vector<BrokenRule>{{.rule = 2, .what = "no vertex"}};
+    if (broken.empty()) continue;
+    return Finding{Severity::kWarning,
+                   {.code = ErrorCode::kMalformedFile,
+                    .what = "object " + std::to_string(object.id.value) +
+                            " is not nearer than V_d to a vertex of the topological map",
+                    .file = path.string(),
+                    .field = "topological map"}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<FileSummary> check_archive(const std::filesystem::path& path,
                                   const FileCheckOptions& options) {
@@ -23,6 +52,13 @@ Result<FileSummary> check_archive(const std::filesystem::path& path,
   HYPERMAP_ASSIGN_OR_RETURN(const auto dimensions, embedding_dimensions(loaded.value.objects));
   for (const auto& [model, dimension] : dimensions.models()) {
     text += ", embeddings of " + printable(model) + " (" + std::to_string(dimension) + " numbers)";
+  }
+  if (loaded.value.topological_map) {
+    text += ", topological map of " +
+            std::to_string(loaded.value.topological_map->vertices().size()) + " vertices";
+    if (auto finding = find_object_without_vertex(loaded.value, path)) {
+      loaded.findings.push_back(std::move(*finding));
+    }
   }
   return FileSummary{std::move(text), std::move(loaded.findings)};
 }

@@ -64,6 +64,8 @@ template <class Content>
 
 [[nodiscard]] Result<WrittenFiles> export_relations(const MapArchive& archive,
                                                     const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_topological_map(const MapArchive& archive,
+                                                          const ExportRequest& request);
 [[nodiscard]] Result<WrittenFiles> export_views(const MapArchive& archive,
                                                 const ExportRequest& request);
 

@@ -15,15 +15,16 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 9> kExportFormats{"ros-map",
-                                                         "class-grids",
-                                                         "octomap",
-                                                         "color-octomap",
-                                                         "ply",
-                                                         "geojson",
-                                                         "tiles",
-                                                         "relations",
-                                                         "views"};
+constexpr std::array<std::string_view, 10> kExportFormats{"ros-map",
+                                                          "class-grids",
+                                                          "octomap",
+                                                          "color-octomap",
+                                                          "ply",
+                                                          "geojson",
+                                                          "tiles",
+                                                          "relations",
+                                                          "views",
+                                                          "topological-map"};
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
@@ -84,6 +85,11 @@ Result<void> validate(const ExportRequest& request) {
     return fail(ErrorCode::kInvalidArgument,
                 "goes with --format ros-map, not with " + flag_of(request.format),
                 "--without-objects");
+  }
+  if (!request.classes.empty() && request.format == ExportFormat::kTopologicalMap) {
+    return fail(ErrorCode::kInvalidArgument,
+                "does not go with --format topological-map, whose vertices have no class",
+                "--class");
   }
   if (!request.classes.empty() && request.format == ExportFormat::kRosMap) {
     return fail(ErrorCode::kInvalidArgument,
@@ -164,6 +170,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_relations(archive, request);
     case ExportFormat::kViews:
       return export_views(archive, request);
+    case ExportFormat::kTopologicalMap:
+      return export_topological_map(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,8 @@ Result<SemanticMapper> make_mapper(const MappingJob& job,
   if (!map->octree) {
     return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
   }
-  return SemanticMapper::resume(job.mapper, *map->octree, map->objects, classes);
+  return SemanticMapper::resume(
+      job.mapper, *map->octree, map->objects, classes, map->topological_map);
 }
 
 /// The mapper of a run that begins, or of one that goes on where `saved` ended.
@@ -79,6 +81,17 @@ DatasetOptions dataset_options(const MappingJob& job) {
   options.read_color = options.read_color && (job.model.has_value() || job.keep_views);
   if (job.model) options.find_detections = false;
   return options;
+}
+
+/// Tells the mapper what belongs where, if its options want that.
+Result<void> set_prior_source(const MappingJob& job, SemanticMapper& mapper) {
+  if (job.mapper.prior.source == ClassPriorKind::kNone) return {};
+  if (!job.place_rules) {
+    return fail(ErrorCode::kInvalidArgument, "needs rules of what belongs where", "prior.source");
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(auto prior, PlacePrior::create(*job.place_rules, job.mapper.prior));
+  mapper.set_prior_source(std::make_shared<const PlacePrior>(std::move(prior)));
+  return {};
 }
 
 /// A map does not depend on the clock.
@@ -160,13 +173,23 @@ Result<void> settle_alignment(MappingRun& run, const MappingJob& job, MappingRep
   return {};
 }
 
+/// Whether frames begin where the sensor was last, within an edge: nobody knows a longer way.
+bool goes_on(const TopologicalMap& map, const std::vector<RgbdFrame>& frames) {
+  if (!map.walk() || frames.empty()) return false;
+  const Eigen::Vector3d first = frames.front().map_from_camera.origin().xyz;
+  return (first - map.walk()->position_in_map).norm() <= map.max_edge_m();
+}
+
 /// Compares what is to be appended with the map; what is strange about it becomes findings.
 Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingReport& report) {
-  const MapArchive& map = *run.previous;
+  MapArchive& map = *run.previous;
   HYPERMAP_ASSIGN_OR_RETURN(run.index_offset, index_offset(map, job.dataset.first));
   const std::vector<RgbdFrame> frames = spread_frames(*run.dataset, kNumComparedFrames);
   if (!job.force && !frames.empty()) {
     HYPERMAP_TRY(refuse_first_frame(frames.front(), map.provenance));
+  }
+  if (map.topological_map && !goes_on(*map.topological_map, frames)) {
+    map.topological_map->interrupt();
   }
   if (map.octree) note(compare(frames, *map.octree), job, report);
   if (map.provenance.size() == kMaxRuns) report.findings.push_back(forgotten_run(map.provenance));
@@ -232,6 +255,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
       model_of_stacking(job.mapper.objects.stacking, job.combiner, run.detectors, run.classes));
   append(report.findings, std::move(stacking.findings));
   HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
+  HYPERMAP_TRY(set_prior_source(job, mapper));
   run.mapper.emplace(std::move(mapper));
   run.mapper->set_stacking_model(std::move(stacking.value));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
@@ -292,6 +316,7 @@ MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
   archive.views = run.views.views();
+  archive.topological_map = run.mapper->topological_map();
   add_run(archive.provenance, provenance_of(run, job));
   return archive;
 }

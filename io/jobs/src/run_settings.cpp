@@ -103,6 +103,21 @@ void add_table(const Options& options,
   }
 }
 
+/// What belongs where, as one hash.
+std::string rules_text(const std::optional<PlaceRules>& rules) {
+  if (!rules) return kNone;
+  InputHash hash;
+  const auto add = [&hash](const std::string& name, double value) {
+    hash.add(name + "=" + number_text(value) + ";");
+  };
+  for (const auto& [name, weights] : rules->belongings) {
+    for (const auto& [place, weight] : weights) add(name + "/" + place, weight);
+  }
+  for (const std::string& place : rules->places) hash.add(place + ";");
+  add("tempering", rules->tempering);
+  return hash.text();
+}
+
 std::string placement_text(const std::optional<WorldPlacement>& placement) {
   if (!placement) return kNone;
   const std::array<double, 4> numbers{
@@ -146,6 +161,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("same_world", make_text(job.same_world ? "yes" : "no"));
   entries.emplace_back("transform", make_text(placement_text(job.placement)));
   entries.emplace_back("views", make_text(job.keep_views ? "yes" : "no"));
+  entries.emplace_back("places", make_text(rules_text(job.place_rules)));
   entries.emplace_back("frames", make_text(frames_text(dataset)));
   return make_map(std::move(entries));
 }

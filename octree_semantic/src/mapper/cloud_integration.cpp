@@ -50,7 +50,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   std::erase_if(seen.classes, [&](const ClassPoints& points) {
     return !class_filter_.accepts(cloud.class_vectors[points.class_vector]);
   });
-  for (Observation& instance : seen.instances) instance.num_classes = classes_->size();
+  inform(seen.instances);
   report.num_segments = seen.instances.size();
   report.num_transient = report.num_detections - report.num_segments;
   report.seconds.segment = watch.lap();
@@ -74,6 +74,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   report.seconds.integrate = watch.lap();
   try {
     apply_pending_relabels();
+    grow_topological_map(cloud.sensor, association);
   } catch (const std::bad_alloc&) {
     return report;  // the next frame goes on with what is left
   }

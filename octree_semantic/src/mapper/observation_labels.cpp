@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapper/observation_labels.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -31,6 +32,14 @@ std::vector<DetectedObject> detected_objects(std::span<const Observation> observ
                         .score = observations[i].score});
   }
   return detected;
+}
+
+std::vector<ObjectId> ids_of_detected(const AssociationReport& association) {
+  auto seen = association.object_of_observation;
+  std::erase(seen, kNoObject);
+  std::ranges::sort(seen);
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  return seen;
 }
 
 }  // namespace hypermap

@@ -22,4 +22,7 @@ namespace hypermap {
 [[nodiscard]] std::vector<DetectedObject> detected_objects(
     std::span<const Observation> observations, const AssociationReport& association);
 
+/// The objects that the frame showed, ascending, each once.
+[[nodiscard]] std::vector<ObjectId> ids_of_detected(const AssociationReport& association);
+
 }  // namespace hypermap

@@ -7,6 +7,7 @@
 #include "integration/frame_checks.hpp"
 #include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
+#include "mapper/topological_growth.hpp"
 
 #include <algorithm>
 #include <new>
@@ -47,14 +48,6 @@ Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
   return ids;
 }
 
-std::vector<ObjectId> ids_of_detected(const AssociationReport& association) {
-  std::vector<ObjectId> seen = association.object_of_observation;
-  std::erase(seen, kNoObject);
-  std::sort(seen.begin(), seen.end());
-  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  return seen;
-}
-
 }  // namespace
 
 Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& options,
@@ -66,7 +59,8 @@ Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& optio
 Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& options,
                                               SemanticOctree octree,
                                               ObjectMap objects,
-                                              const ClassRegistry& classes) {
+                                              const ClassRegistry& classes,
+                                              std::optional<TopologicalMap> topological_map) {
   HYPERMAP_TRY(validate(options));
   if (octree.options() != options.octree) {
     return fail(ErrorCode::kInvalidArgument,
@@ -74,6 +68,8 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
                     std::to_string(octree.resolution_m()) + " m)",
                 "octree");
   }
+  HYPERMAP_ASSIGN_OR_RETURN(TopologicalMap places,
+                            topological_map_of(std::move(topological_map), options.places));
   ClassFilter filter;
   HYPERMAP_ASSIGN_OR_RETURN(
       filter.transient,
@@ -91,6 +87,7 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
                           std::move(filter),
                           std::move(octree),
                           std::move(objects),
+                          std::move(places),
                           std::move(occlusion),
                           std::move(known),
                           std::make_unique<SnapshotExchange>(std::move(nothing)));
@@ -107,6 +104,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
                                ClassFilter class_filter,
                                SemanticOctree octree,
                                ObjectMap objects,
+                               TopologicalMap topological_map,
                                OcclusionScene occlusion,
                                std::shared_ptr<const ClassRegistry> classes,
                                std::unique_ptr<SnapshotExchange> snapshots)
@@ -114,6 +112,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
       class_filter_(std::move(class_filter)),
       octree_(std::move(octree)),
       objects_(std::move(objects)),
+      topological_map_(std::move(topological_map)),
       occlusion_(std::move(occlusion)),
       refiner_(options_.refinement),
       classes_(std::move(classes)),
@@ -170,7 +169,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto observations =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
-  for (Observation& observation : observations) observation.num_classes = classes_->size();
+  inform(observations);
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;
@@ -249,6 +248,7 @@ void SemanticMapper::apply_missed_detections(const RgbdFrame& frame,
                                              FrameReport& report) {
   try {
     apply_pending_relabels();
+    grow_topological_map(frame.map_from_camera.origin(), association);
     if (look == DetectorLook::kNotLooked || report.num_deadline_dropped > 0) return;
     const std::vector<ObjectId> detected = ids_of_detected(association);
     const auto results = evaluate_objects(frame, detected);

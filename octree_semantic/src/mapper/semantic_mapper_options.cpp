@@ -16,6 +16,8 @@ constexpr OptionRow kMapperRows[] = {
     option::section<&SemanticMapperOptions::deadline>("deadline"),
     option::section<&SemanticMapperOptions::refinement>("refinement"),
     option::section<&SemanticMapperOptions::visibility>("visibility"),
+    option::section<&SemanticMapperOptions::places>("places"),
+    option::section<&SemanticMapperOptions::prior>("prior"),
     option::section<&SemanticMapperOptions::objects>(""),
     option::names<&SemanticMapperOptions::wanted_class_names>(
         "wanted_classes", {.effect = "The only classes that touch voxels and objects; none: all."}),

@@ -86,6 +86,23 @@ TEST(ObjectJson, EveryBitOfEveryObjectSurvives) {
   }
 }
 
+TEST(ObjectJson, APriorSurvivesAndIsChecked) {
+  Object object;
+  object.box.max_in_map = {1, 1, 1};
+  ObjectMap objects;
+  objects.add(object);
+  EXPECT_THAT(write_objects(objects).value(), testing::Not(HasSubstr("prior")));
+  object.prior =
+      ClassPrior::create({{ClassId{2}, LogOdds(-1.0 / 3.0)}, {ClassId{7}, LogOdds(0.5)}}).value();
+  objects.add(object);
+  const std::string text = write_objects(objects).value();
+  EXPECT_THAT(text, HasSubstr(",\"prior\":[[2,-0.3333333333333333],[7,0.5]]}"));
+  EXPECT_EQ(parse_objects(text, kObjectsSource).value(), objects);
+  std::string wrong = text;
+  wrong.replace(wrong.find("[7,0.5]"), 7, "[1,0.5]");
+  EXPECT_THAT(to_string(parse_objects(wrong, kObjectsSource).error()), HasSubstr("prior"));
+}
+
 TEST(ObjectJson, VersionOneListsCellsAndVotesAsNumbers) {
   const ObjectMap objects = sample(1);
   std::string text =

@@ -69,6 +69,25 @@ TEST(MapFilesCheck, AMapIsJudgedWithItsImage) {
   EXPECT_EQ(check_file(dir / "map.yaml").exit_code(), 2);
 }
 
+TEST(MapFilesCheck, AnObjectFarFromAllPlacesIsAFinding) {
+  // [smap] 3.5.1, rule 2: nearer than V_d, 1 m.
+  const test::TempDir dir;
+  MapArchive archive;
+  archive.topological_map.emplace();
+  archive.topological_map->observe({0, 0, 1});
+  Object object;
+  object.centroid_in_map = {0.5, 0, 1};
+  archive.objects.add(object);
+  ASSERT_TRUE(save_archive(archive, dir / "a.hmap"));
+  EXPECT_EQ(check_file(dir / "a.hmap").exit_code(), 0);
+  object.centroid_in_map = {1, 0, 1};
+  archive.objects.add(object);
+  ASSERT_TRUE(save_archive(archive, dir / "b.hmap"));
+  const FileCheckResult result = check_file(dir / "b.hmap");
+  EXPECT_EQ(result.exit_code(), 1);
+  EXPECT_THAT(said_by(result), HasSubstr("object 2 is not nearer than V_d to a vertex"));
+}
+
 TEST(MapFilesCheck, ASemanticLayerIsCounted) {
   const test::TempDir dir;
   std::ofstream(dir / "semantic") << "- name: a\n  shape: POLYGON((0 0,1 0,1 1,0 0))\n";

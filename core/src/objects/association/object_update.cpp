@@ -9,12 +9,12 @@
 namespace hypermap {
 namespace {
 
-/// Source: [smap] Eq. (3.18); N is the number of classes of the combined set, of which a vector may
-/// name a part.
+/// Source: [smap] Eq. (3.17), (3.18); N is the number of classes of the combined set, of which a
+/// vector may name a part.
 void update_belief(Object& object, const Observation& observation) {
   const std::size_t num_classes =
       std::max({std::size_t{2}, observation.class_scores.size(), observation.num_classes});
-  object.belief.observe(observation.class_scores,
+  object.belief.observe(with_prior(observation.class_scores, observation.prior),
                         Probability(1.0 / static_cast<double>(num_classes)));
 }
 
@@ -69,6 +69,7 @@ void update_object(Object& object,
                    const Observation& observation,
                    const AssociationOptions& options) {
   update_belief(object, observation);
+  object.prior = observation.prior;
   object.histogram.observe(observation.bearing_rad, observation.distance_m);
   update_geometry(object, observation.segment, options);
   object.embeddings.observe(observation.embeddings);

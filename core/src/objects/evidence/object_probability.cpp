@@ -69,6 +69,11 @@ bool has_detections(const ObservationLog& log) {
   });
 }
 
+bool is_read_by_views(const Object& object) {
+  return object.belief.options().tempering == ClassTempering::kViews &&
+         has_detections(object.observation_log);
+}
+
 /// Order of an object's classes: the less probable is less, of equals the less believed in.
 struct LessLikely {
   const ClassBelief& belief;
@@ -87,8 +92,12 @@ Probability confidence_of(Probability real, const std::optional<ClassEvidence>& 
 }  // namespace
 
 std::vector<ClassEvidence> class_distribution(const Object& object) {
-  const bool by_views = object.belief.options().tempering == ClassTempering::kViews;
-  if (!by_views || !has_detections(object.observation_log)) return object.belief.distribution();
+  if (!is_read_by_views(object)) return object.belief.distribution();
+  return with_prior(detected_distribution(object), object.prior);
+}
+
+std::vector<ClassEvidence> detected_distribution(const Object& object) {
+  if (!is_read_by_views(object)) return object.belief.distribution();
   const auto weights = view_weights(object);
   double sum = 0.0;
   for (const auto& [id, weight] : weights) sum += weight;

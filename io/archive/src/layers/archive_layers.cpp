@@ -7,6 +7,7 @@
 #include "hypermap/io/archive/objects_layer.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/octree_layer.hpp"
+#include "hypermap/io/archive/topological_map_layer.hpp"
 
 #include <algorithm>
 #include <map>
@@ -64,6 +65,11 @@ Layer evidence_layer(const MapArchive& archive) {
   return octree_layer(archive, std::move(info), leaf_source(*archive.octree));
 }
 
+Layer topological_map_layer(const MapArchive& archive) {
+  return {.info = info_of(archive, kTopologicalMapFormat, kTopologicalMapLayer),
+          .content = TopologicalMapLayer(*archive.topological_map)};
+}
+
 Layer objects_layer(const MapArchive& archive) {
   return {.info = info_of(archive, kObjectsFormat, kObjectsLayer),
           .content = ObjectsLayer(archive.objects,
@@ -102,12 +108,16 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
   if (found != layers.end()) return std::move(*found);
   if (is_spelling_of(kObjectsLayer, name)) return objects_layer(archive);
   if (is_spelling_of(kEvidenceLayer, name) && archive.octree) return evidence_layer(archive);
+  if (is_spelling_of(kTopologicalMapLayer, name) && archive.topological_map) {
+    return topological_map_layer(archive);
+  }
   std::vector<std::string> names;
-  names.reserve(layers.size() + 2);
+  names.reserve(layers.size() + 3);
   for (const Layer& layer : layers) names.push_back(layer.info.name);
   // Those that answer without standing in the list.
   if (archive.objects.empty()) names.emplace_back(kObjectsLayer);
   if (archive.octree) names.emplace_back(kEvidenceLayer);
+  if (archive.topological_map) names.emplace_back(kTopologicalMapLayer);
   return fail(ErrorCode::kNotFound, nothing_named("layer", name, names), "layer");
 }
 

@@ -54,6 +54,11 @@ Result<ClassBelief> parse_belief(const JsonNode& node) {
   return validated(node, ClassBelief::from_entries(options, std::move(entries)));
 }
 
+Result<ClassPrior> parse_prior(const JsonNode& node) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto log_factors, list_of(node, parse_class));
+  return validated(node, ClassPrior::create(std::move(log_factors)));
+}
+
 /// An older file, which does not say it, counts bins.
 Result<HistogramConfidence> histogram_confidence_at(const JsonNode& histogram) {
   const auto rule = histogram.find("confidence");
@@ -172,7 +177,8 @@ class ObjectReader {
                               "first_seen_ns",
                               "last_seen_ns",
                               "num_observations",
-                              "farthest_detection_m"}));
+                              "farthest_detection_m"},
+                             {"prior"}));
     Object object;
     HYPERMAP_ASSIGN_OR_RETURN(object.id.value, integer_at<std::uint32_t>(node, "id"));
     HYPERMAP_ASSIGN_OR_RETURN(object.existence, log_odds_at(node, "existence"));
@@ -180,6 +186,9 @@ class ObjectReader {
     HYPERMAP_ASSIGN_OR_RETURN(object.box, part(node, "box", parse_box));
     HYPERMAP_ASSIGN_OR_RETURN(object.centroid_in_map, part(node, "centroid", vector_of<3>));
     HYPERMAP_ASSIGN_OR_RETURN(object.belief, part(node, "belief", parse_belief));
+    if (const auto prior = node.find("prior")) {
+      HYPERMAP_ASSIGN_OR_RETURN(object.prior, parse_prior(*prior));
+    }
     HYPERMAP_ASSIGN_OR_RETURN(object.histogram, part(node, "histogram", parse_histogram));
     HYPERMAP_ASSIGN_OR_RETURN(object.shapes, part(node, "shapes", [this](const JsonNode& shapes) {
                                 return parse_shapes(shapes);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <exception>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace hypermap {
@@ -21,20 +22,23 @@ class ObjectWriter {
   [[nodiscard]] bool ok() const { return ok_; }
 
   std::string json_of(const Object& object) {
-    return json_object({{"id", count(object.id.value)},
-                        {"belief", json_of(object.belief)},
-                        {"existence", number(object.existence)},
-                        {"box_confidence", number(object.box_confidence)},
-                        {"box", json_of(object.box)},
-                        {"centroid", vector(object.centroid_in_map)},
-                        {"histogram", json_of(object.histogram)},
-                        {"shapes", json_of(object.shapes)},
-                        {"points", json_of(object.points)},
-                        {"ledger", json_of(object.observation_log)},
-                        {"first_seen_ns", std::to_string(object.first_seen.ns)},
-                        {"last_seen_ns", std::to_string(object.last_seen.ns)},
-                        {"num_observations", count(object.num_observations)},
-                        {"farthest_detection_m", number(object.farthest_detection_m)}});
+    std::string text = json_object({{"id", count(object.id.value)},
+                                    {"belief", json_of(object.belief)},
+                                    {"existence", number(object.existence)},
+                                    {"box_confidence", number(object.box_confidence)},
+                                    {"box", json_of(object.box)},
+                                    {"centroid", vector(object.centroid_in_map)},
+                                    {"histogram", json_of(object.histogram)},
+                                    {"shapes", json_of(object.shapes)},
+                                    {"points", json_of(object.points)},
+                                    {"ledger", json_of(object.observation_log)},
+                                    {"first_seen_ns", std::to_string(object.first_seen.ns)},
+                                    {"last_seen_ns", std::to_string(object.last_seen.ns)},
+                                    {"num_observations", count(object.num_observations)},
+                                    {"farthest_detection_m", number(object.farthest_detection_m)}});
+    if (object.prior.empty()) return text;
+    text.pop_back();
+    return text + ",\"prior\":" + json_of(object.prior.log_factors()) + "}";
   }
 
  private:
@@ -64,6 +68,12 @@ class ObjectWriter {
     return "[" + vector(box.min_in_map) + "," + vector(box.max_in_map) + "]";
   }
 
+  std::string json_of(std::span<const ClassLogOdds> classes) {
+    return json_array(classes, [this](const ClassLogOdds& entry) {
+      return "[" + count(entry.id.value) + "," + number(entry.log_odds) + "]";
+    });
+  }
+
   std::string json_of(const ClassBelief& belief) {
     const ClassBeliefOptions& options = belief.options();
     return json_object(
@@ -71,9 +81,7 @@ class ObjectWriter {
          {"min_log_odds", number(options.min_log_odds)},
          {"saturation", options.saturation == Saturation::kClamp ? "\"clamp\"" : "\"shift\""},
          {"tempering", options.tempering == ClassTempering::kNone ? "\"none\"" : "\"views\""},
-         {"classes", json_array(belief.entries(), [this](const ClassLogOdds& entry) {
-            return "[" + count(entry.id.value) + "," + number(entry.log_odds) + "]";
-          })}});
+         {"classes", json_of(belief.entries())}});
   }
 
   std::string json_of(const VisibilityHistogram& histogram) {

@@ -41,6 +41,7 @@ struct Observation {
   std::size_t num_classes = 0;
   std::vector<Embedding> embeddings = {};  ///< Of the detection.
   PixelBox box_px = {};                    ///< Of the detection.
+  ClassPrior prior = {};                   ///< What is known of its class besides.
 };
 
 /// What a detection and its segment say about the map, seen from the frame's camera.
@@ -181,8 +182,8 @@ AssociationReport associate(ObjectMap& objects,
                             const AssociationOptions& options,
                             const AssociationScope& scope = {});
 
-/// Updates an object by one observation: class (3.18), histogram (3.13), box (3.20, 3.21), shapes,
-/// points, embeddings, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.
+/// Updates an object by one observation: class (3.17, 3.18), histogram (3.13), box (3.20, 3.21),
+/// shapes, points, embeddings, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.
 void update_object(Object& object,
                    const Observation& observation,
                    const AssociationOptions& options);

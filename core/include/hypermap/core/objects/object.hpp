@@ -12,6 +12,7 @@
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/class_belief.hpp"
+#include "hypermap/core/objects/class_prior.hpp"
 #include "hypermap/core/objects/mean_embeddings.hpp"
 #include "hypermap/core/objects/observation_log.hpp"
 #include "hypermap/core/objects/shape_evidence.hpp"
@@ -32,6 +33,8 @@ struct OptionTable;
 struct Object {
   ObjectId id;
   ClassBelief belief;
+  /// What outside knowledge said of its class when it was last observed. Source: [smap] Eq. (3.17).
+  ClassPrior prior;
   /// That it exists at all. Source: [hypermap] 3.4.5, a log probability.
   LogOdds existence;
   /// Sum of the log-odds of the box confidences, l_c. Source: [smap] Eq. (3.21).
@@ -58,10 +61,15 @@ struct Object {
 /// of view v (a bearing bin of the observation log) that named class c, and n(v) their number,
 /// p(c) ~ (sum over v of sqrt(n(v)) s(c, v))^2, and 0.2 for all classes together that are in the
 /// belief and were never named. So frames of one view do not erase what other views, or fewer of
-/// its frames, say. Source: docs/EVALUATION.md, "Calibration".
-/// Boundary: without recorded detections, the belief's distribution.
-/// Cost: linear in classes, and in summaries of the log times their logarithm.
+/// its frames, say. Source: docs/EVALUATION.md, "Calibration". To that the object's prior is
+/// applied once, as often as it was observed; under tempering none each observation bore it
+/// ((3.17)). Boundary: without recorded detections, the belief's distribution. Cost: linear in
+/// classes, and in summaries of the log times their logarithm.
 [[nodiscard]] std::vector<ClassEvidence> class_distribution(const Object& object);
+
+/// The same by its detections alone, without outside knowledge, wherever that can be told apart:
+/// under tempering none it is the belief's.
+[[nodiscard]] std::vector<ClassEvidence> detected_distribution(const Object& object);
 
 /// The class that an object most likely is and its share of `class_distribution`: of equals the one
 /// most believed in, then the lowest id. None without any evidence.

@@ -78,7 +78,8 @@ using IsWayFree = std::function<bool(const Eigen::Vector3d& from, const Eigen::V
 /// E_f. Erratum: rule 1 is printed for any two vertices, which confines a map to 2 V_d; joined ones
 /// are meant, so that it follows from rule 3.
 ///
-/// A value. Deterministic in the order of the calls. Frame: Map.
+/// A value. Deterministic in the order of the calls. Frame: Map. When memory ends in a call,
+/// std::bad_alloc is thrown, and what was done of it by then obeys rules 1 and 3.
 /// Cost: a position or an object looks at the vertices of the cells around it, not at all of them.
 class TopologicalMap {
  public:

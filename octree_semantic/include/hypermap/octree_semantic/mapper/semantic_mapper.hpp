@@ -14,6 +14,8 @@
 #include "hypermap/core/objects/association.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
+#include "hypermap/core/places/place_prior.hpp"
+#include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/registration/pose_refinement.hpp"
 #include "hypermap/core/registration/pose_refiner.hpp"
 #include "hypermap/core/segmentation/labelled_cloud.hpp"
@@ -27,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -49,6 +52,10 @@ struct SemanticMapperOptions {
   DeadlineOptions deadline = {};
   /// Mends given poses of frames by the surfaces that earlier frames showed; off to begin with.
   PoseRefinementOptions refinement = {};
+  /// Of the topological map, which grows with the sensor's way and toward objects.
+  TopologicalMapOptions places = {};
+  /// Of what is known of classes besides detections; set_prior_source has it.
+  PlacePriorOptions prior = {};
   /// Names of the only classes whose pixels reach voxels and objects; empty: all. Classes that do
   /// not stay are named in `objects.transient_class_names`.
   std::vector<std::string> wanted_class_names = {};
@@ -138,11 +145,15 @@ class SemanticMapper {
   /// Goes on from a map that was made before, which is the first snapshot when any are published.
   /// Voxels that bear an id of no object are freed of it.
   /// Errors: those of create; kInvalidArgument when the tree's options are not those of
-  /// `options.octree`; objects whose embeddings of one model differ in their dimension.
-  [[nodiscard]] static Result<SemanticMapper> resume(const SemanticMapperOptions& options,
-                                                     SemanticOctree octree,
-                                                     ObjectMap objects,
-                                                     const ClassRegistry& classes = {});
+  /// `options.octree`, or the topological map's not `options.places`; objects whose embeddings of
+  /// one model differ in their dimension. Boundary: no topological map, as of a map that was made
+  /// without: one is begun, and made toward all objects that there are.
+  [[nodiscard]] static Result<SemanticMapper> resume(
+      const SemanticMapperOptions& options,
+      SemanticOctree octree,
+      ObjectMap objects,
+      const ClassRegistry& classes = {},
+      std::optional<TopologicalMap> topological_map = std::nullopt);
 
   /// Puts one frame into the map: whole, or on an error not at all. With `refinement` it stands in
   /// the map at its refined pose, for everything that is learnt from it.
@@ -170,6 +181,12 @@ class SemanticMapper {
   /// Errors: those of validate(cloud) and FrameIntegrator::integrate_far_cloud.
   [[nodiscard]] Result<FrameReport> integrate_cloud(const LabelledCloud& cloud);
 
+  /// Whom each observation's class is asked of besides its detection, from the next frame on; null,
+  /// as to begin with: nobody. `options().prior` makes none by itself.
+  void set_prior_source(std::shared_ptr<const ClassPriorSource> source) {
+    prior_source_ = std::move(source);
+  }
+
   /// What stages are timed by and deadlines kept by; the wall clock to begin with. Requires: not
   /// empty.
   void set_clock(Clock clock) { clock_ = std::move(clock); }
@@ -195,6 +212,9 @@ class SemanticMapper {
 
   [[nodiscard]] const SemanticOctree& octree() const noexcept { return octree_; }
   [[nodiscard]] const ObjectMap& objects() const noexcept { return objects_; }
+  /// The places that the sensor came to and those made toward objects; see object_vertices.hpp for
+  /// which object belongs to which. Source: [smap] 3.5.1.
+  [[nodiscard]] const TopologicalMap& topological_map() const noexcept { return topological_map_; }
   /// As given, with the ranges that follow filled in.
   [[nodiscard]] const SemanticMapperOptions& options() const noexcept { return options_; }
 
@@ -210,6 +230,7 @@ class SemanticMapper {
                  ClassFilter class_filter,
                  SemanticOctree octree,
                  ObjectMap objects,
+                 TopologicalMap topological_map,
                  OcclusionScene occlusion,
                  std::shared_ptr<const ClassRegistry> classes,
                  std::unique_ptr<SnapshotExchange> snapshots);
@@ -240,6 +261,12 @@ class SemanticMapper {
   void adopt(ObjectMap objects,
              std::span<const PixelLabels> labels,
              std::span<const ObjectMerge> merges) noexcept;
+  /// The sensor came to a place, and objects were created, updated or merged: the topological map
+  /// grows to both. Requires: octree and objects have the frame. Throws std::bad_alloc; what is
+  /// missing then, the next frame makes as far as it shows it.
+  void grow_topological_map(const PointInMap& sensor, const AssociationReport& association);
+  /// Tells observations how many classes there are, and what is known of theirs.
+  void inform(std::vector<Observation>& observations) const;
   void find_voxels_of_objects();
   /// Of an object that `prepare_to_adopt` made room for; else nothing.
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
@@ -258,6 +285,8 @@ class SemanticMapper {
   StackingModel stacking_model_;
   SemanticOctree octree_;
   ObjectMap objects_;
+  TopologicalMap topological_map_;
+  std::shared_ptr<const ClassPriorSource> prior_source_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
   PoseRefiner refiner_;

@@ -43,6 +43,8 @@ struct ArchiveInfo {
   std::array<std::size_t, kRelationKinds.size()> num_relations = {};
   std::vector<ModelSummary> models = {};  ///< In ascending order of the names.
   std::size_t num_views = 0;
+  std::size_t num_vertices = 0;  ///< Of the topological map, as its edges.
+  std::size_t num_edges = 0;
 };
 
 /// Cost: one pass over cells and leaves, and that of `find_relations`.
@@ -54,8 +56,8 @@ struct ArchiveInfo {
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `detectors` [{`id`, `name`,
 /// `type`, `architecture`, `classes`; null what is not stated}], `transforms`, `relations` {`on`,
 /// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
-/// `views`: how many, `provenance` (of the newest run, with the others, oldest first, in its list
-/// `earlier`; null when there is none).
+/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `provenance` (of the newest
+/// run, with the others, oldest first, in its list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap

@@ -20,6 +20,9 @@ inline constexpr std::string_view kObjectsLayer = "objects";
 /// the raw evidence, of false alarms too.
 inline constexpr std::string_view kEvidenceLayer = "evidence";
 
+/// The name by which the topological map can be asked and drawn, where there is one.
+inline constexpr std::string_view kTopologicalMapLayer = "topological_map";
+
 /// The layers of the hypermap, then the octree, octrees of other programs, the objects that the map
 /// shows (if there are any objects), the class grids, which bear the names of their classes.
 ///
@@ -28,7 +31,8 @@ inline constexpr std::string_view kEvidenceLayer = "evidence";
 [[nodiscard]] std::vector<Layer> archive_layers(const MapArchive& archive);
 
 /// The first of these of that name, else of a spelling of it; kObjectsLayer is there in every
-/// archive, kEvidenceLayer in every one that has an octree. Errors: kNotFound, naming those that
+/// archive, kEvidenceLayer in every one that has an octree, kTopologicalMapLayer where there is
+/// one. Errors: kNotFound, naming those that
 /// there are.
 [[nodiscard]] Result<Layer> archive_layer(const MapArchive& archive, std::string_view name);
 

@@ -40,6 +40,7 @@ inline constexpr std::string_view kOctreeTwinFormat = "hypermap-octree-twin";
 inline constexpr std::string_view kObjectsFormat = "hypermap-objects";
 inline constexpr std::string_view kEmbeddingsFormat = "hypermap-embeddings";
 inline constexpr std::string_view kViewsFormat = "hypermap-views";
+inline constexpr std::string_view kTopologicalMapFormat = "hypermap-topological-map";
 inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kDetectorsFormat = "hypermap-detectors";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";

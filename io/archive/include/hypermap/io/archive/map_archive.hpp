@@ -11,6 +11,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/evaluation/true_surfaces.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/segmentation/detector_registry.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/layer_types.hpp"
@@ -65,6 +66,8 @@ struct MapArchive {
   DetectorRegistry detectors = {};
   ObjectMap objects = {};
   ObjectViews views = {};  ///< Of objects, where they were kept.
+  /// Where the sensor came to; none in maps that were made without.
+  std::optional<TopologicalMap> topological_map = {};
   std::optional<SemanticOctree> octree = {};
   std::vector<ClassGrid> class_grids = {};
   /// Of each run that put frames into the map, oldest first; at most `kMaxRuns`.

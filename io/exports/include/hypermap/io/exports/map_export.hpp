@@ -32,10 +32,12 @@ enum class ExportFormat {
                   ///< or `.local.geojson` with a point an object and a line a relation.
   kViews,         ///< A folder with the view of each confirmed object, `<id>-<class>.jpg`; an older
                   ///< one is replaced as a whole.
+  kTopologicalMap,  ///< Where the sensor came to, with the objects at each vertex: Graphviz'
+                    ///< `.dot`.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations", "views".
+/// "relations", "views", "topological-map".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.

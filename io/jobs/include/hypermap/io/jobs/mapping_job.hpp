@@ -43,6 +43,8 @@ struct MappingJob {
   /// that rule, refused with another.
   std::optional<std::filesystem::path> combiner = std::nullopt;
   SemanticMapperOptions mapper = {};
+  /// What belongs where, for `mapper.prior.source` places; without it that is refused.
+  std::optional<PlaceRules> place_rules = std::nullopt;
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
   /// none: what the dataset's description says, else z for TUM RGB-D, else "floor".
