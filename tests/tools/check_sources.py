@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every equation that a header cites has a test that cites it; prints which file has which."""
+"""Each equation of tests/tools/equations.txt has a header, a test and a user; prints which file has which."""
 
 import collections
 import re
@@ -8,13 +8,18 @@ import sys
 
 import source_tree
 
-# "[smap] Eq. (3.14) to (3.16)", "[sogm] Eq. (7), Eq. (8)": a key, then equations until the next key.
-CITATION = re.compile(r"\[(\w+)\]((?:(?!\[\w+\]).)*?Eqs?\.\s*(?:(?!\[\w+\]).)*)", re.DOTALL)
-LIST = re.compile(
-    r"Eqs?\.\s*(\(\d+(?:\.\d+)?\)(?:(?:,\s*and\s*|,\s*|\s+and\s+|\s+to\s+)(?:Eqs?\.\s*)?"
-    r"\(\d+(?:\.\d+)?\))*)")
-MEMBER = re.compile(r"(to\s+(?:Eqs?\.\s*)?)?\((\d+)(?:\.(\d+))?\)")
+LIST_FILE = "tests/tools/equations.txt"
 KEYS = ("smap", "hypermap", "sogm")
+# "[smap] Eq. (3.14) to (3.16)", "[sogm] Eq. (7), Eq. (8)": a key, then its citations until the next key.
+KEYED = re.compile(r"\[(\w+)\]((?:(?!\[\w+\]).)*)", re.DOTALL)
+NUMBER = r"(?:\d+|[A-Z])(?:\.\d+)?"
+JOINED = r"(?:,\s*and\s*|,\s*|\s+and\s+|\s+to\s+)"
+EQUATIONS = re.compile(rf"Eqs?\.\s*(\({NUMBER}\)(?:{JOINED}(?:Eqs?\.\s*)?\({NUMBER}\))*)")
+DRAWN = re.compile(rf"(pseudocode|figure)s?\s+({NUMBER}(?:{JOINED}{NUMBER}\b)*)")
+MEMBER = re.compile(r"(to\s+(?:Eqs?\.\s*)?)?\(?\b(\d+|[A-Z])(?:\.(\d+))?\b\)?")
+NOT_YET = "not yet"
+
+Row = collections.namedtuple("Row", "what used note line")
 
 
 def comments(text):
@@ -31,26 +36,30 @@ def comments(text):
 
 
 def expand(text):
-    """The equations of "(3.14) to (3.16)" or "(3.10), (3.11)"."""
+    """The numbers of "(3.14) to (3.16)" or "3.22 and 3.23"."""
     out = []
     for is_range, major, minor in MEMBER.findall(text):
-        number = (int(major), int(minor) if minor else None)
         if is_range and out:
-            first, last = out[-1], number
-            position = 1 if last[1] is not None else 0
-            for value in range(first[position] + 1, last[position]):
-                out.append((first[0], value) if position == 1 else (value, None))
-        out.append(number)
-    return [f"{a}" if b is None else f"{a}.{b}" for a, b in out]
+            first = out[-1]
+            if minor:
+                out += [(major, str(i)) for i in range(int(first[1]) + 1, int(minor))]
+            else:
+                out += [(str(i), "") for i in range(int(first[0]) + 1, int(major))]
+        out.append((major, minor))
+    return [f"{a}.{b}" if b else a for a, b in out]
 
 
 def equations(text):
+    """What a file cites: (key, "(3.14)"), (key, "figure 3.23")."""
     found = set()
     for block in comments(text):
-        for key, rest in CITATION.findall(block):
-            if key in KEYS:
-                for listed in LIST.findall(rest):
-                    found |= {(key, number) for number in expand(listed)}
+        for key, rest in KEYED.findall(block):
+            if key not in KEYS:
+                continue
+            for listed in EQUATIONS.findall(rest):
+                found |= {(key, f"({number})") for number in expand(listed)}
+            for kind, listed in DRAWN.findall(rest):
+                found |= {(key, f"{kind} {number}") for number in expand(listed)}
     return found
 
 
@@ -58,7 +67,7 @@ def citations(root, paths):
     cited = collections.defaultdict(list)
     for path in paths:
         for equation in sorted(equations(source_tree.read(path))):
-            cited[equation].append(path.relative_to(root).as_posix())
+            cited[equation].append(path)
     return cited
 
 
@@ -68,35 +77,128 @@ def both_sides(root):
     return headers, tests
 
 
+def full_list(root):
+    """The rows of the list by (key, number), in its order."""
+    rows = {}
+    for line, text in enumerate(source_tree.read(root / LIST_FILE).splitlines(), 1):
+        if not text or text.startswith("#"):
+            continue
+        name, what, used, note = (part.strip() for part in text.split("|"))
+        key, number = re.fullmatch(r"\[(\w+)\] (.+)", name).groups()
+        rows[(key, number)] = Row(what, used, note, line)
+    return rows
+
+
+def last_word(used):
+    return re.findall(r"\w+", used)[-1]
+
+
+def declares(code, used):
+    return re.search(rf"\b{last_word(used)}\b", code) is not None
+
+
+def is_own_file(code, used):
+    """Whether it defines what is used at the start of a line: a method, or a function or type."""
+    word = last_word(used)
+    if "." in used:
+        return re.search(rf"^\w.*::{word}\(", code, re.MULTILINE) is not None
+    return re.search(rf"^(?:\w[^\n;=]*[\s&*:])?{word}\(|^(?:struct|class|enum class) {word} ",
+                     code, re.MULTILINE) is not None
+
+
+def is_used(code, used):
+    return re.search(rf"(?<!\w){re.escape(used)}(?!\w)", code) is not None and not is_own_file(code, used)
+
+
+def faults_of(equation, row, headers, tests, codes):
+    """What is missing of one equation."""
+    cited = headers.get(equation, [])
+    if row.used == NOT_YET:
+        return [f"is cited by {path.name}: name its function instead of '{NOT_YET}'" for path in cited]
+    faults = []
+    if not cited:
+        faults.append("is cited by no header")
+    if not tests.get(equation):
+        faults.append("is cited by no test")
+    for used in re.split(r",\s*", row.used):
+        if cited and not any(declares(codes[path], used) for path in cited):
+            faults.append(f"is cited by no header that has {used}")
+        if not any(is_used(code, used) for code in codes.values()):
+            faults.append(f"has no caller: nobody uses {used} outside its own file and tests")
+    return faults
+
+
 def check(root):
     headers, tests = both_sides(root)
-    return [f"{path}: [{key}] Eq. ({number}) is cited by no test"
-            for (key, number), paths in sorted(headers.items(), key=order)
-            if (key, number) not in tests for path in paths]
+    rows = full_list(root)
+    paths = source_tree.files(root, source_tree.FOLDERS, [".hpp", ".cpp"])
+    codes = {path: source_tree.without_comments_and_strings(source_tree.read(path)) for path in paths}
+    problems = []
+    for (key, number), row in rows.items():
+        problems += [f"{LIST_FILE}:{row.line}: [{key}] {number} {fault}"
+                     for fault in faults_of((key, number), row, headers, tests, codes)]
+    for (key, number), cited in sorted(headers.items(), key=order):
+        if not number.startswith("("):
+            continue
+        listed = key == "hypermap" or (key, number) in rows
+        for path in cited:
+            if not listed:
+                problems.append(f"{path.relative_to(root)}: [{key}] {number} is not in {LIST_FILE}")
+            if (key, number) not in tests and (key, number) not in rows:
+                problems.append(f"{path.relative_to(root)}: [{key}] {number} is cited by no test")
+    return problems
 
 
 def order(item):
     (key, number), _ = item
-    return key, [int(part) for part in number.split(".")]
+    return key, [(0, int(part)) if part.isdigit() else (1, part) for part in re.findall(r"\w+", number)]
 
 
 def print_table(root):
     headers, tests = both_sides(root)
-    print("| equation | header | test |\n|---|---|---|")
-    for (key, number), paths in sorted(headers.items(), key=order):
-        print(f"| [{key}] ({number}) | {', '.join(paths)} | "
-              f"{', '.join(tests.get((key, number), ['-']))} |")
+    print("| equation | what | header | test | not as printed |\n|---|---|---|---|---|")
+    for (key, number), row in full_list(root).items():
+        sides = [", ".join(path.relative_to(root).as_posix() for path in side.get((key, number), []))
+                 for side in (headers, tests)]
+        note = NOT_YET if row.used == NOT_YET else row.note
+        print(f"| [{key}] {number} | {row.what} | {sides[0] or '-'} | {sides[1] or '-'} | {note} |")
 
 
 HEADER = "core/include/hypermap/core/a.hpp"
+SOURCE = "core/src/a.cpp"
+TEST = "tests/core/a_test.cpp"
 GOOD = {
-    HEADER: "/// Source: [smap] Eq. (3.14) to\n/// (3.16).\n/// Source: [sogm] Eq. (7), (9).\n",
-    "tests/core/a_test.cpp": "// [smap] Eq. (3.14), Eq. (3.15) and (3.16)\n\n// [sogm] Eq. (7) to (9)\n",
+    LIST_FILE: "# list\n[smap] (3.14) | a | combine |\n[smap] (3.15) | b | combine, bins.merge |\n"
+               "[smap] (F.1) | c | combine |\n[smap] (3.17) | d | not yet |\n"
+               "[smap] figure 3.23 | e | Angle | from the camera\n[sogm] (7) | f | combine |\n",
+    HEADER: "/// Source: [smap] Eq. (3.14) to\n/// (3.15), figures 3.22 and 3.23, Eq. (F.1).\n"
+            "/// Source: [sogm] Eq. (7).\nint combine(int a);\nstruct Angle {\n  void merge();\n};\n",
+    SOURCE: "int combine(int a) {\n  return a;\n}\n",
+    "core/src/b.cpp": "int b(Angle a) {\n  bins.merge();\n  return combine(1);\n}\n",
+    TEST: "// [smap] Eq. (3.14), Eq. (3.15) and (F.1), figure 3.23\n\n// [sogm] Eq. (7) to (9)\n",
 }
 BAD = [
-    ("not tested at all", {HEADER: "/// Source: [smap] Eq. (3.19).\n"}),
-    ("middle of a range not tested", {HEADER: "/// [smap] Eq. (3.14) to (3.17)\n"}),
-    ("same number of another source", {HEADER: "/// Source: [sogm] Eq. (3.14)\n"}),
+    ("no header", {LIST_FILE: GOOD[LIST_FILE] + "[smap] (3.19) | g | combine |\n",
+                   TEST: GOOD[TEST] + "\n// [smap] Eq. (3.19)\n"}),
+    ("no test", {LIST_FILE: GOOD[LIST_FILE], TEST: "// [smap] Eq. (3.14), figure 3.23, [sogm] Eq. (7)\n"}),
+    ("figure without test", {LIST_FILE: GOOD[LIST_FILE],
+                             TEST: "// [smap] Eq. (3.14), (3.15), (F.1), [sogm] Eq. (7)\n"}),
+    ("no caller but tests and its own file",
+     {LIST_FILE: GOOD[LIST_FILE], "core/src/b.cpp": "int b(Angle a) { bins.merge(); }\n",
+      SOURCE: "int combine(int a) {\n  return a;\n}\nint c() {\n  return combine(1);\n}\n",
+      TEST: GOOD[TEST] + "int d = combine(2);\n"}),
+    ("named by a comment alone",
+     {LIST_FILE: GOOD[LIST_FILE], "core/src/b.cpp": "// combine(1) of Angle\nint b() { bins.merge(); }\n"}),
+    ("a function that the citing header lacks",
+     {LIST_FILE: GOOD[LIST_FILE].replace("| a | combine", "| a | b")}),
+    ("built, and still not yet", {LIST_FILE: GOOD[LIST_FILE],
+                                  HEADER: GOOD[HEADER] + "\n/// Source: [smap] Eq. (3.17)\n"}),
+    ("not in the list", {"core/include/hypermap/core/c.hpp": "/// Source: [smap] Eq. (3.19).\n"}),
+    ("middle of a range not in the list",
+     {"core/include/hypermap/core/c.hpp": "/// [sogm] Eq. (7) to (9)\n"}),
+    ("same number of another source", {"core/include/hypermap/core/c.hpp": "/// [sogm] Eq. (3.14)\n"}),
+    ("of a source without a list, not tested",
+     {"core/include/hypermap/core/c.hpp": "/// [hypermap] Eq. (1)\n"}),
 ]
 
 if __name__ == "__main__":

@@ -22,11 +22,6 @@ int panel_begin(int panel, int panels, int side_px) {
   return static_cast<int>(static_cast<std::int64_t>(panel) * side_px / panels);
 }
 
-/// The panel whose half-open pixel interval holds pixel `pixel`: the inverse of panel_begin.
-int panel_of(int pixel, int panels, int side_px) {
-  return static_cast<int>(((static_cast<std::int64_t>(pixel) + 1) * panels - 1) / side_px);
-}
-
 void extend(DepthPanel& panel, const Eigen::Vector3d& point_in_map, double distance_m) {
   const bool is_first = panel.num_points == 0;
   Box& box = panel.box;
@@ -43,10 +38,6 @@ DepthPanel make_panel(const RgbdFrame& frame,
   const Eigen::Isometry3d& map_from_camera = frame.map_from_camera.isometry();
   const double max_range_m = options.max_range_m.value_or(kDefaultMaxRangeM);
   DepthPanel panel;
-  const double middle_u = 0.5 * (rect.u_begin + rect.u_end - 1);
-  const double middle_v = 0.5 * (rect.v_begin + rect.v_end - 1);
-  panel.centre_direction_in_map =
-      map_from_camera.linear() * frame.camera.unproject(middle_u, middle_v, 1.0).xyz.normalized();
   for (int v = rect.v_begin; v < rect.v_end; ++v) {
     for (int u = rect.u_begin; u < rect.u_end; ++u) {
       const float depth = frame.depth_m.at(u, v);
@@ -66,9 +57,9 @@ constexpr OptionRow kPanelRows[] = {
     option::count<&BinnedDepth::columns>(
         "columns",
         {1, 4096},
-        {.source = "[smap] table D.1", .effect = "Panels across.", .smap = 24}),
+        {.source = "[smap] table D.2", .effect = "Panels across.", .smap = 24}),
     option::count<&BinnedDepth::rows>(
-        "rows", {1, 4096}, {.source = "[smap] table D.1", .effect = "Panels down.", .smap = 16}),
+        "rows", {1, 4096}, {.source = "[smap] table D.2", .effect = "Panels down.", .smap = 16}),
     option::number<&BinnedDepth::min_range_m>(
         "min_range_m",
         {0, 1000},
@@ -76,9 +67,7 @@ constexpr OptionRow kPanelRows[] = {
     option::number<&BinnedDepth::max_range_m>(
         "max_range_m",
         option::above(0, 100000),
-        {.unit = "m",
-         .effect = "Farther depth is dropped; none: as integration.max_range_m.",
-         .smap = 1.7}),
+        {.unit = "m", .effect = "Farther depth is dropped; none: as integration.max_range_m."}),
 };
 
 Result<void> check_ranges(const BinnedDepth& options) {
@@ -104,9 +93,8 @@ Result<void> validate(const BinnedDepthMapOptions& options) {
 BinnedDepthMap::BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options)
     : columns_(options.columns),
       rows_(options.rows),
-      camera_(frame.camera),
-      map_from_camera_(frame.map_from_camera),
       camera_centre_(frame.map_from_camera.origin()),
+      camera_axis_in_map_(frame.map_from_camera.isometry().linear().col(2)),
       panels_(static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows)) {}
 
 BinnedDepthMap BinnedDepthMap::create(const RgbdFrame& frame,
@@ -135,16 +123,6 @@ const DepthPanel& BinnedDepthMap::at(int column, int row) const {
   assert(column >= 0 && column < columns_ && row >= 0 && row < rows_);
   return panels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(column)];
-}
-
-const DepthPanel* BinnedDepthMap::panel_towards(const PointInMap& point) const {
-  const std::optional<PixelPoint> seen = camera_.project(map_from_camera_.inverse() * point);
-  if (!seen) return nullptr;
-  const double u = std::floor(seen->u_px + 0.5);
-  const double v = std::floor(seen->v_px + 0.5);
-  if (!(u >= 0.0 && u < camera_.width_px && v >= 0.0 && v < camera_.height_px)) return nullptr;
-  return &at(panel_of(static_cast<int>(u), columns_, camera_.width_px),
-             panel_of(static_cast<int>(v), rows_, camera_.height_px));
 }
 
 }  // namespace hypermap

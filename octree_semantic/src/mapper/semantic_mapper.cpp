@@ -5,6 +5,7 @@
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/object_scopes.hpp"
 #include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
 #include "mapper/topological_growth.hpp"
@@ -173,7 +174,10 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;
-  const auto association = associate(objects, observations, options_.objects.association);
+  const auto association = associate(objects,
+                                     observations,
+                                     options_.objects.association,
+                                     scope_of_candidates(frame, options_.objects));
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
@@ -282,7 +286,8 @@ Result<std::vector<VisibilityResult>> SemanticMapper::evaluate_objects(
     case VisibilityPolicy::kPanels: {
       const auto panels =
           BinnedDepthMap::create(frame, options_.objects.binned_depth, options_.num_threads);
-      return evaluate_visibility_by_panels(objects_, panels, options_.objects.absence);
+      return evaluate_visibility_by_panels(
+          objects_, panels, options_.objects.absence, scope_of_absences(frame, options_.objects));
     }
     case VisibilityPolicy::kRays:
       break;

@@ -81,17 +81,20 @@ TEST(SmapPolicy, CandidatesAreNearerThanTheProductOfErrorAndFactor) {
 }
 
 TEST(SmapPolicy, ConeAndNeighbourhoodLimitTheCandidates) {
+  // [smap] figure 3.22, steps 1 and C.2.2.
   const auto options = with(AssociationPolicy::kSmap);
-  const AssociationScope ahead{.apex = PointInMap{{0, -2, 0.45}},
-                               .axis_in_map = Eigen::Vector3d::UnitY(),
-                               .half_angle_rad = 0.5};
-  AssociationScope behind = ahead;
+  const ActiveCone ahead{.apex = PointInMap{{0, -2, 0.45}},
+                         .axis_in_map = Eigen::Vector3d::UnitY(),
+                         .half_angle_rad = 0.5,
+                         .min_range_m = 0.2,
+                         .max_range_m = 5.0};
+  ActiveCone behind = ahead;
   behind.axis_in_map = -ahead.axis_in_map;
   for (const auto& [scope, num_objects] :
-       {std::pair{ahead, 1U},
-        std::pair{behind, 2U},
-        std::pair{AssociationScope{.neighbourhood = std::vector<ObjectId>{}}, 2U},
-        std::pair{AssociationScope{.neighbourhood = std::vector{ObjectId{1}}}, 1U}}) {
+       {std::pair{ObjectScope{.cone = ahead}, 1U},
+        std::pair{ObjectScope{.cone = behind}, 2U},
+        std::pair{ObjectScope{.neighbourhood = std::vector<ObjectId>{}}, 2U},
+        std::pair{ObjectScope{.neighbourhood = std::vector{ObjectId{1}}}, 1U}}) {
     ObjectMap map;
     (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
     (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);

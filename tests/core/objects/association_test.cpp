@@ -81,6 +81,7 @@ TEST(UpdateObject, TheClassesThatAVectorLeavesOutCount) {
 }
 
 TEST(Association, BearingIsThatOfTheCameraFromTheObject) {
+  // [smap] figure 3.19.
   EXPECT_NEAR(bearing_from_object_rad({1, 1, 0}, {1, 3, 5}), M_PI / 2, 1e-12);
   EXPECT_DOUBLE_EQ(bearing_from_object_rad({1, 1, 0}, {1, 1, 5}), 0.0);
 }

@@ -141,6 +141,7 @@ TEST(TopologicalMap, AnotherWalkIsAnotherPieceUntilItMeetsTheFirst) {
   EXPECT_THAT(broken_rules(map, {}), IsEmpty());
 }
 
+// [smap] pseudocode 3.4.
 TEST(TopologicalMap, AFarObjectGetsSupportVerticesTowardIt) {
   // 2.5 m away: after 0.95 m there are 1.55 m left, after 1.9 m 0.6 m, which is near.
   TopologicalMap map;

@@ -19,7 +19,7 @@ RgbdFrame small_frame(float depth_m) {
   return frame;
 }
 
-// [smap] 3.4, table D.1. Panel (1, 2) holds columns 2, 3 and rows 4, 5. At 2 m, x = u / 10 * 2:
+// [smap] 3.4, table D.2. Panel (1, 2) holds columns 2, 3 and rows 4, 5. At 2 m, x = u / 10 * 2:
 // 0.4 to 0.6; y = v / 10 * 2: 0.8 to 1.0.
 TEST(BinnedDepthMap, BoxesThePointsOfEachPanel) {
   const BinnedDepthMap map = BinnedDepthMap::create(small_frame(2.0F));
@@ -31,7 +31,6 @@ TEST(BinnedDepthMap, BoxesThePointsOfEachPanel) {
   EXPECT_TRUE(panel.box.max_in_map.isApprox(Eigen::Vector3d(0.6, 1.0, 2.0)));
   EXPECT_NEAR(panel.nearest_m, Eigen::Vector3d(0.4, 0.8, 2.0).norm(), 1e-12);
   EXPECT_NEAR(panel.farthest_m, Eigen::Vector3d(0.6, 1.0, 2.0).norm(), 1e-12);
-  EXPECT_TRUE(panel.centre_direction_in_map.isApprox(Eigen::Vector3d(0.25, 0.45, 1).normalized()));
 }
 
 TEST(BinnedDepthMap, SkipsWhatIsNoMeasurementOrOutOfRange) {
@@ -56,19 +55,19 @@ TEST(BinnedDepthMap, CountsEachPixelOnceWhenPanelsDoNotDivideTheImage) {
   }
 }
 
-TEST(BinnedDepthMap, FindsThePanelThatHoldsAPoint) {
-  const RgbdFrame frame = small_frame(2.0F);
+TEST(BinnedDepthMap, PanelsLieInTheImageAsTheyAreNumbered) {
+  RgbdFrame frame = small_frame(2.0F);
+  frame.map_from_camera = MapFromCamera(Eigen::Isometry3d(Eigen::Translation3d(1, 2, 3)));
   for (const int columns : {24, 7, 48}) {
     const BinnedDepthMap map = BinnedDepthMap::create(frame, {.columns = columns, .rows = 5});
-    for (int u = 0; u < 48; ++u) {
-      const PointInMap point = frame.map_from_camera * frame.camera.unproject(u, 9, 2.0);
-      const DepthPanel* panel = map.panel_towards(point);
-      ASSERT_NE(panel, nullptr);
-      EXPECT_LE(panel->box.min_in_map.x(), point.xyz.x() + 1e-9);
-      EXPECT_GE(panel->box.max_in_map.x(), point.xyz.x() - 1e-9);
+    EXPECT_EQ(map.camera_centre().xyz, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(map.camera_axis_in_map(), Eigen::Vector3d::UnitZ());
+    for (int column = 1; column < columns; ++column) {
+      EXPECT_LT(map.at(column - 1, 2).box.max_in_map.x(), map.at(column, 2).box.min_in_map.x());
     }
-    EXPECT_EQ(map.panel_towards({{0, 0, -1}}), nullptr);
-    EXPECT_EQ(map.panel_towards({{-1, 0, 1}}), nullptr);
+    for (int row = 1; row < 5; ++row) {
+      EXPECT_LT(map.at(3, row - 1).box.max_in_map.y(), map.at(3, row).box.min_in_map.y());
+    }
   }
 }
 

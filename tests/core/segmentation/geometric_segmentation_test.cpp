@@ -98,6 +98,7 @@ TEST(ClusterPolicy, KeepsTheLargestOfTwoClusters) {
   EXPECT_NEAR(found->box.max_in_map.z(), 1.0, 1e-6);
 }
 
+// [smap] pseudocode 3.1.
 TEST(ClusterPolicy, DropsStatisticalOutliers) {
   RgbdFrame frame = plate();
   frame.depth_m.at(15, 15) = 1.0F;  // alone, 6 cm from the plate

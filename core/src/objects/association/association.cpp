@@ -97,7 +97,7 @@ ObjectId AssociationRun::merge(ObjectId a, ObjectId b) {
 AssociationReport associate(ObjectMap& objects,
                             std::span<const Observation> observations,
                             const AssociationOptions& options,
-                            const AssociationScope& scope) {
+                            const ObjectScope& scope) {
   AssociationRun run{objects, observations, options, {}};
   run.report.object_of_observation.assign(observations.size(), kNoObject);
   switch (options.policy) {

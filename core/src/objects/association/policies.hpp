@@ -31,7 +31,7 @@ void associate_by_assignment(AssociationRun& run);
 void settle_contested_cells(AssociationRun& run);
 void associate_by_overlap(AssociationRun& run);
 void associate_by_radius(AssociationRun& run);
-void associate_by_smap(AssociationRun& run, const AssociationScope& scope);
+void associate_by_smap(AssociationRun& run, const ObjectScope& scope);
 
 /// The class that an observation names.
 [[nodiscard]] ClassId named_class(const Observation& observation);

@@ -44,30 +44,18 @@ std::vector<ObjectId> same_class_within(const AssociationRun& run,
   return ids;
 }
 
-bool is_in_cone(const Eigen::Vector3d& point, const AssociationScope& scope) {
-  if (!scope.apex) return true;
-  const Eigen::Vector3d way = point - scope.apex->xyz;
-  return way.dot(scope.axis_in_map) >= std::cos(scope.half_angle_rad) * way.norm();
-}
-
-bool is_in_neighbourhood(ObjectId id, const AssociationScope& scope) {
-  return !scope.neighbourhood ||
-         std::binary_search(scope.neighbourhood->begin(), scope.neighbourhood->end(), id);
-}
-
 /// Steps 1 and 2 of figure 3.22: the nearest object that may be it.
 std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
                                           const Eigen::Vector3d& centroid,
                                           ClassId class_id,
                                           std::optional<ObjectId> except,
-                                          const AssociationScope& scope) {
+                                          const ObjectScope& scope) {
   const double max_distance_m = run.options.position_error_m * run.options.tracking_factor;
   std::optional<ObjectId> best;
   double best_distance = std::numeric_limits<double>::infinity();
   for (const Object& object : run.objects.objects()) {
-    const bool may_be = object.id != except && is_in_neighbourhood(object.id, scope) &&
-                        is_of_class(object, class_id) &&            // C.2.1
-                        is_in_cone(object.centroid_in_map, scope);  // C.2.2
+    const bool may_be = object.id != except && is_of_class(object, class_id) &&  // C.2.1
+                        scope.contains(object.id, object.centroid_in_map);       // 1, C.2.2
     const double distance = (object.centroid_in_map - centroid).norm();
     if (!may_be || !(distance < max_distance_m) || !(distance < best_distance)) continue;  // C.2.3
     best = object.id;
@@ -77,7 +65,7 @@ std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
 }
 
 /// Step 5 of figure 3.22: instances that are close enough become one.
-void combine_close(AssociationRun& run, ObjectId id, const AssociationScope& scope) {
+void combine_close(AssociationRun& run, ObjectId id, const ObjectScope& scope) {
   const Object& object = run.objects.at(id);
   const auto best = object.belief.best();
   const auto other = nearest_candidate(run, object.centroid_in_map, best->id, id, scope);
@@ -106,7 +94,7 @@ void associate_by_radius(AssociationRun& run) {
   });
 }
 
-void associate_by_smap(AssociationRun& run, const AssociationScope& scope) {
+void associate_by_smap(AssociationRun& run, const ObjectScope& scope) {
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
     if (run.is_transient(i)) continue;
     const Observation& observation = run.observations[i];

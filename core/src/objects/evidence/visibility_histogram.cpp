@@ -108,7 +108,11 @@ LogOdds histogram_increment(const VisibilityHistogramOptions& options, double di
 }
 
 double angle_difference_rad(double a_rad, double b_rad) {
-  return std::atan2(std::sin(a_rad - b_rad), std::cos(a_rad - b_rad));
+  const double difference_rad = a_rad - b_rad;
+  const bool is_within = difference_rad > -std::numbers::pi && difference_rad <= std::numbers::pi;
+  if (is_within) return difference_rad;
+  const double wrapped_rad = std::atan2(std::sin(difference_rad), std::cos(difference_rad));
+  return wrapped_rad > -std::numbers::pi ? wrapped_rad : std::numbers::pi;
 }
 
 }  // namespace hypermap

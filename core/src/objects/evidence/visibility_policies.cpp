@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/association.hpp"
+#include "panel_matches.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace hypermap {
 namespace {
@@ -36,38 +34,9 @@ std::vector<Eigen::Vector2d> seen_from_above(const RgbdFrame& frame, double max_
   return points;
 }
 
-/// How many corners' panels lie where. Source: [smap] figure 3.24, p_be, p_in, p_af.
-struct PanelCounts {
-  int before = 0;
-  int inside = 0;
-  int after = 0;
-  [[nodiscard]] int all() const { return before + inside + after; }
-};
-
-/// Steps 3, 5 and 6 of [smap] figure 3.23.
-PanelCounts count_panels(const Object& object, const BinnedDepthMap& depth, double tolerance_m) {
-  const Box with_tolerance{object.box.min_in_map.array() - tolerance_m,
-                           object.box.max_in_map.array() + tolerance_m};
-  const double object_distance_m = (object.box.centre() - depth.camera_centre().xyz).norm();
-  PanelCounts counts;
-  for (const Eigen::Vector3d& corner : object.box.corners()) {
-    const DepthPanel* panel = depth.panel_towards({corner});
-    if (panel == nullptr || panel->num_points == 0) continue;
-    if (panel->box.intersects(with_tolerance)) {
-      ++counts.inside;
-    } else if (0.5 * (panel->nearest_m + panel->farthest_m) < object_distance_m) {
-      ++counts.before;
-    } else {
-      ++counts.after;
-    }
-  }
-  return counts;
-}
-
 /// C.2 of [smap] figure 3.23, whose thresholds the text does not give.
 Visibility state_of(const PanelCounts& counts, const AbsenceOptions& options) {
   const double all = counts.all();
-  if (counts.all() == 0) return Visibility::kOutOfView;
   if (counts.after > options.absent_share * all) return Visibility::kAbsent;
   if (counts.before > options.occluded_share * all) return Visibility::kOccluded;
   return counts.before > 0 ? Visibility::kPartlyOccluded : Visibility::kVisible;
@@ -94,10 +63,13 @@ Result<std::vector<VisibilityResult>> evaluate_visibility_by_hull(const ObjectMa
 
 std::vector<VisibilityResult> evaluate_visibility_by_panels(const ObjectMap& objects,
                                                             const BinnedDepthMap& depth,
-                                                            const AbsenceOptions& options) {
+                                                            const AbsenceOptions& options,
+                                                            const ObjectScope& scope) {
+  const PanelMatches panels(depth);
   std::vector<VisibilityResult> results;
   for (const Object& object : objects.objects()) {
-    const PanelCounts counts = count_panels(object, depth, options.panel_tolerance_m);
+    if (!scope.contains(object.id, object.centroid_in_map)) continue;  // steps 1 and C.1
+    const PanelCounts counts = panels.count(object.box, options.panel_tolerance_m);
     if (counts.all() == 0) continue;
     VisibilityResult result = visibility_result_of(object, depth.camera_centre().xyz);
     result.state = state_of(counts, options);

@@ -29,8 +29,8 @@ struct PixelCloud {
 /// The elements at `kept`.
 [[nodiscard]] PixelCloud subset(const PixelCloud& cloud, const std::vector<std::uint32_t>& kept);
 
-/// Box, centroid, confidence and distance of points. Source: [smap] pseudocodes 3.2 and 3.3.
-/// Requires: points not empty.
+/// Box, centroid, confidence and distance of points. Source: [smap] pseudocodes 3.2 and 3.3,
+/// Eq. (3.9). Requires: points not empty.
 [[nodiscard]] Segment describe(const RgbdFrame& frame,
                                std::vector<std::uint32_t> pixels,
                                std::span<const Eigen::Vector3f> points_in_camera,

@@ -11,6 +11,7 @@
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/objects/object_scope.hpp"
 #include "hypermap/core/objects/observation_log.hpp"
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
@@ -116,10 +117,15 @@ AbsenceReport apply_absences(ObjectMap& objects,
 [[nodiscard]] Result<std::vector<VisibilityResult>> evaluate_visibility_by_hull(
     const ObjectMap& objects, const RgbdFrame& frame, double max_range_m);
 
-/// Policy panels: each corner of a box takes the panel nearest by angle; panels are before, inside
-/// or after the box. Objects with no corner in the image are left out.
+/// Policy panels, of the objects in `scope`: each corner of a box takes the panel nearest by angle,
+/// outside the image as well; of the panels that these span some lie before, inside or after the
+/// box. Boundary: no result when no panel of a frame has a point.
 /// Source: [smap] figure 3.23, Eq. (3.22) to (3.25), figure 3.24.
+/// Cost: linear in the panels, for each object in scope.
 [[nodiscard]] std::vector<VisibilityResult> evaluate_visibility_by_panels(
-    const ObjectMap& objects, const BinnedDepthMap& depth, const AbsenceOptions& options);
+    const ObjectMap& objects,
+    const BinnedDepthMap& depth,
+    const AbsenceOptions& options,
+    const ObjectScope& scope = {});
 
 }  // namespace hypermap

@@ -11,6 +11,7 @@
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/core/objects/class_belief.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/objects/object_scope.hpp"
 #include "hypermap/core/objects/visibility_histogram.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
@@ -141,16 +142,6 @@ struct AssociationOptions {
 [[nodiscard]] Result<void> validate(const AssociationOptions& options);
 [[nodiscard]] const OptionTable& option_table(const AssociationOptions& options);
 
-/// What limits the candidates of policy smap. Source: [smap] 3.5.4, steps 1 and C.2.2.
-struct AssociationScope {
-  /// Objects at vertices within three layers of the robot's, ascending; all when none is given.
-  std::optional<std::vector<ObjectId>> neighbourhood = {};
-  /// The active cone: its apex and unit axis. All directions when none is given.
-  std::optional<PointInMap> apex = {};
-  Eigen::Vector3d axis_in_map = Eigen::Vector3d::UnitX();
-  double half_angle_rad = 1.0;  ///< Of the cone.
-};
-
 /// Two objects became one.
 struct ObjectMerge {
   ObjectId from;
@@ -174,13 +165,14 @@ struct AssociationReport {
 /// Positive association: matches observations of one frame with objects, updates those, creates new
 /// ones, merges duplicates.
 ///
+/// `scope` limits the candidates of policy smap.
 /// Requires: validate(options); observations have points and class scores.
 /// Boundary: observations of equal affinity go in their order; the result is the same on every run.
 /// Cost: O(n^3) in the observations of a connected group, else linear in points.
 AssociationReport associate(ObjectMap& objects,
                             std::span<const Observation> observations,
                             const AssociationOptions& options,
-                            const AssociationScope& scope = {});
+                            const ObjectScope& scope = {});
 
 /// Updates an object by one observation: class (3.17, 3.18), histogram (3.13), box (3.20, 3.21),
 /// shapes, points, embeddings, existence, observation log. Source: [smap] 3.5.3; [hypermap] 3.4.5.

@@ -2,13 +2,15 @@
 /// @file
 /// An image's depth in coarse panels: what lies where, for occlusion tests.
 ///
-/// Source: [smap] 3.4, table D.1.
+/// Source: [smap] 3.4, table D.2.
 #pragma once
 
 #include "hypermap/core/base/max_range.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
+
+#include <Eigen/Core>
 
 #include <cstdint>
 #include <optional>
@@ -39,8 +41,7 @@ struct BinnedDepthMapOptions {
 
 /// One panel: the box of its points, which may overlap its neighbours' ([smap] figure 3.17).
 struct DepthPanel {
-  Box box;                                                             ///< Frame: Map.
-  Eigen::Vector3d centre_direction_in_map = Eigen::Vector3d::UnitZ();  ///< Unit ray of its middle.
+  Box box;                       ///< Frame: Map.
   double nearest_m = 0.0;        ///< Smallest distance from the camera.
   double farthest_m = 0.0;       ///< Largest distance from the camera.
   std::uint32_t num_points = 0;  ///< 0: nothing was measured, box and distances are 0.
@@ -60,19 +61,19 @@ class BinnedDepthMap {
   [[nodiscard]] std::span<const DepthPanel> panels() const noexcept { return panels_; }
   /// Requires: 0 <= column < columns(), 0 <= row < rows().
   [[nodiscard]] const DepthPanel& at(int column, int row) const;
-  /// The panel that a point of the map falls into; none when it is behind the camera or outside the
-  /// image.
-  [[nodiscard]] const DepthPanel* panel_towards(const PointInMap& point) const;
   [[nodiscard]] const PointInMap& camera_centre() const noexcept { return camera_centre_; }
+  /// Unit vector along the optical axis.
+  [[nodiscard]] const Eigen::Vector3d& camera_axis_in_map() const noexcept {
+    return camera_axis_in_map_;
+  }
 
  private:
   BinnedDepthMap(const RgbdFrame& frame, const BinnedDepthMapOptions& options);
 
   int columns_ = 0;
   int rows_ = 0;
-  PinholeCamera camera_;
-  MapFromCamera map_from_camera_;
   PointInMap camera_centre_;
+  Eigen::Vector3d camera_axis_in_map_;
   std::vector<DepthPanel> panels_;
 };
 
