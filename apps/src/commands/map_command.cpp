@@ -14,6 +14,7 @@
 #include "number_lists.hpp"
 #include "option_flags.hpp"
 #include "outputs.hpp"
+#include "placement_argument.hpp"
 #include "places.hpp"
 #include "progress.hpp"
 
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <thread>
@@ -54,15 +54,6 @@ struct MapArguments {
   int num_threads = 0;
   LoadArguments load;
 };
-
-Result<std::optional<WorldPlacement>> placement_of(const std::optional<std::string>& text) {
-  if (!text) return std::optional<WorldPlacement>();
-  HYPERMAP_ASSIGN_OR_RETURN(const auto numbers, parse_numbers(*text, 4, 4, "--transform"));
-  return std::optional(WorldPlacement{.x_m = numbers[0],
-                                      .y_m = numbers[1],
-                                      .z_m = numbers[2],
-                                      .yaw_rad = numbers[3] * std::numbers::pi / 180.0});
-}
 
 /// A file of what belongs where is given to be used.
 std::optional<std::string> prior_of(const MapArguments& arguments) {
@@ -149,14 +140,6 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   return written ? worst : report(written.error());
 }
 
-CLI::Validator four_numbers() {
-  const auto check = [](const std::string& text) -> std::string {
-    const auto numbers = parse_numbers(text, 4, 4, "");
-    return numbers ? "" : numbers.error().what;
-  };
-  return {check, "X,Y,Z,YAW"};
-}
-
 void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& arguments) {
   auto* same_world =
       command
@@ -171,7 +154,7 @@ void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& ar
                   arguments.transform,
                   "with --append: X,Y,Z,YAW in metres and degrees, where the input's world lies in "
                   "the map once +z is up in it")
-      ->check(four_numbers())
+      ->check(placement_text())
       ->needs(&append)
       ->excludes(same_world);
   command

@@ -47,8 +47,9 @@ std::string objects_table(const ObjectSizes& objects) {
 
 std::string grids_line(const GridSizes& grids) {
   return "as grids of " + fixed(grids.cell_edge_m, 3) + " m, a byte a cell, for " +
-         std::to_string(grids.num_classes) + (grids.num_classes == 1 ? " class" : " classes") + ": " + kilobytes(grids.flat_bytes) +
-         " KiB in the plane, " + kilobytes(grids.volume_bytes) + " KiB in space\n";
+         std::to_string(grids.num_classes) + (grids.num_classes == 1 ? " class" : " classes") +
+         ": " + kilobytes(grids.flat_bytes) + " KiB in the plane, " +
+         kilobytes(grids.volume_bytes) + " KiB in space\n";
 }
 
 }  // namespace

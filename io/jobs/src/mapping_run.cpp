@@ -3,13 +3,13 @@
 
 #include "appended_input.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/dataset/corrected_poses.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/dataset/reading_check.hpp"
 #include "hypermap/io/options/options_file.hpp"
 #include "known_detectors.hpp"
 #include "map_agreement.hpp"
+#include "mapping_job_checks.hpp"
 #include "resumed_run.hpp"
 #include "run_settings.hpp"
 #include "unknown_names.hpp"
@@ -94,40 +94,6 @@ Result<void> set_prior_source(const MappingJob& job, SemanticMapper& mapper) {
   return {};
 }
 
-/// A map does not depend on the clock.
-Result<void> refuse_deadline(const DeadlineOptions& options) {
-  if (options.rule == DeadlineRule::kNone) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must be none: what is mapped from a dataset may not depend on the clock",
-              "deadline.rule");
-}
-
-Result<void> refuse_two_worlds(const MappingJob& job) {
-  if (!job.same_world || !job.placement) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "the input's world is that of the map or lies elsewhere in it, not both",
-              "same_world");
-}
-
-Result<void> refuse_mixed_poses(const MappingJob& job) {
-  if (!job.poses || !job.append) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "a map is built anew with corrected poses, what it holds has the old ones",
-              "append");
-}
-
-/// Before the first frame: what would be refused at the end is refused now.
-Result<void> check(const MappingJob& job) {
-  HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
-  HYPERMAP_TRY(refuse_two_worlds(job));
-  HYPERMAP_TRY(refuse_mixed_poses(job));
-  HYPERMAP_TRY(validate(job.layers));
-  HYPERMAP_TRY(validate(job.looks));
-  HYPERMAP_TRY(check_target(job.output));
-  if (job.checkpoint_every > 0) HYPERMAP_TRY(check_target(checkpoint_path(job.output)));
-  return {};
-}
-
 /// Every option by name, as an options file would say it.
 ValueTree options_tree(const MapOptions& options) {
   std::vector<ValueTree::Entry> entries;
@@ -208,7 +174,7 @@ Result<void> add_detections(RgbdFrame& frame, OnnxDetector& detector) {
 }  // namespace
 
 Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
-  HYPERMAP_TRY(check(job));
+  HYPERMAP_TRY(check_job(job));
   std::optional<SavedRun> saved;
   if (job.resume) {
     HYPERMAP_ASSIGN_OR_RETURN(saved, load_saved_run(job));

@@ -207,29 +207,6 @@ void SemanticMapper::note_frame(std::uint64_t index, Stamp stamp) noexcept {
   stamp_ = stamp;
 }
 
-void SemanticMapper::publish() {
-  snapshots_->publish(std::make_shared<const MapSnapshot>(
-      MapSnapshot{octree_, objects_, classes_, num_frames_, frame_index_, stamp_}));
-  num_published_frames_ = num_frames_;
-}
-
-/// Whatever fails here leaves the snapshot before.
-bool SemanticMapper::publish_if_due() {
-  const auto every = static_cast<std::uint64_t>(options_.publish_every_n_frames);
-  if (every == 0 || num_frames_ - num_published_frames_ < every) return false;
-  if (!pending_relabels_.empty()) return false;  // some voxels still name an object that is gone
-  try {
-    publish();
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
-  return true;
-}
-
-std::shared_ptr<const MapSnapshot> SemanticMapper::snapshot() const {
-  return snapshots_->newest();
-}
-
 Result<void> SemanticMapper::set_classes(const ClassRegistry& classes) {
   if (classes == *classes_) return {};
   try {

@@ -133,7 +133,7 @@ std::string step_caption(const SegmentationTrace& trace, std::size_t index) {
   std::string text = std::to_string(index + 1) + " " + step.name + ": " +
                      std::to_string(step.num_points) + " points";
   if (step.num_segments > 0) text += ", " + std::to_string(step.num_segments) + " segments";
-  return text + ", " + decimal(1e3 * step.seconds, 2) + " ms";
+  return text;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 /// From frames with detections to a labelled octree and the objects that stand in it.
 ///
 /// Source: [smap] figure 3.1; [hypermap] 3.4, figure 8.
+/// Long because: one class, its options and its report, with what each call promises.
 #pragma once
 
 #include "hypermap/core/base/class_registry.hpp"

@@ -56,8 +56,8 @@ struct ArchiveInfo {
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `detectors` [{`id`, `name`,
 /// `type`, `architecture`, `classes`; null what is not stated}], `transforms`, `relations` {`on`,
 /// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
-/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `provenance` (of the newest
-/// run, with the others, oldest first, in its list `earlier`; null when there is none).
+/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `provenance` (of the
+/// newest run, with the others, oldest first, in its list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 
 }  // namespace hypermap
