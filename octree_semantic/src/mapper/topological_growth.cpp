@@ -24,7 +24,7 @@ bool is_way_free(const SemanticOctree& octree,
   const Eigen::Vector3d way = to - from;
   const double length_m = way.norm() - 2.0 * margin_m;
   if (!(length_m > 0.0)) return true;
-  const PointInMap start(from + margin_m * way.normalized());
+  const PointInMap start{from + margin_m * way.normalized()};
   const RayCast met = octree.cast_ray(start, way, {.max_range_m = length_m});
   return met.outcome != RayCast::Outcome::kHit;
 }
