@@ -53,6 +53,7 @@ constexpr std::array<OptionalStep, 7> kOptionalSteps{{
 
 std::vector<std::string> step_names() {
   std::vector<std::string> names;
+  names.reserve(kOptionalSteps.size());
   for (const OptionalStep& step : kOptionalSteps) names.emplace_back(step.name);
   return names;
 }

@@ -131,7 +131,7 @@ class ExtensionReader {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                               members_.take(entry_.file, owner_, limits_.max_embeddings_bytes));
     HYPERMAP_ASSIGN_OR_RETURN(auto embeddings, parse_object_embeddings(bytes, source()));
-    const std::size_t num_absent = set_object_embeddings(archive_.objects, std::move(embeddings));
+    const std::size_t num_absent = set_object_embeddings(archive_.objects, embeddings);
     keep_entry(archive_, entry_);
     return findings_of_absent(num_absent);
   }

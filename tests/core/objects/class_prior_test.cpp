@@ -12,7 +12,7 @@
 namespace hypermap {
 namespace {
 
-constexpr ClassId kCup{0};
+constexpr ClassId kMug{0};
 constexpr ClassId kBottle{1};
 constexpr ClassId kSink{2};
 
@@ -26,7 +26,7 @@ ClassPrior prior_for(double bottle, double sink) {
 TEST(ClassPrior, MultipliesAndNormalises) {
   // [smap] Eq. (3.17): 0.5, 0.4, 0.1 times 1, 2, 0.5: 0.5, 0.8, 0.05 of 1.35.
   const auto posterior =
-      with_prior({{kCup, Probability(0.5)}, {kBottle, Probability(0.4)}, {kSink, Probability(0.1)}},
+      with_prior({{kMug, Probability(0.5)}, {kBottle, Probability(0.4)}, {kSink, Probability(0.1)}},
                  prior_for(2.0, 0.5));
   EXPECT_NEAR(posterior[0].probability.value(), 0.5 / 1.35, 1e-12);
   EXPECT_NEAR(posterior[1].probability.value(), 0.8 / 1.35, 1e-12);
@@ -34,14 +34,14 @@ TEST(ClassPrior, MultipliesAndNormalises) {
 }
 
 TEST(ClassPrior, OneThatSaysNothingChangesNoBit) {
-  const std::vector<ClassEvidence> classes{{kCup, Probability(1.0 / 3.0)},
+  const std::vector<ClassEvidence> classes{{kMug, Probability(1.0 / 3.0)},
                                            {kSink, Probability(0.2)}};
   EXPECT_EQ(with_prior(classes, {}), classes);
-  EXPECT_EQ(ClassPrior().factor(kCup), 1.0);
+  EXPECT_EQ(ClassPrior().factor(kMug), 1.0);
 }
 
 TEST(ClassPrior, WhatIsNoPriorIsRefused) {
-  EXPECT_FALSE(ClassPrior::create({{kSink, LogOdds(0.1)}, {kCup, LogOdds(0.1)}}));
+  EXPECT_FALSE(ClassPrior::create({{kSink, LogOdds(0.1)}, {kMug, LogOdds(0.1)}}));
   EXPECT_FALSE(ClassPrior::create({{kSink, LogOdds(0.1)}, {kSink, LogOdds(0.1)}}));
   EXPECT_FALSE(ClassPrior::create({{kSink, LogOdds(-20.1)}}));
 }
@@ -59,7 +59,7 @@ Object doubtful(int num_cup, int num_bottle, const ClassBeliefOptions& options =
   Object object;
   for (int i = 0; i < num_cup + num_bottle; ++i) {
     const double cup = i < num_cup ? 0.9 : 0.1;
-    observation.class_scores = {{kCup, Probability(cup)}, {kBottle, Probability(1.0 - cup)}};
+    observation.class_scores = {{kMug, Probability(cup)}, {kBottle, Probability(1.0 - cup)}};
     observation.frame_index = static_cast<std::uint64_t>(i);
     if (i == 0) object = make_object(observation, association);
     if (i > 0) update_object(object, observation, association);

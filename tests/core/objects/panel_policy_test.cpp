@@ -42,7 +42,7 @@ PrintedPanels printed_panels(const RgbdFrame& frame) {
   PrintedPanels panels;
   for (int v = 0; v < frame.camera.height_px; ++v) {
     for (int u = 0; u < frame.camera.width_px; ++u) {
-      const double depth = frame.depth_m.at(u, v);
+      const auto depth = static_cast<double>(frame.depth_m.at(u, v));
       if (!(depth >= 0.2 && depth <= 5.0)) continue;
       const Eigen::Vector3d point =
           (frame.map_from_camera * frame.camera.unproject(u, v, depth)).xyz;
@@ -305,7 +305,8 @@ TEST(NegativeObservationsOfSmap, DecayAndRemoveAsTheTablesSay) {
     std::map<ObjectId, std::set<int>> sides;
     for (const Object& object : objects.objects()) {
       expected.emplace(object.id, PrintedObject(object));
-      const double bearing = object.observation_log.state().newest.front().bearing_rad;
+      const auto bearing =
+          static_cast<double>(object.observation_log.state().newest.front().bearing_rad);
       const int bin = log_bearing_bin(bearing);
       sides[object.id] = {bin, (bin + 1) % 18, (bin + 17) % 18};
     }
