@@ -51,6 +51,7 @@ Result<int> side_of(const OnnxDetectorOptions& options,
 
 std::vector<std::size_t> shape_of(const cv::Mat& output) {
   std::vector<std::size_t> shape;
+  shape.reserve(static_cast<std::size_t>(output.dims));
   for (int i = 0; i < output.dims; ++i) shape.push_back(static_cast<std::size_t>(output.size[i]));
   return shape;
 }

@@ -16,6 +16,7 @@ namespace {
 
 std::vector<std::string> class_names_of(const std::vector<ClassGrid>& grids) {
   std::vector<std::string> names;
+  names.reserve(grids.size());
   for (const ClassGrid& grid : grids) names.push_back(grid.class_name);
   return names;
 }

@@ -111,7 +111,8 @@ std::string rules_text(const std::optional<PlaceRules>& rules) {
     hash.add(name + "=" + number_text(value) + ";");
   };
   for (const auto& [name, weights] : rules->belongings) {
-    for (const auto& [place, weight] : weights) add(name + "/" + place, weight);
+    hash.add(name + "/");
+    for (const auto& [place, weight] : weights) add(place, weight);
   }
   for (const std::string& place : rules->places) hash.add(place + ";");
   add("tempering", rules->tempering);

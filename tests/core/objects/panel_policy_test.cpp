@@ -70,6 +70,7 @@ struct PrintedResult {
   Visibility state = Visibility::kOutOfView;
 };
 
+/// As the flowchart has it, in one piece. NOLINTNEXTLINE(readability-function-cognitive-complexity)
 PrintedResult printed_result(const RgbdFrame& frame, const Object& object) {
   PrintedResult result;
   const Eigen::Matrix4d pose = frame.map_from_camera.isometry().matrix();
@@ -272,7 +273,8 @@ struct PrintedObject {
     const int observed_bin = static_cast<int>(std::floor((bearing / turn + 1.0) * 18.0)) % 18;
     const std::array weights{0.5, 1.5, 6.0, 1.5, 0.5};
     for (int j = -2; j <= 2; ++j) {  // (3.12), (3.13)
-      double& bin = bins[static_cast<std::size_t>((observed_bin + j + 18) % 18)];
+      const int around = (observed_bin + j + 18) % 18;
+      double& bin = bins[static_cast<std::size_t>(around)];
       const double part = weights[static_cast<std::size_t>(j + 2)] / 10.0;
       bin = std::clamp(bin - share * part * 2.0 / (1.0 + distance / 2.0), -10.0, 10.0);
     }
@@ -293,6 +295,13 @@ struct PrintedObject {
     return (4.0 * p(best) + p(box_confidence) + (counted > 0.0 ? visible / counted : 0.0)) / 6.0;
   }
 };
+
+void expect_as_printed(const Object& object, const PrintedObject& printed) {
+  for (const auto& [id, l] : printed.classes)
+    EXPECT_NEAR(object.belief.log_odds(id).value(), l, 1e-9);
+  for (std::size_t i = 0; i < 18; ++i)
+    EXPECT_NEAR(object.histogram.bins()[i].value(), printed.bins[i], 1e-9);
+}
 
 // [smap] figure 3.23, steps 8 and C.3, Eq. (3.26), (3.27), table D.2.
 TEST(NegativeObservationsOfSmap, DecayAndRemoveAsTheTablesSay) {
@@ -330,15 +339,8 @@ TEST(NegativeObservationsOfSmap, DecayAndRemoveAsTheTablesSay) {
           apply_absences(objects, results_of(objects, frame), options.absence, {}, frame_index);
       ASSERT_EQ(report.removed, removed) << trial << ", frame " << frame_index;
       num_removed += removed.size();
-      for (const Object& object : objects.objects()) {
-        const PrintedObject& printed = expected.at(object.id);
-        for (const auto& [id, l] : printed.classes) {
-          EXPECT_NEAR(object.belief.log_odds(id).value(), l, 1e-9);
-        }
-        for (std::size_t i = 0; i < 18; ++i) {
-          EXPECT_NEAR(object.histogram.bins()[i].value(), printed.bins[i], 1e-9);
-        }
-      }
+      for (const Object& object : objects.objects())
+        expect_as_printed(object, expected.at(object.id));
     }
   }
   EXPECT_GT(num_removed, 0U);

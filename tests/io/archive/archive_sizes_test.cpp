@@ -52,6 +52,7 @@ TEST(ArchiveSizes, AnObjectsFieldsAreItsLineAndTheLargestIsFound) {
   MapArchive archive = test::sample_archive();
   Object large = test::sample_object();
   std::vector<Eigen::Vector3f> points;
+  points.reserve(4000);
   for (int i = 0; i < 4000; ++i) {
     points.emplace_back(0.037F * static_cast<float>(i % 91),
                         0.023F * static_cast<float>(i % 83),

@@ -162,9 +162,10 @@ TEST(MaskGrid, OfAMaskForEachClassThatOfTheLabelCounts) {
 }
 
 TEST(MaskGrid, AMaskOfTheInputsSizeIsOfTheInput) {
-  std::vector<float> masks(2 * kTinySide * kTinySide, 0.0F);
-  for (std::size_t i = 0; i < kTinySide * kTinySide; ++i) {
-    masks[i] = i % kTinySide < 12 ? 1.0F : 0.0F;  // left of column 12
+  const auto side = static_cast<std::size_t>(kTinySide);
+  std::vector<float> masks(2 * side * side, 0.0F);
+  for (std::size_t i = 0; i < side * side; ++i) {
+    masks[i] = i % side < 12 ? 1.0F : 0.0F;  // left of column 12
   }
   const Detection chair =
       only(look(mask_rcnn({2, 1, kTinySide, kTinySide}, masks)), NetworkForm::kMaskRcnn);

@@ -23,12 +23,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-constexpr int kNumFrames = 4;
+constexpr int kNumNamedFrames = 4;
 
 /// Who speaks, and what it sees in every frame.
 std::string words_of(const std::string& detector, const std::string& label) {
   std::string text = detector.empty() ? "" : "{\"detector\": " + detector + "}\n";
-  for (int i = 0; i < kNumFrames; ++i) {
+  for (int i = 0; i < kNumNamedFrames; ++i) {
     text += test::block_seen_as(i, "{\"label\": \"" + label + "\", \"score\": 0.9");
   }
   return text;
@@ -39,7 +39,7 @@ constexpr const char* kYolo =
 
 /// A map of a dataset of four frames with detections by yolo.
 MappingJob mapped_by_yolo(const TempDir& folder) {
-  test::write_block_dataset(folder / "data", kNumFrames);
+  test::write_block_dataset(folder / "data", kNumNamedFrames);
   test::write_text(folder / "yolo.jsonl", words_of(kYolo, "chair"));
   MappingJob job{.input = folder / "data", .output = folder / "a.hmap"};
   job.dataset.detections = {folder / "yolo.jsonl"};
@@ -61,7 +61,7 @@ MappingJob rest_of(MappingJob job, const fs::path& detections) {
   return job;
 }
 
-MapArchive saved_map(const fs::path& path) {
+MapArchive map_with_detectors(const fs::path& path) {
   auto archive = load_archive(path);
   EXPECT_TRUE(archive) << to_string(archive.error());
   return archive ? std::move(archive->value) : MapArchive{};
@@ -70,17 +70,17 @@ MapArchive saved_map(const fs::path& path) {
 TEST(KnownDetectors, AMapKeepsThemAndKnowsThemAgain) {
   const TempDir folder;
   const MappingJob job = mapped_by_yolo(folder);
-  EXPECT_THAT(saved_map(job.output).detectors.names(), ElementsAre("yolo"));
+  EXPECT_THAT(map_with_detectors(job.output).detectors.names(), ElementsAre("yolo"));
   test::write_text(folder / "again.jsonl", words_of(kYolo, "chair"));
   const auto report = run_mapping(rest_of(job, folder / "again.jsonl"));
   ASSERT_TRUE(report) << to_string(report.error());
-  EXPECT_THAT(saved_map(job.output).detectors.names(), ElementsAre("yolo"));
+  EXPECT_THAT(map_with_detectors(job.output).detectors.names(), ElementsAre("yolo"));
 }
 
 TEST(KnownDetectors, AClashIsRefusedBeforeTheWork) {
   const TempDir folder;
   const MappingJob job = mapped_by_yolo(folder);
-  const MapArchive before = saved_map(job.output);
+  const MapArchive before = map_with_detectors(job.output);
   test::write_text(folder / "other.jsonl",
                    words_of(R"({"name": "yolo", "classes": ["chair", "bed"]})", "bed"));
   const auto refused = run_mapping(rest_of(job, folder / "other.jsonl"));
@@ -88,14 +88,14 @@ TEST(KnownDetectors, AClashIsRefusedBeforeTheWork) {
   EXPECT_THAT(to_string(refused.error()),
               HasSubstr("\"yolo\" (2 classes) has other classes (\"bed\" among them) than the "
                         "detector \"yolo\" (YOLOX, 2 classes)"));
-  EXPECT_EQ(saved_map(job.output), before);
+  EXPECT_EQ(map_with_detectors(job.output), before);
 }
 
 // [smap] 3.5.3: new classes extend the combined set; Eq. (3.18) rescales nothing that was learnt.
 TEST(KnownDetectors, ClassesOfANewDetectorExtendAnOldMap) {
   const TempDir folder;
   const MappingJob job = mapped_by_yolo(folder);
-  const MapArchive before = saved_map(job.output);
+  const MapArchive before = map_with_detectors(job.output);
   ASSERT_FALSE(before.objects.empty());
   test::write_text(folder / "ssd.jsonl",
                    words_of(R"({"name": "ssd", "classes": ["bed", "chair", "cup"]})", "bed"));
@@ -106,7 +106,7 @@ TEST(KnownDetectors, ClassesOfANewDetectorExtendAnOldMap) {
   more.up_axis = "z";
   const auto report = run_mapping(more);
   ASSERT_TRUE(report) << to_string(report.error());
-  const MapArchive after = saved_map(job.output);
+  const MapArchive after = map_with_detectors(job.output);
   EXPECT_THAT(after.detectors.names(), ElementsAre("yolo", "ssd"));
   EXPECT_THAT(after.classes.names(), ElementsAre("chair", "sofa", "bed", "cup"));
   for (const Object& object : before.objects.objects()) {
@@ -124,7 +124,7 @@ TEST(KnownDetectors, ClassesOfANewDetectorExtendAnOldMap) {
 // [smap] Eq. (3.16) in a run: "yolo" says chair with 0.9 of three classes, "ssd" bed with 0.9.
 TEST(KnownDetectors, WeightsDecideBetweenThem) {
   const TempDir folder;
-  test::write_block_dataset(folder / "data", kNumFrames);
+  test::write_block_dataset(folder / "data", kNumNamedFrames);
   test::write_text(folder / "yolo.jsonl",
                    words_of(R"({"name": "yolo", "classes": ["chair", "bed", "cup"]})", "chair"));
   test::write_text(folder / "ssd.jsonl",
@@ -139,7 +139,7 @@ TEST(KnownDetectors, WeightsDecideBetweenThem) {
     const auto report = run_mapping(job);
     EXPECT_TRUE(report) << to_string(report.error());
     EXPECT_TRUE(report->findings.empty());
-    const MapArchive map = saved_map(job.output);
+    const MapArchive map = map_with_detectors(job.output);
     EXPECT_EQ(map.objects.size(), 1U);
     const auto best = object_beliefs(*map.objects.objects().begin()).classes.front().id;
     return map.classes.name(best);
@@ -158,11 +158,12 @@ TEST(KnownDetectors, WeightsDecideBetweenThem) {
 TEST(KnownDetectors, OfAMapFromBeforeTheyWereKeptTheIdsAreTaken) {
   const TempDir folder;
   const MappingJob job = mapped_by_yolo(folder);
-  MapArchive old = saved_map(job.output);
+  MapArchive old = map_with_detectors(job.output);
   old.detectors = {};
   ASSERT_TRUE(save_archive(old, job.output));
   ASSERT_TRUE(run_mapping(rest_of(job, folder / "yolo.jsonl")));
-  EXPECT_THAT(saved_map(job.output).detectors.names(), ElementsAre("unnamed detector 0", "yolo"));
+  EXPECT_THAT(map_with_detectors(job.output).detectors.names(),
+              ElementsAre("unnamed detector 0", "yolo"));
 }
 
 TEST(KnownDetectors, IdsBeyondTheLimitAreNoReasonToWaitForever) {

@@ -32,7 +32,8 @@ std::vector<Eigen::Vector3d> centres_of(const ObjectMap& objects) {
   return centres;
 }
 
-SemanticMapper mapper_of(const std::vector<RgbdFrame>& frames, SemanticMapperOptions options = {}) {
+SemanticMapper mapper_of(const std::vector<RgbdFrame>& frames,
+                         const SemanticMapperOptions& options = {}) {
   SemanticMapper mapper = SemanticMapper::create(options).value();
   for (const RgbdFrame& frame : frames) EXPECT_TRUE(mapper.integrate(frame));
   return mapper;
