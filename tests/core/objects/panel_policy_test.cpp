@@ -224,7 +224,7 @@ std::vector<VisibilityResult> results_of(const ObjectMap& objects, const RgbdFra
 TEST(PanelPolicyOfSmap, IsTheFlowchartOverRandomViews) {
   std::mt19937 random(2323);
   std::map<Visibility, int> seen_states;
-  for (int trial = 0; trial < test::repetitions(120); ++trial) {
+  for (int trial = 0; trial < 120; ++trial) {
     const RgbdFrame frame = random_view(random);
     const ObjectMap objects = random_objects(random);
     const auto results = results_of(objects, frame);
