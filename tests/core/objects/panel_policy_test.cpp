@@ -275,7 +275,8 @@ struct PrintedObject {
     for (int j = -2; j <= 2; ++j) {  // (3.12), (3.13)
       const int around = (observed_bin + j + 18) % 18;
       double& bin = bins[static_cast<std::size_t>(around)];
-      const double part = weights[static_cast<std::size_t>(j + 2)] / 10.0;
+      const int place = j + 2;
+      const double part = weights[static_cast<std::size_t>(place)] / 10.0;
       bin = std::clamp(bin - share * part * 2.0 / (1.0 + distance / 2.0), -10.0, 10.0);
     }
     is_removed = confidence() < 0.5;  // C.3, o_valid
