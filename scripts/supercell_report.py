@@ -12,6 +12,8 @@ import re
 import statistics
 import sys
 
+from signed_rank import p_greater
+
 METHODS = ("SEVDS", "SEVDS, any K", "cell-weighted", "SEEDS", "SLIC", "SLICO", "LSC")
 SCENES = ("one table", "corner table", "two tables", "crowded")
 THEIRS = ("SEEDS", "SLIC", "SLICO", "LSC")
@@ -45,26 +47,6 @@ def choose(rows):
     return [best[method][1] for method in METHODS]
 
 
-def wilcoxon(a, b):
-    """Exact p of the paired one-sided signed-rank test against "a is not larger than b"."""
-    differences = sorted((x - y for x, y in zip(a, b, strict=True) if x != y), key=abs)
-    doubled_ranks, i = [], 0
-    while i < len(differences):
-        k = i
-        while k < len(differences) and abs(differences[k]) == abs(differences[i]):
-            k += 1
-        doubled_ranks += [i + 1 + k] * (k - i)
-        i = k
-    reached = sum(rank for rank, d in zip(doubled_ranks, differences) if d > 0)
-    ways = collections.Counter({0: 1})
-    for rank in doubled_ranks:
-        more = collections.Counter(ways)
-        for total, count in ways.items():
-            more[total + rank] += count
-        ways = more
-    return sum(count for total, count in ways.items() if total >= reached) / 2 ** len(doubled_ranks)
-
-
 class Measured:
     """Rows by scene and method, paired by seed."""
 
@@ -82,9 +64,9 @@ class Measured:
         theirs = [self.rows[scene, other, s][key] for s in seeds]
         if not larger_is_better:
             ours, theirs = theirs, ours
-        if wilcoxon(ours, theirs) < 0.05:
+        if p_greater(ours, theirs) < 0.05:
             return "better"
-        return "**worse**" if wilcoxon(theirs, ours) < 0.05 else "alike"
+        return "**worse**" if p_greater(theirs, ours) < 0.05 else "alike"
 
 
 def means_table(measured):

@@ -16,17 +16,6 @@ def row(method, seed, **figures):
             "icv": 0.1, "ev": 0.9, "ue": 0.02, "br": 0.99, "pureness": 0.99, "seconds": 0.1} | figures
 
 
-class Wilcoxon(unittest.TestCase):
-    def test_by_hand(self):
-        # Differences 1, 2, 3: one of eight sign patterns reaches the rank sum 6.
-        self.assertEqual(supercell_report.wilcoxon([2, 4, 6], [1, 2, 3]), 1 / 8)
-        # Differences -1, 2, 3: rank sum 5 is reached by {2, 3} and {1, 2, 3}.
-        self.assertEqual(supercell_report.wilcoxon([0, 4, 6], [1, 2, 3]), 2 / 8)
-        # Ties share ranks: differences 1, 1, each of rank 1.5.
-        self.assertEqual(supercell_report.wilcoxon([2, 3], [1, 2]), 1 / 4)
-        self.assertEqual(supercell_report.wilcoxon([1, 2], [1, 2]), 1)
-
-
 class Choice(unittest.TestCase):
     def test_the_least_cost_wins_among_those_that_matched_everywhere(self):
         rows = []

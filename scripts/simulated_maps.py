@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts of this folder share that map simulated sequences and compare the maps."""
+
+import json
+import math
+import statistics
+import subprocess
+
+STUDENT_95 = {1: 12.71, 2: 4.30, 3: 3.18, 4: 2.78, 5: 2.57, 6: 2.45, 7: 2.36, 8: 2.31, 9: 2.26}
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+def simulated(program, folder, seed, *options):
+    run(program, "simulate", "--seed", seed, "--output", folder, *options)
+
+
+def mapped(program, preset, folder, archive, *options):
+    """Returns what `--stats` says."""
+    stats = f"{folder}/stats.json"
+    run(program, "map", "--input", folder, "--output", archive, "--preset", preset, "--stats", stats, *options)
+    with open(stats, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def evaluated(program, archive, truth, *options):
+    return json.loads(run(program, "eval", "--map", archive, "--truth", truth, "--json", *options))
+
+
+def with_interval(values):
+    """The mean and its 95 % interval (Student's t)."""
+    mean = statistics.mean(values)
+    if len(values) - 1 not in STUDENT_95:
+        return f"{mean:.3f}"
+    half = STUDENT_95[len(values) - 1] * statistics.stdev(values) / math.sqrt(len(values))
+    return f"{mean:.3f} +- {half:.3f}"
