@@ -35,10 +35,8 @@ ActiveCone active_cone(const RgbdFrame& frame, double min_range_m, double max_ra
           .max_range_m = max_range_m};
 }
 
-bool ObjectScope::contains(ObjectId id, const Eigen::Vector3d& centroid_in_map) const {
-  const bool is_near =
-      !neighbourhood || std::binary_search(neighbourhood->begin(), neighbourhood->end(), id);
-  return is_near && (!cone || cone->contains(centroid_in_map));
+bool ObjectScope::contains(const Eigen::Vector3d& centroid_in_map) const {
+  return (!cone || cone->contains(centroid_in_map)) && (!is_near || is_near(centroid_in_map));
 }
 
 }  // namespace hypermap

@@ -32,4 +32,21 @@ std::vector<ObjectId> objects_near(const TopologicalMap& map,
   return found;
 }
 
+std::optional<VertexId> related_vertex(const TopologicalMap& map,
+                                       const Eigen::Vector3d& position_in_map) {
+  const double reach_m = 2.0 * map.options().vertex_distance_m;
+  const auto on_way = map.nearest_path_vertex(position_in_map, reach_m);
+  return on_way ? on_way : map.nearest(position_in_map);
+}
+
+VertexNeighbourhood::VertexNeighbourhood(const TopologicalMap& map,
+                                         const Eigen::Vector3d& sensor_in_map,
+                                         int num_layers)
+    : map_(&map),
+      vertices_(neighbourhood(map, related_vertex(map, sensor_in_map).value(), num_layers)) {}
+
+bool VertexNeighbourhood::contains(const Eigen::Vector3d& centroid_in_map) const {
+  return std::ranges::binary_search(vertices_, related_vertex(*map_, centroid_in_map).value());
+}
+
 }  // namespace hypermap

@@ -174,10 +174,11 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;
-  const auto association = associate(objects,
-                                     observations,
-                                     options_.objects.association,
-                                     scope_of_candidates(frame, options_.objects));
+  const auto association =
+      associate(objects,
+                observations,
+                options_.objects.association,
+                scope_of_candidates(frame, topological_map_, options_.objects));
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();
@@ -264,7 +265,10 @@ Result<std::vector<VisibilityResult>> SemanticMapper::evaluate_objects(
       const auto panels =
           BinnedDepthMap::create(frame, options_.objects.binned_depth, options_.num_threads);
       return evaluate_visibility_by_panels(
-          objects_, panels, options_.objects.absence, scope_of_absences(frame, options_.objects));
+          objects_,
+          panels,
+          options_.objects.absence,
+          scope_of_absences(frame, topological_map_, options_.objects));
     }
     case VisibilityPolicy::kRays:
       break;

@@ -93,8 +93,8 @@ TEST(SmapPolicy, ConeAndNeighbourhoodLimitTheCandidates) {
   for (const auto& [scope, num_objects] :
        {std::pair{ObjectScope{.cone = ahead}, 1U},
         std::pair{ObjectScope{.cone = behind}, 2U},
-        std::pair{ObjectScope{.neighbourhood = std::vector<ObjectId>{}}, 2U},
-        std::pair{ObjectScope{.neighbourhood = std::vector{ObjectId{1}}}, 1U}}) {
+        std::pair{ObjectScope{.is_near = [](const auto&) { return false; }}, 2U},
+        std::pair{ObjectScope{.is_near = [](const auto&) { return true; }}, 1U}}) {
     ObjectMap map;
     (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);
     (void)associate(map, std::array{seen(kChairBox, kChairClass)}, options, scope);

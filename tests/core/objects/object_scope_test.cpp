@@ -41,15 +41,16 @@ TEST(ObjectScope, AsksForEverythingThatIsGiven) {
   const ActiveCone cone = active_cone(frame_ahead(), 0.2, 1.7);
   const Eigen::Vector3d ahead(2, 2, 3);
   const Eigen::Vector3d behind(0, 2, 3);
-  const std::vector near{ObjectId{3}, ObjectId{7}};
-  EXPECT_TRUE(ObjectScope{}.contains(ObjectId{1}, behind));
-  EXPECT_TRUE((ObjectScope{.neighbourhood = near}.contains(ObjectId{7}, behind)));
-  EXPECT_FALSE((ObjectScope{.neighbourhood = near}.contains(ObjectId{4}, ahead)));
-  EXPECT_TRUE((ObjectScope{.cone = cone}.contains(ObjectId{4}, ahead)));
-  EXPECT_FALSE((ObjectScope{.cone = cone}.contains(ObjectId{4}, behind)));
-  EXPECT_FALSE((ObjectScope{.neighbourhood = near, .cone = cone}.contains(ObjectId{4}, ahead)));
-  EXPECT_FALSE((ObjectScope{.neighbourhood = near, .cone = cone}.contains(ObjectId{3}, behind)));
-  EXPECT_TRUE((ObjectScope{.neighbourhood = near, .cone = cone}.contains(ObjectId{3}, ahead)));
+  const auto is_low = [](const Eigen::Vector3d& centroid) { return centroid.z() < 3.5; };
+  const auto is_high = [](const Eigen::Vector3d& centroid) { return centroid.z() > 3.5; };
+  EXPECT_TRUE(ObjectScope{}.contains(behind));
+  EXPECT_TRUE(ObjectScope{.is_near = is_low}.contains(behind));
+  EXPECT_FALSE(ObjectScope{.is_near = is_high}.contains(ahead));
+  EXPECT_TRUE(ObjectScope{.cone = cone}.contains(ahead));
+  EXPECT_FALSE(ObjectScope{.cone = cone}.contains(behind));
+  EXPECT_FALSE((ObjectScope{.is_near = is_high, .cone = cone}.contains(ahead)));
+  EXPECT_FALSE((ObjectScope{.is_near = is_low, .cone = cone}.contains(behind)));
+  EXPECT_TRUE((ObjectScope{.is_near = is_low, .cone = cone}.contains(ahead)));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -69,6 +71,35 @@ TEST(ObjectVertices, NearObjectsAreThoseOfAScanOverAll) {
     }
     EXPECT_EQ(objects_near(map, objects, VertexId{from}, 2), expected);
   }
+}
+
+// [smap] 3.5.1: support vertices are for what is farther than 2 V_d from a vertex.
+TEST(RelatedVertex, IsOnTheWayWithinTwiceTheVertexDistance) {
+  TopologicalMap map;
+  EXPECT_EQ(related_vertex(map, {0, 0, 1}), std::nullopt);
+  map.observe({0, 0, 1});
+  map.cover({2.5, 0, 1});
+  ASSERT_EQ(map.vertices().size(), 3U) << "support vertices at 0.95 and 1.9 m";
+  EXPECT_EQ(vertex_of(map, object_at({1.99, 0, 1})), VertexId{2});
+  EXPECT_EQ(related_vertex(map, {1.99, 0, 1}), VertexId{0});
+  EXPECT_EQ(related_vertex(map, {2.0, 0, 1}), VertexId{2}) << "2 V_d is not near";
+  EXPECT_EQ(related_vertex(map, {0.94, 0, 1}), VertexId{0}) << "though a support vertex is there";
+}
+
+TEST(VertexNeighbourhood, HoldsWhatIsRelatedToAVertexWithinSoManyEdges) {
+  // As the corridor above: objects beside vertices 0 to 4, and one beyond 2 V_d of all, to which
+  // two support vertices lead from the last one.
+  TopologicalMap map;
+  for (int i = 0; i <= 40; ++i) map.observe({0.1 * i, 0, 1});
+  map.cover({3.8, 2.2, 1});
+  for (const auto& [layers, last] : {std::pair{0, 0}, std::pair{1, 1}, std::pair{3, 3}}) {
+    const VertexNeighbourhood near(map, {0.1, 0, 1}, layers);
+    for (int i = 0; i < 5; ++i)
+      EXPECT_EQ(near.contains({0.95 * i, 0.5, 1}), i <= last) << layers << ", " << i;
+    EXPECT_FALSE(near.contains({3.8, 2.2, 1}));
+  }
+  EXPECT_FALSE(VertexNeighbourhood(map, {0, 0, 1}, 5).contains({3.8, 2.2, 1}));
+  EXPECT_TRUE(VertexNeighbourhood(map, {0, 0, 1}, 6).contains({3.8, 2.2, 1}));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace hypermap {
@@ -209,6 +210,31 @@ TEST(TopologicalMap, TheNearestVertexIsThatOfAScanOverAll) {
     }
     EXPECT_EQ(map.nearest(asked), VertexId{best});
   }
+}
+
+TEST(TopologicalMap, TheNearestPathVertexIsThatOfAScanOverAll) {
+  CounterRng rng(7, 4);
+  TopologicalMap map({.vertex_distance_m = 0.7, .edge_factor = 0.9});
+  for (const Vector3d& position : random_walk(4, 300)) {
+    map.observe(position);
+    map.cover(position +
+              4.0 * Vector3d(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)));
+  }
+  int num_found = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3d asked(rng.uniform(-8, 8), rng.uniform(-8, 8), rng.uniform(-8, 8));
+    std::optional<VertexId> best;
+    double best_m = 1.4;
+    for (std::uint32_t id = 0; id < map.vertices().size(); ++id) {
+      const auto& [position, kind] = map.vertices()[id];
+      if (kind != VertexKind::kPath || (position - asked).norm() >= best_m) continue;
+      best = VertexId{id};
+      best_m = (position - asked).norm();
+    }
+    EXPECT_EQ(map.nearest_path_vertex(asked, 1.4), best);
+    num_found += best ? 1 : 0;
+  }
+  EXPECT_THAT(num_found, testing::AllOf(testing::Gt(0), testing::Lt(300)));
 }
 
 TEST(TopologicalMap, ALongWalkInOneRoomDoesNotGrowForEver) {

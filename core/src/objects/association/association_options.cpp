@@ -97,6 +97,13 @@ constexpr OptionRow kAssociationRows[] = {
         {.source = "[smap] table D.2, o_t",
          .effect = "Policy smap: times that error is the same thing.",
          .smap = 0.5}),
+    option::count<&Association::graph_layers>(
+        "graph_layers",
+        {0, 1000000},
+        {.unit = "edges",
+         .source = "[smap] 3.5.4, figure 3.22",
+         .effect = "Policy smap: candidates are so near the sensor's vertex; none: anywhere.",
+         .smap = 3}),
     option::choice<&Association::shape>("shape",
                                         kShapeNames,
                                         {.source = "[hypermap] 3.4.5",

@@ -53,12 +53,15 @@ std::optional<ObjectId> nearest_candidate(const AssociationRun& run,
   const double max_distance_m = run.options.position_error_m * run.options.tracking_factor;
   std::optional<ObjectId> best;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (const Object& object : run.objects.objects()) {
-    const bool may_be = object.id != except && is_of_class(object, class_id) &&  // C.2.1
-                        scope.contains(object.id, object.centroid_in_map);       // 1, C.2.2
+  const Box around{centroid.array() - max_distance_m, centroid.array() + max_distance_m};
+  for (const ObjectId id : run.objects.query(around)) {
+    const Object& object = run.objects.at(id);
     const double distance = (object.centroid_in_map - centroid).norm();
-    if (!may_be || !(distance < max_distance_m) || !(distance < best_distance)) continue;  // C.2.3
-    best = object.id;
+    if (!(distance < max_distance_m) || !(distance < best_distance)) continue;  // C.2.3
+    const bool may_be = id != except && is_of_class(object, class_id) &&        // C.2.1
+                        scope.contains(object.centroid_in_map);                 // 1, C.2.2
+    if (!may_be) continue;
+    best = id;
     best_distance = distance;
   }
   return best;

@@ -94,6 +94,13 @@ constexpr OptionRow kAbsenceRows[] = {
                                               .effect = "Removed below.",
                                               .smap = 0.5}),
     option::section<&Absence::confidence>("confidence"),
+    option::count<&Absence::graph_layers>(
+        "graph_layers",
+        {0, 1000000},
+        {.unit = "edges",
+         .source = "[smap] 3.5.5, figure 3.23",
+         .effect = "Policy panels: objects so near the sensor's vertex decay; none: anywhere.",
+         .smap = 5}),
     option::number<&Absence::panel_tolerance_m>(
         "panel_tolerance_m",
         {0, 100},

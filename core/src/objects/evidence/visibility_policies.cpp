@@ -68,7 +68,7 @@ std::vector<VisibilityResult> evaluate_visibility_by_panels(const ObjectMap& obj
   const PanelMatches panels(depth);
   std::vector<VisibilityResult> results;
   for (const Object& object : objects.objects()) {
-    if (!scope.contains(object.id, object.centroid_in_map)) continue;  // steps 1 and C.1
+    if (!scope.contains(object.centroid_in_map)) continue;  // steps 1 and C.1
     const PanelCounts counts = panels.count(object.box, options.panel_tolerance_m);
     if (counts.all() == 0) continue;
     VisibilityResult result = visibility_result_of(object, depth.camera_centre().xyz);

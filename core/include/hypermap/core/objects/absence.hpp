@@ -77,9 +77,12 @@ struct AbsenceOptions {
   LogOdds min_existence{-2.0};              ///< For rule existence.
   Probability min_confidence{0.5};          ///< For rule confidence, o_valid.
   ObjectConfidenceOptions confidence = {};  ///< For rule confidence.
-  double panel_tolerance_m = 0.1;           ///< Widens the box against panels.
-  double absent_share = 0.5;                ///< Share of panels after the box that means absent.
-  double occluded_share = 0.5;              ///< Share of panels before the box that means occluded.
+  /// Policy panels: objects at vertices of the topological map that at most so many edges lie
+  /// between the sensor's and; none: anywhere.                            [smap] 3.5.5, step 1
+  std::optional<int> graph_layers = 5;
+  double panel_tolerance_m = 0.1;  ///< Widens the box against panels.
+  double absent_share = 0.5;       ///< Share of panels after the box that means absent.
+  double occluded_share = 0.5;     ///< Share of panels before the box that means occluded.
 
   friend bool operator==(const AbsenceOptions&, const AbsenceOptions&) = default;
 };

@@ -65,7 +65,8 @@ enum class AssociationPolicy {
   /// [hypermap] 3.4.5: same class and bounds that meet a square around the observation's centroid,
   /// from above; several matches are combined.
   kRadius,
-  /// [smap] 3.5.4: same label, in the active cone, nearer than o_e o_t; the nearest.
+  /// [smap] 3.5.4: at a vertex near the sensor's, same label, in the active cone, nearer than o_e
+  /// o_t; the nearest.
   kSmap,
 };
 
@@ -117,6 +118,9 @@ struct AssociationOptions {
   double radius_m = 0.5;          ///< Policy radius: half side. Metre.
   double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.
   double tracking_factor = 0.5;   ///< Policy smap, o_t. No unit.
+  /// Policy smap: candidates are at vertices of the topological map that at most so many edges lie
+  /// between the sensor's and; none: anywhere.                            [smap] 3.5.4, step 1
+  std::optional<int> graph_layers = 3;
   /// Which shape of an object policy overlap compares with.
   ShapePolicy shape = ShapePolicy::kBest;
   double shape_leaf_m = 0.03;  ///< Thins projected points. Metre.

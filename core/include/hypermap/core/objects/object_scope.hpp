@@ -5,14 +5,13 @@
 /// Source: [smap] 3.5.4 and 3.5.5, steps 1, C.2.2 and C.1 of figures 3.22 and 3.23.
 #pragma once
 
-#include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/geometry/frames.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
-#include <vector>
 
 namespace hypermap {
 
@@ -37,15 +36,15 @@ struct ActiveCone {
                                      double min_range_m,
                                      double max_range_m);
 
-/// Objects that are in all of what is given; all objects when nothing is.
+/// Objects that are in all of what is given; all objects when nothing is. What it asks is where an
+/// object is now, so that one that was created or moved a moment ago is asked as any other.
 struct ObjectScope {
-  /// Ascending: those at vertices near the sensor's.
-  std::optional<std::vector<ObjectId>> neighbourhood = {};
-  /// Their centroids lie in it.
+  /// Whether an object with such a centroid is at a place near the sensor's.
+  std::function<bool(const Eigen::Vector3d& centroid_in_map)> is_near = {};
+  /// The centroid lies in it.
   std::optional<ActiveCone> cone = {};
 
-  [[nodiscard]] bool contains(ObjectId id, const Eigen::Vector3d& centroid_in_map) const;
-  friend bool operator==(const ObjectScope&, const ObjectScope&) = default;
+  [[nodiscard]] bool contains(const Eigen::Vector3d& centroid_in_map) const;
 };
 
 }  // namespace hypermap

@@ -116,6 +116,9 @@ class TopologicalMap {
 
   /// Of equally near ones the first; none in an empty map.
   [[nodiscard]] std::optional<VertexId> nearest(const Eigen::Vector3d& position_in_map) const;
+  /// The same of path vertices that are nearer than `within_m`.
+  [[nodiscard]] std::optional<VertexId> nearest_path_vertex(const Eigen::Vector3d& position_in_map,
+                                                            double within_m) const;
 
   [[nodiscard]] const TopologicalMapOptions& options() const noexcept { return options_; }
   [[nodiscard]] const std::vector<TopologicalVertex>& vertices() const noexcept {
