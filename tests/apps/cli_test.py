@@ -218,6 +218,18 @@ class Pipeline(unittest.TestCase):
             if listed:
                 self.assertEqual("other" in belief, bool(counted), belief)
 
+    def test_why_goes_by_the_rules_that_the_map_was_made_by(self):
+        rules = self.folder / "rules.yaml"
+        rules.write_text("publication:\n  min_observations: 1000\n  gone: {looks: 7}\n")
+        strict = self.folder / "strict.hmap"
+        self.assertEqual(run("map", "--input", self.dataset, "--output", strict, "--config", rules).returncode, 0)
+        shown = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]["id"]
+        why = json.loads(run("query", strict, "--why", shown, "--json").stdout)
+        self.assertFalse(why["shown"])
+        self.assertEqual([(one["condition"], one["limit"]) for one in why["withheld_for"]], [("observations", 1000)])
+        self.assertEqual(why["removal"]["looks_until_gone"], 7)
+        self.assertIn("1000 are asked for", run("query", strict, "--why", shown).stdout)
+
     def test_a_place_says_why_it_shows_nothing(self):
         thing = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]
         there = run("query", self.archive, "--why-not", ",".join(str(x) for x in thing["position"]))
@@ -225,7 +237,10 @@ class Pipeline(unittest.TestCase):
         far = json.loads(run("query", self.archive, "--why-not", "50,50,1", "--json").stdout)
         self.assertEqual((far["shown"], far["space"], far["withheld"]), ([], "Unknown", []))
         self.assertGreater(far["nearest"]["distance_m"], 30)
-        self.assertIn("no frame looked there", run("query", self.archive, "--why-not", "50,50,1").stdout)
+        self.assertGreater(far["nearest_withheld"]["distance_m"], 30)
+        text = run("query", self.archive, "--why-not", "50,50,1").stdout
+        self.assertIn("no frame measured anything there", text)
+        self.assertRegex(text, rf"nothing there; the nearest is .* {far['nearest_withheld']['id']}, .* m from its box: ")
         for flags in (("--why", 1, "--layer", "objects"), ("--why", 1, "--why-not", "1,2"), ("--why-not", "1")):
             with self.subTest(flags):
                 self.assertEqual(run("query", self.archive, *flags).returncode, 4)

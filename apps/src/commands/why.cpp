@@ -4,6 +4,7 @@
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/place_explanation.hpp"
+#include "shown_rules.hpp"
 #include "tables.hpp"
 #include "why_json.hpp"
 
@@ -68,9 +69,10 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
   return out;
 }
 
-/// By the rules that are the default: a map does not keep those that it was made by.
+/// By the rules that the map was made by, where it keeps them.
 std::string withheld_text(const std::vector<MissedCondition>& missed) {
-  if (missed.empty()) return "by rules of its own (publication); the default ones would show it";
+  if (missed.empty())
+    return "its layer of objects leaves it out, though no rule of publication does";
   std::vector<std::string> texts;
   texts.reserve(missed.size());
   for (const MissedCondition& one : missed) texts.push_back(text_of(one));
@@ -129,6 +131,16 @@ void print_namings(const Explanation& why, const MapArchive& archive) {
   }
 }
 
+/// How many looks remove it: those from sides on which it was never detected count less.
+std::string removed_text(const Removal& removal, const std::string& looks, bool is_hidden_first) {
+  const std::uint32_t removed = *removal.looks_until_removed;
+  const std::optional<std::uint32_t>& unseen = removal.looks_until_removed_unseen;
+  std::string text = "out of the map after " + count_text(removed, looks);
+  if (!is_hidden_first) text += " through its place";
+  if (!unseen || *unseen == removed) return text;
+  return text + " from where it was detected, " + std::to_string(*unseen) + " from elsewhere";
+}
+
 /// What comes first of being hidden and being removed: what is hidden or removed cannot be hidden.
 void print_removal(const Removal& removal, bool is_shown) {
   const auto& gone = removal.looks_until_gone;
@@ -136,16 +148,18 @@ void print_removal(const Removal& removal, bool is_shown) {
   if (gone == 0U) print_line("removal", "it is gone until something shows it again");
   const bool is_hidden_first = is_shown && gone && *gone > 0 && (!removed || *gone < *removed);
   if (is_hidden_first) {
+    const std::uint32_t looks = removal.clear_looks.looks;
+    const std::string so_far =
+        looks == 0 ? "" : " (so were the newest " + std::to_string(looks) + ")";
     print_line("removal",
                "hidden after " + count_text(*gone, "more clear look") +
-                   " in a row through its place, over " + fixed(removal.seconds_until_gone, 1) +
-                   " s at least");
+                   " in a row through its place" + so_far + ", over " +
+                   fixed(removal.seconds_until_gone, 1) + " s at least");
   }
   if (!removed) return;
   const std::string looks = is_hidden_first ? "such look" : "clear look";
   print_line(is_hidden_first || gone == 0U ? "" : "removal",
-             "out of the map after " + count_text(*removed, looks) +
-                 (is_hidden_first ? "" : " through its place"));
+             removed_text(removal, looks, is_hidden_first));
 }
 
 /// When it was detected first and last, and when a newer frame that should have shown it did not.
@@ -193,16 +207,34 @@ std::string place_text(const PlanPoint& at) {
 }
 
 std::string space_text(const std::string& space) {
-  if (space == "Unknown") return "unknown: no frame looked there";
+  if (space == "Unknown") return "unknown: no frame measured anything there";
   if (space == "Free") return "free: frames looked through it";
   if (space == "Occupied") return "occupied, and no shown object has it";
   return "occupied by a " + printable(space);
 }
 
-void print_place(const PlaceExplanation& place, const MapArchive& archive, const PlanPoint& at) {
-  const auto label = [&](ObjectId id) {
-    return name_of(explain(archive.objects, id).value(), archive.classes);
-  };
+std::string label_of(const MapArchive& archive, ObjectId id) {
+  return name_of(explain(archive.objects, id).value(), archive.classes);
+}
+
+/// That no withheld object is there, and which one is the nearest, since a box is around what was
+/// seen of an object alone.
+std::string nothing_withheld_text(const PlaceExplanation& place,
+                                  const MapArchive& archive,
+                                  const ShownRules& rules) {
+  const std::optional<NearestObject>& nearest = place.nearest_withheld;
+  if (!nearest) return "nothing: the map tracks no other object";
+  const Explanation why =
+      explain(archive.objects, nearest->id, rules.confirmation, rules.absence).value();
+  return "nothing there; the nearest is " + label_of(archive, nearest->id) + ", " +
+         fixed(nearest->distance_m, 2) + " m from its box: " + withheld_text(why.missed_conditions);
+}
+
+void print_place(const PlaceExplanation& place,
+                 const MapArchive& archive,
+                 const ShownRules& rules,
+                 const PlanPoint& at) {
+  const auto label = [&](ObjectId id) { return label_of(archive, id); };
   for (const ObjectId id : place.shown) {
     std::printf("%s is shown at %s\n", label(id).c_str(), place_text(at).c_str());
   }
@@ -213,16 +245,15 @@ void print_place(const PlaceExplanation& place, const MapArchive& archive, const
         "nearest",
         label(place.nearest->id) + ", " + fixed(place.nearest->distance_m, 2) + " m from its box");
   }
-  if (place.withheld.empty()) {
-    print_line("withheld", "nothing: the map tracks no other object there");
-  }
+  if (place.withheld.empty()) print_line("withheld", nothing_withheld_text(place, archive, rules));
   for (const Explanation& why : place.withheld) print_object(why, archive, false);
 }
 
 }  // namespace
 
 Result<void> print_why(const MapArchive& archive, ObjectId id, bool json) {
-  const auto why = explain(archive.objects, id);
+  const ShownRules rules = rules_of(archive);
+  const auto why = explain(archive.objects, id, rules.confirmation, rules.absence);
   if (!why) {
     return fail(ErrorCode::kNotFound, "the map has no object " + std::to_string(id.value), "--why");
   }
@@ -236,11 +267,13 @@ Result<void> print_why(const MapArchive& archive, ObjectId id, bool json) {
 }
 
 Result<void> print_why_not(const MapArchive& archive, const PlanPoint& at, bool json) {
-  HYPERMAP_ASSIGN_OR_RETURN(const PlaceExplanation place, explain_place(archive, at));
+  const ShownRules rules = rules_of(archive);
+  HYPERMAP_ASSIGN_OR_RETURN(const PlaceExplanation place,
+                            explain_place(archive, at, rules.confirmation, rules.absence));
   if (json) {
     std::printf("%s\n", json_text(place, archive.classes, at).c_str());
   } else {
-    print_place(place, archive, at);
+    print_place(place, archive, rules, at);
   }
   return {};
 }

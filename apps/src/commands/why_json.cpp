@@ -60,7 +60,8 @@ Json json_of(const Removal& removal) {
   return {{"clear_looks", removal.clear_looks.looks},
           {"looks_until_gone", number(removal.looks_until_gone)},
           {"seconds_until_gone", removal.seconds_until_gone},
-          {"looks_until_removed", number(removal.looks_until_removed)}};
+          {"looks_until_removed", number(removal.looks_until_removed)},
+          {"looks_until_removed_unseen_side", number(removal.looks_until_removed_unseen)}};
 }
 
 Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
@@ -109,17 +110,20 @@ Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown
   return out;
 }
 
+Json json_of(const std::optional<NearestObject>& nearest) {
+  if (!nearest) return nullptr;
+  return {{"id", nearest->id.value}, {"distance_m", nearest->distance_m}};
+}
+
 Json json_of(const PlaceExplanation& place, const ClassRegistry& classes, const PlanPoint& at) {
   Json out{{"position", {at.xy.x(), at.xy.y()}},
            {"shown", Json::array()},
            {"space", place.space ? Json(*place.space) : Json(nullptr)},
-           {"nearest", nullptr},
+           {"nearest", json_of(place.nearest)},
+           {"nearest_withheld", json_of(place.nearest_withheld)},
            {"withheld", Json::array()}};
   if (at.z) out["position"].push_back(*at.z);
   for (const ObjectId id : place.shown) out["shown"].push_back(id.value);
-  if (place.nearest) {
-    out["nearest"] = {{"id", place.nearest->id.value}, {"distance_m", place.nearest->distance_m}};
-  }
   for (const Explanation& why : place.withheld) {
     out["withheld"].push_back(json_of(why, classes, false));
   }

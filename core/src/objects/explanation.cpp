@@ -83,10 +83,12 @@ std::optional<std::uint64_t> newest_detection_frame(const ObservationLogState& l
   return frame;
 }
 
-/// Clear looks until the existence is below the threshold.
+/// Clear looks, each of which takes that share of the decay, until the existence is below the
+/// threshold.
 std::optional<std::uint32_t> looks_until_removed(const Object& object,
-                                                 const AbsenceOptions& absence) {
-  const double decay = absence.absent_decay.value();
+                                                 const AbsenceOptions& absence,
+                                                 double share) {
+  const double decay = share * absence.absent_decay.value();
   if (absence.removal != RemovalRule::kExistence || decay <= 0.0) return std::nullopt;
   const double excess = (object.existence - absence.min_existence).value();
   return excess < 0.0 ? 0U : static_cast<std::uint32_t>(std::floor(excess / decay)) + 1U;
@@ -95,7 +97,9 @@ std::optional<std::uint32_t> looks_until_removed(const Object& object,
 Removal removal_of(const Object& object, const GoneRule& gone, const AbsenceOptions& absence) {
   Removal removal{.clear_looks = absence_run(object.observation_log),
                   .looks_until_gone = std::nullopt,
-                  .looks_until_removed = looks_until_removed(object, absence)};
+                  .looks_until_removed = looks_until_removed(object, absence, 1.0),
+                  .looks_until_removed_unseen =
+                      looks_until_removed(object, absence, absence.unseen_side_factor)};
   if (gone.looks == 0) return removal;
   const std::uint32_t looks = removal.clear_looks.looks;
   const bool is_gone_now = is_gone(object.observation_log, gone);

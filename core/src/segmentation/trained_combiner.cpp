@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kMaxCombinedDetectors = 64;
 constexpr std::size_t kMaxFeatures = 4096;
 constexpr double kMaxWeight = 1e6;
+constexpr double kLeastShare = 1e-6;
 constexpr double kLeastProbability = 1e-3;
 constexpr double kDecades = 3.0;
 
@@ -72,7 +73,8 @@ Result<void> check_rule(const OneAgainstAll& rule, std::size_t num_features, std
   for (std::size_t w = 0; w < rule.weights.size(); ++w) {
     HYPERMAP_TRY(check_number(rule.weights[w], field + "." + indexed("weights", w)));
   }
-  return {};
+  if (rule.share >= kLeastShare && rule.share <= 1.0) return {};
+  return model_error("must be in 1e-6 .. 1, is " + number_text(rule.share), field + ".share");
 }
 
 /// The mean of what is said of each class, by those who know it.
@@ -165,10 +167,17 @@ Result<std::shared_ptr<const TrainedCombiner>> TrainedCombiner::bind(
     return fail(
         ErrorCode::kNotFound, "knows none of the detectors; it was learnt of " + names, "combiner");
   }
+  double mean_share = 0.0;
+  for (const OneAgainstAll& rule : model.classes) mean_share += rule.share;
+  mean_share /= static_cast<double>(model.classes.size());
   std::vector<Rule> rules;
+  rules.reserve(model.classes.size());
   for (const OneAgainstAll& rule : model.classes) {
     HYPERMAP_ASSIGN_OR_RETURN(const ClassId id, classes.add(rule.class_name));
-    rules.push_back({.id = id, .offset = rule.offset, .weights = rule.weights});
+    rules.push_back({.id = id,
+                     .offset = rule.offset,
+                     .weights = rule.weights,
+                     .scale = mean_share / rule.share});
   }
   return std::shared_ptr<const TrainedCombiner>(
       new TrainedCombiner(std::move(features), std::move(rules)));
@@ -183,7 +192,7 @@ Result<std::vector<ClassEvidence>> TrainedCombiner::combine(
     for (const Rule& rule : rules_) {
       double log_odds = rule.offset;
       for (std::size_t i = 0; i < features.size(); ++i) log_odds += rule.weights[i] * features[i];
-      cells[rule.id] = 1.0 / (1.0 + std::exp(-log_odds));
+      cells[rule.id] = rule.scale / (1.0 + std::exp(-log_odds));
     }
   }
   double total = 0.0;

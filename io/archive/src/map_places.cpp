@@ -5,6 +5,7 @@
 #include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/archive/cleared_floor.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/projection/grids/low_obstacles.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
 #include <algorithm>
@@ -26,17 +27,19 @@ std::span<const SemanticObject> shapes_of(const MapArchive& archive) {
   return layer == nullptr ? std::span<const SemanticObject>() : layer->objects();
 }
 
-/// The floor without what stands on it. Errors: those of map_places.
+/// The floor without what stands on it: objects, and what was looked over. Errors: those of
+/// map_places.
 Result<OccupancyGrid> floor_of(const MapArchive& archive) {
-  const auto* occupancy = archive.hypermap.find_as<OccupancyLayer>(kFloorLayer);
-  if (occupancy == nullptr) {
+  const Layer* occupancy = archive.hypermap.find(kFloorLayer);
+  if (occupancy == nullptr || occupancy->content.as<OccupancyLayer>() == nullptr) {
     return fail(ErrorCode::kNotFound,
                 "the map has no occupancy grid of that name, by which rooms are told",
                 std::string(kFloorLayer));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(OccupancyLayer floor,
-                            without_objects(archive, *archive.hypermap.find(kFloorLayer)));
-  return std::move(floor.grid);
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyLayer floor, without_objects(archive, *occupancy));
+  const bool has_heights = archive.octree && occupancy->info.frame_id == shown_frame_id(archive);
+  if (!has_heights) return std::move(floor.grid);
+  return without_low_obstacles(std::move(floor.grid), leaf_source(*archive.octree));
 }
 
 RoomNumber room_of_shape(const RoomPlan& plan, const SemanticObject& object) {

@@ -32,21 +32,28 @@ Result<std::optional<std::string>> space_at(const MapArchive& archive, const Pla
 
 }  // namespace
 
-Result<PlaceExplanation> explain_place(const MapArchive& archive, const PlanPoint& at) {
+Result<PlaceExplanation> explain_place(const MapArchive& archive,
+                                       const PlanPoint& at,
+                                       const ConfirmationOptions& confirmation,
+                                       const AbsenceOptions& absence) {
   PlaceExplanation out;
   HYPERMAP_ASSIGN_OR_RETURN(out.space, space_at(archive, at));
   const std::vector<ObjectId> shown = confirmed_ids_of(archive);
   for (const ObjectId id : find_objects(archive.objects, archive.classes, {.at = at})) {
     if (std::ranges::binary_search(shown, id)) {
       out.shown.push_back(id);
-    } else if (auto why = explain(archive.objects, id)) {
+    } else if (auto why = explain(archive.objects, id, confirmation, absence)) {
       out.withheld.push_back(std::move(*why));
     }
   }
-  for (const ObjectId id : shown) {
-    const double distance = distance_m(archive.objects.at(id).box, at);
-    if (!out.nearest || distance < out.nearest->distance_m) out.nearest = {id, distance};
+  std::optional<NearestObject> nearest_withheld;
+  for (const Object& object : archive.objects.objects()) {
+    const bool is_shown = std::ranges::binary_search(shown, object.id);
+    std::optional<NearestObject>& nearest = is_shown ? out.nearest : nearest_withheld;
+    const double distance = distance_m(object.box, at);
+    if (!nearest || distance < nearest->distance_m) nearest = {object.id, distance};
   }
+  if (out.withheld.empty()) out.nearest_withheld = nearest_withheld;
   return out;
 }
 

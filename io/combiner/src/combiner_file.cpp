@@ -48,13 +48,16 @@ Result<CombinedDetector> parse_combined_detector(const JsonNode& node) {
 }
 
 Result<OneAgainstAll> parse_rule(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"name", "offset", "weights"}));
+  HYPERMAP_TRY(expect_keys(node, {"name", "offset", "weights"}, {"share"}));
   OneAgainstAll rule;
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode name, node.require("name"));
   HYPERMAP_ASSIGN_OR_RETURN(rule.class_name, owned_text(name));
   HYPERMAP_ASSIGN_OR_RETURN(rule.offset, number_at(node, "offset"));
   HYPERMAP_ASSIGN_OR_RETURN(
       rule.weights, list_at(node, "weights", [](const JsonNode& one) { return one.number(); }));
+  if (const auto share = node.find("share")) {
+    HYPERMAP_ASSIGN_OR_RETURN(rule.share, share->number());
+  }
   return rule;
 }
 
@@ -100,7 +103,8 @@ std::string write_combiner(const CombinerModel& model) {
                           [&](const OneAgainstAll& rule) {
                             return json_object({{"name", json_quoted(rule.class_name)},
                                                 {"offset", json_number(rule.offset)},
-                                                {"weights", json_array(rule.weights, number)}});
+                                                {"weights", json_array(rule.weights, number)},
+                                                {"share", json_number(rule.share)}});
                           })}}) +
          "\n";
 }

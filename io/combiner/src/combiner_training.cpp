@@ -164,6 +164,7 @@ Result<CombinerModel> train_combiner(std::span<const CombinerExample> examples,
       if (count < options.min_examples) continue;
       OneAgainstAll rule = train_class(rows, examples, id, options.penalty);
       rule.class_name = classes.name(id);
+      rule.share = static_cast<double>(count) / static_cast<double>(examples.size());
       model.classes.push_back(std::move(rule));
     }
   } catch (const std::exception& e) {

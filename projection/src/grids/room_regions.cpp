@@ -89,11 +89,32 @@ class Flood {
     return gap_width_m(peaks_[region], resolution_m_);
   }
 
-  /// Whether a gap between two regions parts rooms. Requires: roots.
-  [[nodiscard]] bool is_parting(double gap_m, std::uint32_t a, std::uint32_t b) const {
+  /// Whether a gap between two regions, in whose middle `cell` is, parts rooms. Requires: roots.
+  [[nodiscard]] bool is_parting(std::size_t cell, std::uint32_t a, std::uint32_t b) {
+    const double gap_m = gap_width_m(clearance_[cell], resolution_m_);
     const double narrower_m = std::min(peak_m(a), peak_m(b));
-    return narrower_m >= options_.doorway_m && gap_m < options_.doorway_m &&
-           gap_m < options_.max_gap_share * narrower_m;
+    if (gap_m >= options_.doorway_m || narrower_m < options_.min_width_m) return false;
+    if (gap_m < options_.passage_share * narrower_m) return true;
+    const double needed_m = gap_m / options_.max_gap_share;
+    return widens_to(needed_m, cell, a) && widens_to(needed_m, cell, b);
+  }
+
+  /// Whether a region is wider than that somewhere within a doorway's depth of a cell.
+  [[nodiscard]] bool widens_to(double width_m, std::size_t cell, std::uint32_t region) {
+    const auto width = static_cast<std::size_t>(mask_.cols);
+    const auto all = static_cast<double>(std::max(mask_.cols, mask_.rows));
+    const auto reach = static_cast<int>(std::min(options_.doorway_depth_m / resolution_m_, all));
+    const int row = static_cast<int>(cell / width);
+    const int col = static_cast<int>(cell % width);
+    for (int r = std::max(row - reach, 0); r <= std::min(row + reach, mask_.rows - 1); ++r) {
+      for (int c = std::max(col - reach, 0); c <= std::min(col + reach, mask_.cols - 1); ++c) {
+        const std::size_t at = static_cast<std::size_t>(r) * width + static_cast<std::size_t>(c);
+        const bool is_wide =
+            cells_[at] != kNoRegion && gap_width_m(clearance_[at], resolution_m_) > width_m;
+        if (is_wide && sets_.root_of(cells_[at]) == region) return true;
+      }
+    }
+    return false;
   }
 
   /// The region of a cell: that of its neighbour with the largest clearance, so that no region
@@ -107,10 +128,9 @@ class Flood {
       peaks_.push_back(clearance_[cell]);
       return sets_.add();
     }
-    const double gap_m = gap_width_m(clearance_[cell], resolution_m_);
     for (const std::size_t a : around) {
       for (const std::size_t b : around) {
-        unite_unless_parted(gap_m, sets_.root_of(cells_[a]), sets_.root_of(cells_[b]));
+        unite_unless_parted(cell, sets_.root_of(cells_[a]), sets_.root_of(cells_[b]));
       }
     }
     const auto upward = std::ranges::max_element(
@@ -119,8 +139,8 @@ class Flood {
   }
 
   /// The wider one stays, so that the root of a set knows its widest place. Requires: roots.
-  void unite_unless_parted(double gap_m, std::uint32_t a, std::uint32_t b) {
-    if (a == b || is_parting(gap_m, a, b)) return;
+  void unite_unless_parted(std::size_t cell, std::uint32_t a, std::uint32_t b) {
+    if (a == b || is_parting(cell, a, b)) return;
     peaks_[a] >= peaks_[b] ? sets_.unite(a, b) : sets_.unite(b, a);
   }
 

@@ -24,11 +24,21 @@ constexpr OptionRow kRoomRows[] = {
     option::number<&RoomOptions::doorway_m>(
         "doorway_m",
         option::above(0, 100),
-        {.unit = "m", .effect = "Wider gaps part no rooms: doors are narrower, corridors wider."}),
+        {.unit = "m", .effect = "Wider gaps part no rooms: doors are narrower."}),
+    option::number<&RoomOptions::passage_share>(
+        "passage_share",
+        option::above(0, 1),
+        {.effect = "A gap narrower than this share of both rooms' widest places parts them."}),
     option::number<&RoomOptions::max_gap_share>(
         "max_gap_share",
         option::above(0, 1),
-        {.effect = "A gap that parts is narrower than this share of both rooms' widest places."}),
+        {.effect = "So does one narrower than this share of a near place of either room."}),
+    option::number<&RoomOptions::doorway_depth_m>(
+        "doorway_depth_m",
+        option::above(0, 100),
+        {.unit = "m", .effect = "How near to the gap that place is: as deep as walls are."}),
+    option::number<&RoomOptions::min_width_m>(
+        "min_width_m", {0, 100}, {.unit = "m", .effect = "What is nowhere so wide is no room."}),
     option::number<&RoomOptions::min_room_m2>(
         "min_room_m2",
         {0, 10000},

@@ -122,6 +122,18 @@ TEST(Explanation, SaysWhatWouldRemoveIt) {
   EXPECT_EQ(explained(object, {.gone = {.looks = 0}}).removal.looks_until_gone, std::nullopt);
 }
 
+// [smap] 3.5.2: looks from sides on which it was never detected take a third.
+TEST(Explanation, FromUnseenSidesMoreLooksRemoveIt) {
+  // Existence 5, a third less with each look, below -2 with the 22nd (21 make 7 and no more).
+  EXPECT_EQ(explained(cup()).removal.looks_until_removed_unseen, 22U);
+  ObjectMap map;
+  const ObjectId id = map.add(cup());
+  const Explanation alike = explain(map, id, {}, {.unseen_side_factor = 1.0}).value();
+  EXPECT_EQ(alike.removal.looks_until_removed_unseen, 8U);
+  const Explanation never = explain(map, id, {}, {.unseen_side_factor = 0.0}).value();
+  EXPECT_EQ(never.removal.looks_until_removed_unseen, std::nullopt);
+}
+
 TEST(Explanation, OfWhatIsGoneSaysSo) {
   Object object = cup();
   for (std::uint64_t frame = 10; frame < 22; ++frame) {

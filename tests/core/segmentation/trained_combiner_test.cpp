@@ -93,6 +93,24 @@ TEST(TrainedCombiner, WeighsFeaturesForEachClassAgainstAllOthers) {
 }
 
 // Bowl has no rule: the mean 0.5 of the one that names it. Cup: -1 + 3 * 1 = 2, p = 0.88079708.
+TEST(TrainedCombiner, HowCommonAClassWasIsTakenOut) {
+  // Of four examples three were cups. yolo's bowl alone: cup 1 / (1 + e), 0.26894142, by a share of
+  // 0.75; bowl 1 / (1 + 1 / e), 0.73105858, by one of 0.25; both times the mean share of 0.5.
+  CombinerModel model = two_detectors();
+  model.classes[0].share = 0.75;
+  model.classes[1].share = 0.25;
+  const Bound bound = bound_to_map(model);
+  const std::vector<std::vector<ClassEvidence>> words{
+      {said(bound, "cup", 0.0), said(bound, "bowl", 1.0)}};
+  const std::vector<DetectorId> one{kYolo};
+  const auto combined = bound.combiner->combine(words, one);
+  ASSERT_TRUE(combined);
+  const double cup = 0.26894142 * 0.5 / 0.75;
+  const double bowl = 0.73105858 * 0.5 / 0.25;
+  EXPECT_NEAR((*combined)[0].probability.value(), cup / (cup + bowl), 1e-8);
+  EXPECT_NEAR((*combined)[1].probability.value(), bowl / (cup + bowl), 1e-8);
+}
+
 TEST(TrainedCombiner, AClassWithoutExamplesKeepsTheMean) {
   CombinerModel model = two_detectors();
   model.classes.pop_back();
@@ -145,6 +163,8 @@ TEST(CombinerModel, NamesTheBrokenField) {
   EXPECT_EQ(broken([](CombinerModel& m) { m.classes[1].weights[2] = 2e6; }),
             "classes[1].weights[2]");
   EXPECT_EQ(broken([&](CombinerModel& m) { m.classes[0].offset = kNan; }), "classes[0].offset");
+  EXPECT_EQ(broken([](CombinerModel& m) { m.classes[1].share = 0.0; }), "classes[1].share");
+  EXPECT_EQ(broken([&](CombinerModel& m) { m.classes[0].share = kNan; }), "classes[0].share");
   EXPECT_EQ(broken([](CombinerModel& m) {
               for (int i = 0; i < 5000; ++i) m.detectors[1].classes.push_back(std::to_string(i));
             }),

@@ -86,6 +86,36 @@ TEST(MapPlaces, EachObjectIsInItsRoomAndEachRoomIsWhatStandsInIt) {
   EXPECT_EQ(room_name(places, kNoRoom), "no room");
 }
 
+/// The space over a rectangle: occupied from 0.1 m up to `top_m`, free above that up to 1.4 m.
+SemanticOctree low_over(const Rect& rect, double top_m) {
+  const SemanticOctree empty = SemanticOctree::create({}).value();
+  std::vector<StoredLeaf> leaves;
+  for (double x = rect.min.x() + 0.025; x < rect.max.x(); x += 0.05) {
+    for (double y = rect.min.y() + 0.025; y < rect.max.y(); y += 0.05) {
+      for (double z = 0.125; z < 1.4; z += 0.05) {
+        const auto key = empty.grid().key(PointInMap{Eigen::Vector3d(x, y, z)});
+        const MilliLogOdds log_odds = z < top_m ? MilliLogOdds{1000} : MilliLogOdds{-1000};
+        leaves.push_back({.key = key.value(), .log_odds = log_odds});
+      }
+    }
+  }
+  return SemanticOctree::from_leaves({}, leaves).value();
+}
+
+TEST(MapPlaces, WhatWasLookedOverIsNoWallThoughNobodyNamedIt) {
+  MapArchive archive = small_flat();
+  archive.hypermap.remove_layer("semantic");  // so nobody knows of the bed: 1.6 m by 2 m
+  const auto bedroom_m2 = [&] {
+    const MapPlaces places = map_places(archive, home()).value();
+    return places.rooms[1].room.area_m2;
+  };
+  EXPECT_NEAR(bedroom_m2(), 9.0 - 3.2, 0.1);
+  archive.octree = low_over({{5.5, 1}, {7.1, 3}}, 0.5);
+  EXPECT_NEAR(bedroom_m2(), 9.0, 0.1);
+  archive.octree = low_over({{5.5, 1}, {7.1, 3}}, 1.4);
+  EXPECT_NEAR(bedroom_m2(), 9.0 - 3.2, 0.1) << "a wardrobe may be a wall";
+}
+
 TEST(MapPlaces, WhatIsBelievedOfAnObjectCountsMoreThanItsName) {
   MapArchive archive = small_flat();
   const ClassId bed = archive.classes.add("bed").value();

@@ -55,6 +55,28 @@ TEST(PlaceExplanation, TellsWithheldObjectsFromShownOnes) {
   EXPECT_EQ(at_second->nearest->id, ObjectId{1});
   const double side_x = archive.objects.at(ObjectId{1}).box.max_in_map.x();
   EXPECT_NEAR(at_second->nearest->distance_m, 3.0 - side_x, 1e-12);
+  EXPECT_EQ(at_second->nearest_withheld, std::nullopt) << "it is there";
+  EXPECT_EQ(at_first->nearest_withheld->id, ObjectId{2}) << "the only one, however far";
+
+  // 0.3 m over the second one's box, of which only a part may have been seen.
+  const double top_z = archive.objects.at(ObjectId{2}).box.max_in_map.z();
+  const auto above = explain_place(archive, {.xy = {3.0, 0.0}, .z = top_z + 0.3});
+  ASSERT_TRUE(above.has_value());
+  EXPECT_TRUE(above->withheld.empty());
+  EXPECT_EQ(above->nearest_withheld->id, ObjectId{2});
+  EXPECT_NEAR(above->nearest_withheld->distance_m, 0.3, 1e-12);
+}
+
+TEST(PlaceExplanation, TellsByTheRulesThatItIsGiven) {
+  MapArchive archive;
+  for (const char* name : {"a", "b"}) ASSERT_TRUE(archive.classes.add(name));
+  (void)archive.objects.add(object_seen(box_at({0, 0, 0.5}, {0.4, 0.4, 0.4}), 8));
+  ASSERT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, SemanticLayer()}));
+  const auto place = explain_place(archive, {.xy = {0.0, 0.0}}, {.min_observations = 20});
+  ASSERT_TRUE(place.has_value());
+  ASSERT_EQ(place->withheld.size(), 1U);
+  EXPECT_EQ(place->withheld[0].missed_conditions[0],
+            (MissedCondition{.condition = Condition::kObservations, .value = 8, .limit = 20}));
 }
 
 TEST(PlaceExplanation, OfAnEmptyMapKnowsNothing) {

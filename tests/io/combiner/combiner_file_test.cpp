@@ -16,7 +16,10 @@ using testing::HasSubstr;
 
 CombinerModel written_model() {
   return {.detectors = {{.name = "yo\"lo", .classes = {"cup", "bowl"}}},
-          .classes = {{.class_name = "cup", .offset = -1.0 / 3.0, .weights = {0.1, 1e-9, -7.0}}}};
+          .classes = {{.class_name = "cup",
+                       .offset = -1.0 / 3.0,
+                       .weights = {0.1, 1e-9, -7.0},
+                       .share = 0.25}}};
 }
 
 std::string combiner_refusal(const std::string& text) {
@@ -47,6 +50,12 @@ TEST(CombinerFile, IsNeverCutUnnoticed) {
   }
 }
 
+TEST(CombinerFile, WithoutAShareAClassIsAsCommonAsAny) {
+  const auto read = parse_combiner(with(",\"share\":0.25", ""), "c.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(read->classes[0].share, 1.0);
+}
+
 TEST(CombinerFile, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(combiner_refusal("[]"), HasSubstr("c.json:1"));
   EXPECT_THAT(combiner_refusal("{}"), HasSubstr("missing key \"format\""));
@@ -57,6 +66,9 @@ TEST(CombinerFile, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(combiner_refusal(with("\"offset\"", "\"bias\"")), HasSubstr("offset"));
   EXPECT_THAT(combiner_refusal(with("-7", "1e7")),
               HasSubstr("classes[0].weights[2] must be in -1e6 .. 1e6, is 1e+07"));
+  EXPECT_THAT(combiner_refusal(with("0.25", "0")),
+              HasSubstr("classes[0].share must be in 1e-6 .. 1, is 0"));
+  EXPECT_THAT(combiner_refusal(with("0.25", "1.5")), HasSubstr("is 1.5"));
   EXPECT_THAT(combiner_refusal(with(",-7", "")), HasSubstr("must have 3 numbers, has 2"));
   EXPECT_THAT(combiner_refusal(with("\"bowl\"", "\"cup\"")), HasSubstr("detectors[0]"));
 }

@@ -75,6 +75,43 @@ TEST(CombinerTraining, LearnsWhomToTrustInWhat) {
       0.99);
 }
 
+/// 200 cups, of which every fifth is called a vase with 0.4 to 0.6, and 30 vases, which are called
+/// so with 0.5 to 0.9.
+std::vector<CombinerExample> cups_and_few_vases() {
+  std::vector<CombinerExample> examples;
+  const auto add = [&](std::uint32_t truth, std::uint32_t named, double p) {
+    examples.push_back({.likelihoods = {sure_of(named, p)},
+                        .detectors = {DetectorId{0}},
+                        .truth = ClassId{truth}});
+  };
+  for (int i = 0; i < 160; ++i) add(0, 0, 0.5 + 0.4 * i / 160.0);
+  for (int i = 0; i < 40; ++i) add(0, 2, 0.4 + 0.2 * i / 40.0);
+  for (int i = 0; i < 30; ++i) add(2, 2, 0.5 + 0.4 * i / 30.0);
+  return examples;
+}
+
+TEST(CombinerTraining, ManyExamplesOfAClassMakeNothingOfAnotherOne) {
+  // With 0.5 to 0.6, 20 cups are called a vase and 7 vases: most are cups. But that is a tenth of
+  // the cups and a quarter of the vases.
+  const auto model = train_combiner(cups_and_few_vases(), two_of_skill(), three_classes());
+  ASSERT_TRUE(model) << to_string(model.error());
+  ASSERT_EQ(model->classes.size(), 2U);
+  EXPECT_DOUBLE_EQ(model->classes[0].share, 200.0 / 230.0);
+  EXPECT_DOUBLE_EQ(model->classes[1].share, 30.0 / 230.0);
+  CombinerModel by_number = *model;
+  for (OneAgainstAll& rule : by_number.classes) rule.share = 1.0;
+  const auto vase_of = [](const CombinerModel& learnt) {
+    ClassRegistry classes = three_classes();
+    const auto combiner = TrainedCombiner::bind(learnt, two_of_skill(), classes).value();
+    const std::vector<std::vector<ClassEvidence>> said{sure_of(2, 0.55)};
+    const std::vector<DetectorId> eager{DetectorId{0}};
+    const auto combined = combiner->combine(said, eager).value();
+    return combined.at(2).probability.value() / combined.at(0).probability.value();
+  };
+  EXPECT_GT(vase_of(*model), 1.5);
+  EXPECT_LT(vase_of(by_number), 1.0 / 1.5) << "how common cups are would decide";
+}
+
 TEST(CombinerTraining, GivesTheSameBytesEachTime) {
   const auto once = train_combiner(examples_of_two(1, 90), two_of_skill(), three_classes());
   const auto again = train_combiner(examples_of_two(1, 90), two_of_skill(), three_classes());

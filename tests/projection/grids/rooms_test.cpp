@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Long because: plans of rooms that are told apart are read side by side.
 #include "hypermap/projection/grids/rooms.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
@@ -94,6 +95,25 @@ TEST(FindRooms, AWideOpeningPartsNothing) {
   EXPECT_THAT(plan.rooms({.doorway_m = 1.5}).rooms, SizeIs(2)) << "unless doors are so wide";
 }
 
+TEST(FindRooms, AnOpenDoubleDoorPartsTwoRooms) {
+  Plan plan = two_rooms();
+  plan.free(4, 1, 4.1, 2.2);
+  const RoomPlan found = plan.rooms();
+  ASSERT_THAT(found.rooms, SizeIs(2));
+  ASSERT_THAT(found.doorways, SizeIs(1));
+  EXPECT_NEAR(found.doorways[0].width_m, 1.2, kCellM + 1e-9);
+}
+
+TEST(FindRooms, ThickWallsAndPassagesPartTheirRoomsToo) {
+  // A door of 0.9 m in a wall of 0.5 m, and a passage of 0.9 m that is 2 m long: no room itself.
+  for (const double depth_m : {0.5, 2.0}) {
+    Plan plan(7 + depth_m, 3);
+    plan.free(0, 0, 4, 3).free(4 + depth_m, 0, 7 + depth_m, 3).free(4, 1, 4 + depth_m, 1.9);
+    EXPECT_THAT(plan.rooms().rooms, SizeIs(2)) << depth_m;
+    EXPECT_THAT(plan.rooms().doorways, SizeIs(1)) << depth_m;
+  }
+}
+
 TEST(FindRooms, ClosedRoomsHaveNoDoorway) {
   Plan plan(7.1, 3);
   plan.free(0, 0, 4, 3).free(4.1, 0, 7.1, 3);
@@ -138,6 +158,20 @@ TEST(FindRooms, NoiseAlongACorridorIsNoRowOfDoors) {
     }
     EXPECT_THAT(plan.rooms().rooms, SizeIs(1)) << seed;
   }
+}
+
+TEST(FindRooms, ACorridorIsNotCutBetweenItsDoors) {
+  // 1.2 m wide, with a door of 0.9 m to a room on either side at both ends; opposite doors make it
+  // 1.5 m wide there (2 x hypot(0.6, 0.45)), and 10 cm of noise in between leave 1.1 m: 0.73 of it.
+  Plan plan(8, 7.4);
+  plan.free(0, 3.1, 8, 4.3);
+  plan.free(0, 0, 3.9, 3).free(4.1, 0, 8, 3).free(0, 4.4, 3.9, 7.4).free(4.1, 4.4, 8, 7.4);
+  for (const double x : {1.5, 5.6}) plan.free(x, 3, x + 0.9, 3.1).free(x, 4.3, x + 0.9, 4.4);
+  plan.wall(3.8, 3.1, 4.2, 3.2);
+  const RoomPlan found = plan.rooms();
+  EXPECT_THAT(found.rooms, SizeIs(5));
+  EXPECT_EQ(at(found, 0.3, 3.7), at(found, 7.7, 3.7));
+  EXPECT_THAT(plan.rooms({.doorway_depth_m = 10}).rooms, SizeIs(6)) << "if doorways were so deep";
 }
 
 TEST(FindRooms, OpenPlanIsOneRoomWithItsPillarsTablesAndSpeckles) {
@@ -293,6 +327,8 @@ TEST(DoorwaysBetween, TheShorterWayOfTwo) {
 TEST(RoomOptions, AreHeldInTheirRanges) {
   EXPECT_TRUE(validate(RoomOptions{}).has_value());
   EXPECT_EQ(validate(RoomOptions{.doorway_m = 0}).error().field, "doorway_m");
+  EXPECT_EQ(validate(RoomOptions{.passage_share = 1.1}).error().field, "passage_share");
+  EXPECT_EQ(validate(RoomOptions{.doorway_depth_m = 0}).error().field, "doorway_depth_m");
 }
 
 }  // namespace

@@ -43,8 +43,11 @@ struct Removal {
   /// Further ones, one after the other, after which it is gone; 0: it is. None: never.
   std::optional<std::uint32_t> looks_until_gone;
   double seconds_until_gone = 0.0;  ///< From the first of the looks to the last of them, at least.
-  /// After which it leaves the map, by rule kExistence. None: another rule, or no decay.
+  /// After which it leaves the map, by rule kExistence, when they come from sides on which it was
+  /// detected. None: another rule, or no decay.
   std::optional<std::uint32_t> looks_until_removed;
+  /// The same from sides on which it never was, which take less (`unseen_side_factor`).
+  std::optional<std::uint32_t> looks_until_removed_unseen;
   friend bool operator==(const Removal&, const Removal&) = default;
 };
 
@@ -65,7 +68,8 @@ struct Explanation {
   friend bool operator==(const Explanation&, const Explanation&) = default;
 };
 
-/// None when the map has no such object. Cost: that of `confirmation_results`.
+/// None when the map has no such object. The rules are those that the map was made by, where they
+/// are known. Cost: that of `confirmation_results`.
 [[nodiscard]] std::optional<Explanation> explain(const ObjectMap& objects,
                                                  ObjectId id,
                                                  const ConfirmationOptions& confirmation = {},

@@ -34,6 +34,9 @@ struct OneAgainstAll {
   std::string class_name;
   double offset = 0.0;          ///< Log-odds.
   std::vector<double> weights;  ///< One a feature. Log-odds.
+  /// Of the examples that it was learnt from, in (0, 1]. What is said is divided by it: a map fuses
+  /// many frames, and how common a class is would else count once a frame.
+  double share = 1.0;
   friend bool operator==(const OneAgainstAll&, const OneAgainstAll&) = default;
 };
 
@@ -48,8 +51,8 @@ struct CombinerModel {
 };
 
 /// Errors: kInvalidArgument naming the field: no detector or no class, a name that is none or is
-/// there twice, weights that are not one a feature, a number that is not finite or beyond 1e6;
-/// kLimit for more than 64 detectors or 4,096 features.
+/// there twice, weights that are not one a feature, a number that is not finite or beyond 1e6,
+/// or a share outside 1e-6 .. 1; kLimit for more than 64 detectors or 4,096 features.
 [[nodiscard]] Result<void> validate(const CombinerModel& model);
 
 /// The features of what detectors say, by ids.
@@ -75,8 +78,11 @@ class CombinerFeatures {
   std::map<DetectorId, Block> blocks_;
 };
 
-/// A model that speaks of the ids of a map. Classes without an example when it was learnt, and what
-/// is said when no detector that it knows speaks, keep the mean of what is said of them.
+/// A model that speaks of the ids of a map. What it says of a class is the probability that the
+/// rule gives, as if all its classes had been equally common among the examples (M. Saerens et al.,
+/// "Adjusting the outputs of a classifier to new a priori probabilities", 2002). Classes without an
+/// example when it was learnt, and what is said when no detector that it knows speaks, keep the
+/// mean of what is said of them.
 class TrainedCombiner final : public ClassScoreCombiner {
  public:
   /// Adds its classes to `classes`.
@@ -95,6 +101,7 @@ class TrainedCombiner final : public ClassScoreCombiner {
     ClassId id;
     double offset = 0.0;
     std::vector<double> weights;
+    double scale = 1.0;  ///< The mean share of all rules by that of this one.
   };
   TrainedCombiner(CombinerFeatures features, std::vector<Rule> rules)
       : features_(std::move(features)), rules_(std::move(rules)) {}

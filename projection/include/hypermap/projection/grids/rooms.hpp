@@ -26,12 +26,18 @@ namespace hypermap {
 struct OptionTable;
 
 struct RoomOptions {
-  /// Wider gaps part nothing. Above the clear width of single doors (0.6 to 1 m), below that of
-  /// corridors (1.2 m and more).
-  double doorway_m = 1.1;
-  /// A gap must also be narrower than this share of the widest place of both rooms: noise along a
-  /// narrow corridor is no row of doors.
+  /// Wider gaps part nothing. Above the clear width of doors, single (0.6 to 1 m) and double (1.2
+  /// m).
+  double doorway_m = 1.25;
+  /// Narrower ones part rooms when they are narrower than this share of the widest place of both
+  /// ...
+  double passage_share = 0.6;
+  /// ... or than this share of a place of either room ...
   double max_gap_share = 0.8;
+  /// ... that is so near to the gap, along rows and along columns: a doorway is as deep as a wall.
+  /// What is a little narrower for longer is a corridor, and noise along it is no row of doors.
+  double doorway_depth_m = 0.8;
+  double min_width_m = 1.1;    ///< What is nowhere so wide is no room: a passage, a niche.
   double min_room_m2 = 1.0;    ///< Smaller ones are niches of a neighbour, or nothing.
   double max_island_m2 = 4.0;  ///< What stands alone in the free floor and is smaller is no wall.
   double max_island_m = 1.0;   ///< But longer and thin (`min_island_m`) it is one.
@@ -84,7 +90,8 @@ struct RoomPlan {
 /// small (`max_island_m2`) are pillars, furniture and noise and count as free, unless they are long
 /// and thin as a partition is.
 /// Boundary: nothing free, no rooms. A gap is as wide as its cells are, to one cell.
-/// Requires: validate(options). Cost: O(n log n) for n cells; memory 40 bytes a cell.
+/// Requires: validate(options). Cost: O(n log n) for n cells, and where a gap is hardly narrower
+/// than its rooms the cells within a doorway's depth; memory 40 bytes a cell.
 [[nodiscard]] RoomPlan find_rooms(const OccupancyGrid& grid, const RoomOptions& options = {});
 
 /// The room at a point; else, of the cells within `reach_m`, that of the nearest one; else kNoRoom.

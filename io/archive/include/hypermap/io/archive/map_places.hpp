@@ -38,9 +38,10 @@ struct MapPlaces {
 };
 
 /// The rooms of the layer `occupancy`, from which the shapes of the layer `semantic` are removed,
-/// as furniture is no wall. An object is in the room that most of its shape lies in, else in the
-/// nearest one within 0.5 m. A room has the class of its objects: with all that is believed of them
-/// where the map has them, else by their names.
+/// as furniture is no wall, and, in a map with an octree in the same frame, what was looked over
+/// (`without_low_obstacles`), named or not. An object is in the room that most of its shape lies
+/// in, else in the nearest one within 0.5 m. A room has the class of its objects: with all that is
+/// believed of them where the map has them, else by their names.
 ///
 /// Errors: kNotFound when the map has no occupancy grid of that name, kUnsupported when the two
 /// layers are in different frames. Cost: that of find_rooms, and the cells that shapes cover.

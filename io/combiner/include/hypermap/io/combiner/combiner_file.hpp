@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A learnt combiner as a file: one JSON object of `format` hypermap-combiner, `version` 1,
-/// `detectors` [{`name`, `classes`}] and `classes` [{`name`, `offset`, `weights`}].
+/// `detectors` [{`name`, `classes`}] and `classes` [{`name`, `offset`, `weights`, `share`}].
+/// Without `share` a class is as common as any.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"

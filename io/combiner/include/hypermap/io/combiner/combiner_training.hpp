@@ -37,7 +37,9 @@ struct CombinerTrainingOptions {
 [[nodiscard]] Result<void> validate(const CombinerTrainingOptions& options);
 [[nodiscard]] const OptionTable& option_table(const CombinerTrainingOptions& options);
 
-/// A detector's classes are those that it gave some probability of.
+/// A detector's classes are those that it gave some probability of. How common a class is among the
+/// examples is kept beside its rule and taken out of what it says (`OneAgainstAll::share`): a map
+/// asks of every frame anew, and many examples of chairs must not make a sofa one.
 ///
 /// The same bytes for the same examples on any number of threads.
 /// Errors: those of validate, of the options and of what is learnt; kInvalidArgument when no class
