@@ -201,6 +201,11 @@ class Regions(FaultCase):
         self.check_faults(lambda: Inputs.succeed("cells", Inputs.objects(0.1), "--output", self.out),
                           ["cells", Inputs.objects(0.05), "--output", self.out], 2 * SAMPLE)
 
+    def test_tables_of_rates(self):
+        def evaluated(resolution):
+            return ["eval", "--map", Inputs.objects(resolution), "--truth", Inputs.objects(0.1), "--csv", self.out]
+        self.check_faults(lambda: Inputs.succeed(*evaluated(0.1)), evaluated(0.05), 2 * SAMPLE)
+
 
 class Folders(FaultCase):
     KEEPS_OLD = True

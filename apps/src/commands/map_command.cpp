@@ -3,13 +3,13 @@
 #include "combination_arguments.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "hypermap/io/options/place_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "look_arguments.hpp"
 #include "map_hints.hpp"
 #include "mapping_text.hpp"
+#include "mapping_times.hpp"
 #include "network_arguments.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
@@ -48,7 +48,7 @@ struct MapArguments {
   CombinationArguments combination;
   bool refine_poses = false;
   bool class_stack = false;
-  std::optional<std::string> stats;
+  MappingTimesArguments times;
   std::optional<std::string> transform;
   std::string places;
   int num_threads = 0;
@@ -113,9 +113,8 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   const auto job = job_of(arguments);
   if (!job) return report(job.error());
   print_hints_before(*job);
-  if (arguments.stats) {
-    if (const auto target = check_target(*arguments.stats); !target) return report(target.error());
-  }
+  if (const auto targets = arguments.times.check_targets(); !targets)
+    return report(targets.error());
   Result<MappingReport> mapped;
   {
     Progress progress("mapping", progress_when);
@@ -135,8 +134,7 @@ ExitCode run(const MapArguments& arguments, const std::string& progress_when) {
   if (arguments.job.strict && worst == ExitCode::kFindings) worst = ExitCode::kRefused;
   print_mapping_report(*mapped, *job);
   print_hints_after(*mapped, *job);
-  if (!arguments.stats) return worst;
-  const auto written = write_file_atomically(*arguments.stats, to_json(*mapped));
+  const auto written = arguments.times.write(*mapped, arguments.dataset.input);
   return written ? worst : report(written.error());
 }
 
@@ -244,7 +242,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_option("--threads", arguments.num_threads, "0: one for each core")
       ->check(CLI::Range(0, 256).description("0 .. 256"))
       ->capture_default_str();
-  command.add_option("--stats", arguments.stats, "JSON file for counts and times");
+  arguments.times.add_to(command);
   arguments.load.add_to(command);
 }
 
@@ -257,13 +255,11 @@ void keep_outputs_apart(const MapArguments& arguments) {
                                           arguments.combination.combiner.value_or(""),
                                           arguments.job.poses.value_or("")};
   read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
-  const std::filesystem::path stats = arguments.stats.value_or("");
   const std::filesystem::path checkpoint =
       arguments.job.checkpoint_every > 0 || arguments.job.resume
           ? checkpoint_path(arguments.job.output)
           : "";
-  keep_apart("--stats", stats, read);
-  keep_apart("--stats", stats, {arguments.job.output, checkpoint});
+  arguments.times.keep_outputs_apart(read, {arguments.job.output, checkpoint});
   keep_apart("--checkpoint-every", checkpoint, read);
   read.emplace_back(dataset.input);
   keep_apart("--output", arguments.job.output, read);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tune_times.hpp"
 
+#include "box_plots.hpp"
 #include "hypermap/core/base/count_text.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
-#include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/jobs/segmentation_statistics.hpp"
-#include "hypermap/viewer_offscreen/figures/box_plot.hpp"
 #include "progress.hpp"
 #include "tables.hpp"
 
@@ -17,14 +15,6 @@
 
 namespace hypermap::app {
 namespace {
-
-FiveNumbers in_milliseconds(const FiveNumbers& seconds) {
-  return {.min = 1e3 * seconds.min,
-          .lower = 1e3 * seconds.lower,
-          .median = 1e3 * seconds.median,
-          .upper = 1e3 * seconds.upper,
-          .max = 1e3 * seconds.max};
-}
 
 void add_numbers(Table& table,
                  const std::string& name,
@@ -56,15 +46,6 @@ void print_statistics(const SegmentationStatistics& statistics) {
               statistics.num_segments);
 }
 
-Result<void> write_plot(const std::filesystem::path& path,
-                        const std::string& title,
-                        const std::string& axis,
-                        const std::vector<BoxPlotRow>& rows) {
-  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage plot, draw_box_plot(title, axis, rows));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(plot));
-  return write_file_atomically(path, bytes);
-}
-
 Result<void> write_plots(const SegmentationStatistics& statistics,
                          const std::string& name,
                          const std::filesystem::path& folder) {
@@ -80,9 +61,10 @@ Result<void> write_plots(const SegmentationStatistics& statistics,
   times.push_back({"all steps", in_milliseconds(statistics.seconds)});
   const std::string counted =
       printable(name) + ", " + count_text(statistics.num_detections, "detection");
-  HYPERMAP_TRY(write_plot(
+  HYPERMAP_TRY(write_box_plot(
       folder / "times.png", "Segmentation, " + counted, "milliseconds a detection", times));
-  return write_plot(folder / "points.png", "Points after each step, " + counted, "points", points);
+  return write_box_plot(
+      folder / "points.png", "Points after each step, " + counted, "points", points);
 }
 
 }  // namespace

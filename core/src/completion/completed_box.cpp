@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/completion/completion.hpp"
+#include "hypermap/core/objects/object_outline.hpp"
 #include "seen_directions.hpp"
-#include "turned_box.hpp"
 
 #include <algorithm>
 #include <array>

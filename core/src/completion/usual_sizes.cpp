@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/completion/completion.hpp"
-#include "turned_box.hpp"
+#include "hypermap/core/objects/object_outline.hpp"
 
 #include <algorithm>
 #include <limits>

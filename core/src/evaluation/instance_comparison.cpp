@@ -54,13 +54,6 @@ double distance_m(const Box& a, const Box& b) {
   return (a.centre() - b.centre()).norm();
 }
 
-double reach_m(const Box& instance, const Options& options) {
-  const Eigen::Vector3d sides = instance.extent();
-  const bool is_small = sides.maxCoeff() < options.small_size_m;
-  const double gate = is_small ? options.small_gate_m : options.gate_m;
-  return std::max(gate, 0.5 * sides.head<2>().maxCoeff());
-}
-
 /// One comparison under way: which objects and things have found their partner.
 class InstanceMatching {
  public:
@@ -87,7 +80,7 @@ class InstanceMatching {
     });
     for (const bool counts : {true, false}) {
       match(counts, [this](std::size_t o, std::size_t t) {
-        return distance_within(o, t, reach_m(instances_[t].box, options_));
+        return distance_within(o, t, instance_reach_m(instances_[t].box, options_));
       });
     }
     place_wrong_classes();
@@ -180,7 +173,7 @@ class InstanceMatching {
     double least_m = kForbiddenPair;
     for (std::size_t t = 0; t < instances_.size(); ++t) {
       if (!result_.instances[t].object) continue;
-      const double distance = distance_within(o, t, reach_m(instances_[t].box, options_));
+      const double distance = distance_within(o, t, instance_reach_m(instances_[t].box, options_));
       if (distance >= least_m) continue;
       least_m = distance;
       nearest = t;
@@ -245,6 +238,13 @@ class InstanceMatching {
 
 std::string_view name_of(InstanceStanding standing) {
   return kStandings[static_cast<std::size_t>(standing)];
+}
+
+double instance_reach_m(const Box& instance, const InstanceComparisonOptions& options) {
+  const Eigen::Vector3d sides = instance.extent();
+  const bool is_small = sides.maxCoeff() < options.small_size_m;
+  const double gate = is_small ? options.small_gate_m : options.gate_m;
+  return std::max(gate, 0.5 * sides.head<2>().maxCoeff());
 }
 
 const OptionTable& option_table(const InstanceComparisonOptions&) {

@@ -38,4 +38,18 @@ Box box_in_map(const ListedInstance& instance,
   return {centre - half_extent, centre + half_extent};
 }
 
+TurnedBox turned_box_in_map(const ListedInstance& instance,
+                            const Eigen::Vector3d& up_in_input,
+                            const MapFromInput& map_from_input) {
+  const auto map_from_instance = map_from_input * input_from_instance(instance, up_in_input);
+  const Eigen::Vector2d width = map_from_instance.isometry().linear().col(0).head<2>().normalized();
+  TurnedBox box;
+  box.map_from_box.col(0) << width, 0.0;
+  box.map_from_box.col(1) << -width.y(), width.x(), 0.0;
+  const Eigen::Vector3d centre = box.map_from_box.transpose() * map_from_instance.origin().xyz;
+  box.low = centre - 0.5 * instance.size_m;
+  box.high = centre + 0.5 * instance.size_m;
+  return box;
+}
+
 }  // namespace hypermap

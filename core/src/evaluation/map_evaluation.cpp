@@ -2,8 +2,8 @@
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 
 #include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/evaluation/match_gate.hpp"
 #include "hypermap/core/objects/assignment.hpp"
-#include "match_gate.hpp"
 #include "running_mean.hpp"
 #include "truth_averages.hpp"
 

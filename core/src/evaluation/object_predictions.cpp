@@ -2,8 +2,8 @@
 #include "hypermap/core/evaluation/object_predictions.hpp"
 
 #include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/evaluation/match_gate.hpp"
 #include "hypermap/core/objects/assignment.hpp"
-#include "match_gate.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluated_archive.hpp"
 
+#include "hypermap/core/base/class_registry.hpp"
+#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
@@ -55,6 +57,34 @@ Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
     if (object != nullptr && !result.objects[i].box) result.objects[i].box = object->box;
   }
   return result;
+}
+
+Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
+                                       const EvaluatedSource& source,
+                                       const std::string& frame_id) {
+  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedArchive loaded, load_evaluated(path, source));
+  if (loaded.frame_id == frame_id) return loaded;
+  return Unexpected(Error{.code = ErrorCode::kUnsupported,
+                          .what = "is in frame " + printable(loaded.frame_id) +
+                                  ", must be in that of the truth: " + printable(frame_id),
+                          .file = path.string(),
+                          .field = source.layer});
+}
+
+Result<void> check_classes(const EvaluationReport& report,
+                           const EvaluationOptions& options,
+                           std::span<const EvaluatedObject> truth) {
+  for (const std::string& name : options.classes) {
+    if (report.classes.contains(canonical_class_name(name))) continue;
+    std::vector<std::string> known;
+    known.reserve(truth.size());
+    for (const EvaluatedObject& object : truth) known.push_back(object.class_name);
+    return fail(ErrorCode::kNotFound,
+                "neither the map nor the truth has an object of class '" + printable(name) + "'" +
+                    did_you_mean(name, known),
+                "classes");
+  }
+  return {};
 }
 
 std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map) {

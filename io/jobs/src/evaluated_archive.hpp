@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,18 @@ struct EvaluatedSource {
 /// semantic one.
 [[nodiscard]] Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
                                                       const EvaluatedSource& source);
+
+/// The same of a map that is to be held against a truth in that frame. Errors: also kUnsupported
+/// when the layer is in another one.
+[[nodiscard]] Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
+                                                     const EvaluatedSource& source,
+                                                     const std::string& frame_id);
+
+/// Errors: kNotFound naming a class that is asked for, and of which neither the map nor the truth
+/// has an object. `report` is of that map and truth.
+[[nodiscard]] Result<void> check_classes(const EvaluationReport& report,
+                                         const EvaluationOptions& options,
+                                         std::span<const EvaluatedObject> truth);
 
 /// All objects of a map with what it believes; those without a class or a shape are left out.
 /// Confirmed ones are those in the layer.

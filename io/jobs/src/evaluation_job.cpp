@@ -3,8 +3,6 @@
 
 #include "evaluated_archive.hpp"
 #include "evaluated_relations.hpp"
-#include "hypermap/core/base/class_registry.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 
 #include <algorithm>
@@ -20,35 +18,6 @@ namespace {
 
 EvaluatedSource source_of(const EvaluationJob& job) {
   return {.layer = job.layer, .limits = job.limits, .stop = job.stop};
-}
-
-/// A map whose layer lies in the frame of the truth. Errors: kUnsupported when it does not.
-Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
-                                       const EvaluationJob& job,
-                                       const std::string& frame_id) {
-  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedArchive loaded, load_evaluated(path, source_of(job)));
-  if (loaded.frame_id == frame_id) return loaded;
-  return Unexpected(Error{.code = ErrorCode::kUnsupported,
-                          .what = "is in frame " + printable(loaded.frame_id) +
-                                  ", must be in that of the truth: " + printable(frame_id),
-                          .file = path.string(),
-                          .field = job.layer});
-}
-
-Result<void> check_classes(const EvaluationReport& report,
-                           const EvaluationOptions& options,
-                           std::span<const EvaluatedObject> truth) {
-  for (const std::string& name : options.classes) {
-    if (report.classes.contains(canonical_class_name(name))) continue;
-    std::vector<std::string> known;
-    known.reserve(truth.size());
-    for (const EvaluatedObject& object : truth) known.push_back(object.class_name);
-    return fail(ErrorCode::kNotFound,
-                "neither the map nor the truth has an object of class '" + printable(name) + "'" +
-                    did_you_mean(name, known),
-                "classes");
-  }
-  return {};
 }
 
 std::string extension_frame(const MapArchive& archive, std::string_view format) {
@@ -105,7 +74,7 @@ Result<ObjectPredictions> all_predictions(std::span<const BelievedObject> believ
   for (const MapAndTruth& pair : job.also) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto other_truth, load_evaluated(pair.truth, source_of(job)));
     HYPERMAP_ASSIGN_OR_RETURN(const auto other_map,
-                              load_in_frame(pair.map, job, other_truth.frame_id));
+                              load_in_frame(pair.map, source_of(job), other_truth.frame_id));
     const ObjectPredictions more =
         object_predictions(believed_objects(other_map), other_truth.objects, job.options);
     add_to(all.real, more.real);
@@ -147,7 +116,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   HYPERMAP_TRY(validate(job.options));
   HYPERMAP_TRY(validate(job.calibration));
   HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, source_of(job)));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, job, truth.frame_id));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, source_of(job), truth.frame_id));
   EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, job.options),
                             .knows_frames_named = knows_frames_named(truth.objects)};
   HYPERMAP_TRY(check_classes(outcome.report, job.options, truth.objects));
@@ -163,7 +132,8 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   outcome.real = calibration(predictions.real, job.calibration);
   outcome.objects = object_outcomes(believed, predictions, truth);
   if (job.against) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other, load_in_frame(*job.against, job, truth.frame_id));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto other,
+                              load_in_frame(*job.against, source_of(job), truth.frame_id));
     HYPERMAP_ASSIGN_OR_RETURN(
         outcome.against,
         compare(outcome.report, evaluate(other.objects, truth.objects, job.options)));

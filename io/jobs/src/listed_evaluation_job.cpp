@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/listed_evaluation_job.hpp"
 
-#include "evaluated_archive.hpp"
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/evaluation/instance_sightings.hpp"
 #include "hypermap/io/archive/listed_instances_file.hpp"
+#include "listed_evaluation.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -100,15 +100,11 @@ InstanceStanding standing_of(std::size_t t,
 
 }  // namespace
 
-Result<ListedEvaluation> run_listed_evaluation(const ListedEvaluationJob& job) {
-  HYPERMAP_TRY(validate(job.options));
-  ListedEvaluation outcome;
-  HYPERMAP_ASSIGN_OR_RETURN(outcome.listed, load_listed_instances(job.truth));
-  HYPERMAP_ASSIGN_OR_RETURN(
-      const auto map,
-      load_evaluated(job.map, {.layer = job.layer, .limits = job.limits, .stop = job.stop}));
-  HYPERMAP_ASSIGN_OR_RETURN(const MapFromInput map_from_input,
-                            place_of_sequence(map.archive, job, outcome));
+Result<ListedEvaluation> evaluate_listed(const EvaluatedArchive& map,
+                                         const ListedInstances& listed,
+                                         const ListedEvaluationJob& job) {
+  ListedEvaluation outcome{.listed = listed};
+  HYPERMAP_ASSIGN_OR_RETURN(outcome.map_from_input, place_of_sequence(map.archive, job, outcome));
   HYPERMAP_TRY(take_objects(map, job, outcome));
   if (job.frames) HYPERMAP_TRY(count_frames_named(job, outcome));
   outcome.instances.reserve(outcome.listed.instances.size());
@@ -116,11 +112,20 @@ Result<ListedEvaluation> run_listed_evaluation(const ListedEvaluationJob& job) {
     const ListedInstance& instance = outcome.listed.instances[t];
     outcome.instances.push_back(
         {.class_names = instance.class_names,
-         .box = box_in_map(instance, outcome.listed.up_in_input, map_from_input),
+         .box = box_in_map(instance, outcome.listed.up_in_input, outcome.map_from_input),
          .standing = standing_of(t, outcome, map.archive.classes)});
   }
   outcome.comparison = compare_instances(outcome.objects, outcome.instances, job.options);
   return outcome;
+}
+
+Result<ListedEvaluation> run_listed_evaluation(const ListedEvaluationJob& job) {
+  HYPERMAP_TRY(validate(job.options));
+  HYPERMAP_ASSIGN_OR_RETURN(const ListedInstances listed, load_listed_instances(job.truth));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto map,
+      load_evaluated(job.map, {.layer = job.layer, .limits = job.limits, .stop = job.stop}));
+  return evaluate_listed(map, listed, job);
 }
 
 }  // namespace hypermap

@@ -33,7 +33,6 @@ void count(const PoseCorrection& pose, PoseCounts& counts) {
 
 void count(const FrameReport& frame, MappingReport& report) {
   count(frame.pose, report.poses);
-  report.seconds.refine += frame.seconds.refine;
   ++report.num_frames;
   report.num_detections += frame.num_detections;
   report.num_filtered += frame.num_transient;
@@ -44,10 +43,16 @@ void count(const FrameReport& frame, MappingReport& report) {
   report.points.num_not_measured += frame.integration.num_not_measured;
   report.points.num_not_finite += frame.integration.num_not_finite;
   report.points.num_outside_volume += frame.integration.num_outside_volume;
+  report.seconds.refine += frame.seconds.refine;
   report.seconds.segment += frame.seconds.segment;
   report.seconds.associate += frame.seconds.associate;
   report.seconds.integrate += frame.seconds.integrate;
   report.seconds.visibility += frame.seconds.visibility;
+  report.frame_times.add(FrameStage::kRefine, frame.seconds.refine);
+  report.frame_times.add(FrameStage::kSegment, frame.seconds.segment);
+  report.frame_times.add(FrameStage::kAssociate, frame.seconds.associate);
+  report.frame_times.add(FrameStage::kIntegrate, frame.seconds.integrate);
+  report.frame_times.add(FrameStage::kVisibility, frame.seconds.visibility);
 }
 
 }  // namespace hypermap

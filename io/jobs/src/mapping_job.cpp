@@ -54,6 +54,8 @@ Result<FrameReport> map_frame(MappingRun& run,
   if (!prepared) return Unexpected(std::move(prepared).error());
   report.seconds.read += prepared->read_s;
   report.seconds.detect += prepared->detect_s;
+  report.frame_times.add(FrameStage::kRead, prepared->read_s);
+  report.frame_times.add(FrameStage::kDetect, prepared->detect_s);
   RgbdFrame& frame = prepared->frame;
   frame.index += run.index_offset;
   HYPERMAP_ASSIGN_OR_RETURN(FrameReport done,
@@ -173,9 +175,12 @@ Result<void> map_frames(MappingRun& run,
   for (std::size_t i = begin; i < total; ++i) {
     StopWatch watch;
     auto frame = stream.next();
-    report.seconds.wait += watch.lap();
+    const double wait_s = watch.lap();
+    report.seconds.wait += wait_s;
     const auto done = map_frame(run, i, std::move(frame), job, report);
     if (done) {
+      report.frame_times.add(FrameStage::kWait, wait_s);
+      report.frame_times.add(FrameStage::kFrame, wait_s + watch.lap());
       count(*done, report);
     } else if (spares_other_frames(done.error())) {
       report.skipped.push_back(about(done.error(), run.dataset->frame_name(i)));

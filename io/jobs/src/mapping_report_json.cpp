@@ -3,6 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <string_view>
+
 namespace hypermap {
 
 namespace {
@@ -21,7 +24,39 @@ Json json_of(const PoseCounts& poses) {
           {"max_rotation_rad", poses.max_rotation_rad}};
 }
 
+/// Quartiles of each stage's times; stages that took no time in any frame are null.
+Json json_of(const FrameTimes& times) {
+  Json json = Json::object();
+  for (const FrameStage stage : kFrameStages) {
+    const SeriesSample& sample = times.of(stage);
+    const FiveNumbers numbers = sample.numbers();
+    Json& entry = json[std::string(name_of(stage))];
+    if (!(numbers.max > 0.0)) continue;
+    entry = {{"frames", sample.n()},
+             {"one_of", sample.stride()},
+             {"min_s", numbers.min},
+             {"lower_s", numbers.lower},
+             {"median_s", numbers.median},
+             {"upper_s", numbers.upper},
+             {"max_s", numbers.max}};
+  }
+  return json;
+}
+
 }  // namespace
+
+std::string_view name_of(FrameStage stage) {
+  constexpr std::array<std::string_view, kFrameStages.size()> kNames{"read",
+                                                                     "detect",
+                                                                     "wait",
+                                                                     "refine",
+                                                                     "segment",
+                                                                     "integrate",
+                                                                     "associate",
+                                                                     "visibility",
+                                                                     "frame"};
+  return kNames[static_cast<std::size_t>(stage)];
+}
 
 std::string to_json(const MappingReport& report) {
   const MappingSeconds& seconds = report.seconds;
@@ -61,6 +96,7 @@ std::string to_json(const MappingReport& report) {
                       {"visibility", seconds.visibility},
                       {"project", seconds.project},
                       {"write", seconds.write}};
+  json["frame_times"] = json_of(report.frame_times);
   const auto num_mapped_now = static_cast<double>(report.num_frames - report.num_resumed);
   json["frames_per_s"] = seconds.wall > 0.0 ? num_mapped_now / seconds.wall : 0.0;
   json["peak_rss_bytes"] = report.peak_rss_bytes;

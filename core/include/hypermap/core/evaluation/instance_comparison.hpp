@@ -64,6 +64,11 @@ struct InstanceComparisonOptions {
 [[nodiscard]] Result<void> validate(const InstanceComparisonOptions& options);
 [[nodiscard]] const OptionTable& option_table(const InstanceComparisonOptions& options);
 
+/// Objects whose centre is farther from that of the thing's box are not it: half its longest
+/// horizontal side, at least its gate.
+[[nodiscard]] double instance_reach_m(const Box& instance,
+                                      const InstanceComparisonOptions& options);
+
 /// What the map has of one thing; indices are of the objects.
 struct InstanceResult {
   std::optional<std::size_t> object = std::nullopt;  ///< Of a right class, within reach.
@@ -106,7 +111,7 @@ struct InstanceComparison {
 /// reach; things that count and are still missed with objects of any class that overlap them. Of
 /// the objects left, one within reach of a found thing of its class is a duplicate of the nearest,
 /// one whose centre lies within `near_m` of things that do not count is at the nearest of them, all
-/// others are false. Reach: half the thing's longest horizontal side, at least its gate.
+/// others are false. Reach: `instance_reach_m`.
 ///
 /// Boundary: distances and deviations of exactly the limit are within.
 /// Requires: validate(options), boxes with positive sides. Cost: O(n^3).

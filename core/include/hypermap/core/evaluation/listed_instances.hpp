@@ -9,6 +9,7 @@
 
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/geometry/frames.hpp"
+#include "hypermap/core/geometry/turned_box.hpp"
 
 #include <Eigen/Geometry>
 
@@ -63,5 +64,11 @@ struct ListedInstances {
 [[nodiscard]] Box box_in_map(const ListedInstance& instance,
                              const Eigen::Vector3d& up_in_input,
                              const MapFromInput& map_from_input);
+
+/// The thing's own upright box as it stands in the map: its width along the horizontal part of its
+/// first axis there. Requires: that axis is not along the map's z.
+[[nodiscard]] TurnedBox turned_box_in_map(const ListedInstance& instance,
+                                          const Eigen::Vector3d& up_in_input,
+                                          const MapFromInput& map_from_input);
 
 }  // namespace hypermap

@@ -41,6 +41,7 @@ struct ListedEvaluationJob {
 
 struct ListedEvaluation {
   ListedInstances listed = {};
+  MapFromInput map_from_input = {};              ///< Where the list's world lies in the map.
   std::vector<ComparedInstance> instances = {};  ///< In the order of the list, in the map.
   std::vector<ComparedObject> objects = {};      ///< Of the map.
   std::vector<ObjectId> object_ids = {};         ///< Likewise.

@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/job_progress.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/base/series_sample.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
@@ -12,10 +13,13 @@
 #include "hypermap/io/jobs/look_options.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -100,6 +104,46 @@ struct MappingSeconds {
   double wall = 0.0;
 };
 
+/// A part of the work on a frame, as MappingSeconds has them; the last one is all that the run
+/// does for a frame, waiting for it included.
+enum class FrameStage : std::uint8_t {
+  kRead,
+  kDetect,
+  kWait,
+  kRefine,
+  kSegment,
+  kIntegrate,
+  kAssociate,
+  kVisibility,
+  kFrame,
+};
+inline constexpr std::array<FrameStage, 9> kFrameStages{FrameStage::kRead,
+                                                        FrameStage::kDetect,
+                                                        FrameStage::kWait,
+                                                        FrameStage::kRefine,
+                                                        FrameStage::kSegment,
+                                                        FrameStage::kIntegrate,
+                                                        FrameStage::kAssociate,
+                                                        FrameStage::kVisibility,
+                                                        FrameStage::kFrame};
+
+/// One word each, for output: "read" ...
+[[nodiscard]] std::string_view name_of(FrameStage stage);
+
+/// Wall clock of single frames by stage, in seconds: of frames that are in the map since the run
+/// began or was resumed; reading and detecting also of those that were skipped after it.
+/// Source: [smap] 5.1 (what its figure of callbacks shows).
+struct FrameTimes {
+  std::array<SeriesSample, kFrameStages.size()> samples = {};
+
+  [[nodiscard]] const SeriesSample& of(FrameStage stage) const {
+    return samples[static_cast<std::size_t>(stage)];
+  }
+  void add(FrameStage stage, double seconds) {
+    samples[static_cast<std::size_t>(stage)].add(seconds);
+  }
+};
+
 /// What became of the given poses, when they are refined; all 0 otherwise.
 struct PoseCounts {
   std::size_t num_refined = 0;
@@ -135,6 +179,7 @@ struct MappingReport {
   std::size_t peak_rss_bytes = 0;
   int num_threads = 1;
   MappingSeconds seconds;
+  FrameTimes frame_times;
 };
 
 /// A few frames are compared first: depth and poses that another reading explains much better, and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "turned_box.hpp"
+#include "hypermap/core/geometry/turned_box.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,20 +52,25 @@ TurnedBox quarter_turned(const TurnedBox& box) {
   return turned;
 }
 
-}  // namespace
-
-Ring outline_of(const Object& object) {
-  if (auto shape = footprint(object)) return std::move(shape->outer);
-  const Eigen::Vector3d& low = object.box.min_in_map;
-  const Eigen::Vector3d& high = object.box.max_in_map;
-  return {{low.x(), low.y()}, {high.x(), low.y()}, {high.x(), high.y()}, {low.x(), high.y()}};
+/// What a box covers from above, counter-clockwise.
+Polygon plan_of(const TurnedBox& box) {
+  const auto corner = [&box](double along, double across) -> Eigen::Vector2d {
+    return box.map_from_box.topLeftCorner<2, 2>() * Eigen::Vector2d(along, across);
+  };
+  return {.outer = {corner(box.low.x(), box.low.y()),
+                    corner(box.high.x(), box.low.y()),
+                    corner(box.high.x(), box.high.y()),
+                    corner(box.low.x(), box.high.y())},
+          .holes = {}};
 }
 
-TurnedBox turned_box_of(const Object& object) {
-  TurnedBox box = least_rectangle(outline_of(object));
+}  // namespace
+
+TurnedBox turned_box_around(const Ring& outline, double low_z_m, double high_z_m) {
+  TurnedBox box = least_rectangle(outline);
   if (box.extent().x() < box.extent().y()) box = quarter_turned(box);
-  box.low.z() = object.box.min_in_map.z();
-  box.high.z() = object.box.max_in_map.z();
+  box.low.z() = low_z_m;
+  box.high.z() = high_z_m;
   return box;
 }
 
@@ -79,6 +84,14 @@ Box bounding_box(const TurnedBox& box) {
     around.max_in_map = around.max_in_map.cwiseMax(in_map);
   }
   return around;
+}
+
+double intersection_over_union(const TurnedBox& a, const TurnedBox& b) {
+  const double common_height_m = std::min(a.high.z(), b.high.z()) - std::max(a.low.z(), b.low.z());
+  if (!(a.volume_m3() > 0.0) || !(b.volume_m3() > 0.0) || !(common_height_m > 0.0)) return 0.0;
+  const double common_m3 =
+      covered_share(plan_of(a), plan_of(b)) * plan_area_m2(a) * common_height_m;
+  return common_m3 / (a.volume_m3() + b.volume_m3() - common_m3);
 }
 
 }  // namespace hypermap

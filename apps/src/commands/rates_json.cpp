@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rates_texts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace hypermap::app {
+namespace {
+
+using RatesJson = nlohmann::ordered_json;
+
+template <class T>
+RatesJson known(const std::optional<T>& value) {
+  return value ? RatesJson(*value) : RatesJson(nullptr);
+}
+
+RatesJson known(const std::optional<Eigen::Vector3d>& vector) {
+  if (!vector) return nullptr;
+  return {vector->x(), vector->y(), vector->z()};
+}
+
+RatesJson json_of(const PositionErrorSummary& errors) {
+  return {{"n", errors.n},
+          {"mean_m", known(errors.mean_m)},
+          {"distance_m", known(errors.mean_distance_m)},
+          {"std_distance_m", known(errors.std_distance_m)},
+          {"rmse_xyz_m", known(errors.rmse_m)},
+          {"rmse_m", known(errors.total_rmse_m)}};
+}
+
+RatesJson json_of(const RateRow& row, const char* precision_key) {
+  const BinaryCounts& counts = row.counts;
+  RatesJson precisions = RatesJson::object();
+  for (const MatchCriterion criterion : kMatchCriteria)
+    precisions[std::string(key_of(criterion))] =
+        known(row.average_precision[static_cast<std::size_t>(criterion)]);
+  return {{"things", counts.true_positives + counts.false_negatives},
+          {"tp", counts.true_positives},
+          {"fp", counts.false_positives},
+          {"fn", counts.false_negatives},
+          {"tn", known(counts.true_negatives)},
+          {"tpr", known(counts.true_positive_rate())},
+          {"tnr", known(counts.true_negative_rate())},
+          {"fpr", known(counts.false_positive_rate())},
+          {"fnr", known(counts.false_negative_rate())},
+          {"accuracy", known(counts.accuracy())},
+          {"precision", known(counts.precision())},
+          {precision_key, std::move(precisions)},
+          {"box_iou", known(row.box_iou)},
+          {"position", json_of(row.position)}};
+}
+
+RatesJson json_of(const Classifications& classes) {
+  return {{"objects", classes.num_all},
+          {"right", classes.num_right},
+          {"accuracy", known(classes.accuracy())}};
+}
+
+RatesJson json_of(const TruthRun& instance) {
+  return {{"thing", instance.reference},
+          {"class", instance.class_name},
+          {"counts", instance.counts},
+          {"object", known(instance.object_id)},
+          {"true_position", known(instance.true_centre)},
+          {"position", known(instance.centre)},
+          {"error_m", known(instance.error_m)},
+          {"box_iou", known(instance.overlap)}};
+}
+
+RatesJson json_of(const ObjectRow& row) {
+  return {{"thing", row.reference},
+          {"class", row.class_name},
+          {"runs", row.num_counting},
+          {"found", row.num_found},
+          {"position", json_of(row.position)}};
+}
+
+RatesJson json_of(const std::vector<PrecisionRecallPoint>& curve) {
+  RatesJson points = RatesJson::array();
+  for (const PrecisionRecallPoint& point : curve)
+    points.push_back({{"confidence", point.probability},
+                      {"precision", point.precision},
+                      {"recall", point.recall}});
+  return points;
+}
+
+}  // namespace
+
+std::vector<RunName> run_names(const RatesJob& job) {
+  std::vector<RunName> names;
+  names.reserve(job.maps.size());
+  for (std::size_t i = 0; i < job.maps.size(); ++i) {
+    const auto& truth = job.truths[std::min(i, job.truths.size() - 1)];
+    names.push_back({job.maps[i].filename().string(), truth.filename().string()});
+  }
+  return names;
+}
+
+std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>& names) {
+  const RunTables& tables = outcome.tables;
+  RatesJson json{{"all", json_of(tables.all, "map")},
+                 {"classification", json_of(tables.classifications)},
+                 {"classes", RatesJson::object()},
+                 {"runs", RatesJson::array()},
+                 {"over_runs", RatesJson::object()},
+                 {"things", RatesJson::array()},
+                 {"mean_errors", json_of(tables.mean_errors)},
+                 {"unknown", outcome.unknown}};
+  for (const auto& [name, row] : tables.classes) {
+    json["classes"][name] = json_of(row.rates, "ap");
+    json["classes"][name]["curve"] = json_of(row.curve);
+  }
+  for (std::size_t i = 0; i < tables.runs.size(); ++i) {
+    RatesJson run{{"map", names[i].map}, {"truth", names[i].truth}};
+    run.update(json_of(tables.runs[i], "map"));
+    run["classification"] = json_of(tables.run_classifications[i]);
+    run["things_found"] = RatesJson::array();
+    for (const TruthRun& instance : outcome.runs[i].truths)
+      run["things_found"].push_back(json_of(instance));
+    json["runs"].push_back(std::move(run));
+  }
+  for (const RunFigure& figure : tables.figures)
+    json["over_runs"][figure.key] = {{"n", figure.over_runs.n},
+                                     {"mean", known(figure.over_runs.mean)},
+                                     {"std", known(figure.over_runs.std)}};
+  for (const ObjectRow& row : tables.objects) json["things"].push_back(json_of(row));
+  return json.dump(2, ' ', false, RatesJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hypermap::app
