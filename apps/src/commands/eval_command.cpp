@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "class_names.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "evaluation_texts.hpp"
@@ -33,14 +34,16 @@ struct EvalArguments {
   std::optional<std::string> description;
   std::vector<std::string> detections;
   bool json = false;
+  ClassNames class_names;
   LoadArguments load;
 };
 
-EvaluationJob job_of(const EvalArguments& arguments) {
+Result<EvaluationJob> job_of(const EvalArguments& arguments) {
   EvaluationJob job{.map = arguments.map, .truth = arguments.truth, .layer = arguments.layer};
   if (arguments.against) job.against = *arguments.against;
   for (const auto& [map, truth] : arguments.also) job.also.push_back({map, truth});
   job.options.classes = arguments.classes;
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   job.limits = arguments.load.limits;
   job.stop = stop_when_interrupted();
   return job;
@@ -48,7 +51,7 @@ EvaluationJob job_of(const EvalArguments& arguments) {
 
 std::vector<std::filesystem::path> inputs_of(const EvalArguments& arguments) {
   std::vector<std::filesystem::path> inputs{
-      arguments.map, arguments.truth, arguments.against.value_or("")};
+      arguments.map, arguments.truth, arguments.against.value_or(""), arguments.class_names.file};
   for (const auto& [map, truth] : arguments.also) {
     inputs.emplace_back(map);
     inputs.emplace_back(truth);
@@ -62,8 +65,9 @@ Result<void> write_plot(const std::string& path, const EvaluationOutcome& outcom
   return write_file_atomically(path, bytes);
 }
 
-ListedEvaluationJob listed_job_of(const EvalArguments& arguments) {
+Result<ListedEvaluationJob> listed_job_of(const EvalArguments& arguments) {
   ListedEvaluationJob job{.map = arguments.map, .truth = arguments.truth, .layer = arguments.layer};
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   if (arguments.input) {
     job.frames = NamingFrames{.input = *arguments.input};
     if (arguments.description) job.frames->dataset.description = *arguments.description;
@@ -90,13 +94,14 @@ Result<void> check_options_of(const EvalArguments& arguments, bool truth_is_list
 }
 
 ExitCode run_listed_eval(const EvalArguments& arguments) {
-  const ListedEvaluationJob job = listed_job_of(arguments);
-  const auto outcome = run_listed_evaluation(job);
+  const auto job = listed_job_of(arguments);
+  if (!job) return report(job.error());
+  const auto outcome = run_listed_evaluation(*job);
   if (!outcome) return report(outcome.error());
   ExitCode worst = ExitCode::kDone;
   for (const Finding& finding : outcome->findings) worst = std::max(worst, report(finding));
   const std::string text =
-      arguments.json ? json_text_of(*outcome, job.options) : table_text_of(*outcome, job.options);
+      arguments.json ? json_text_of(*outcome, job->options) : table_text_of(*outcome, job->options);
   std::printf("%s", text.c_str());
   return worst;
 }
@@ -107,7 +112,9 @@ ExitCode run_eval(const EvalArguments& arguments) {
   if (const auto fits = check_options_of(arguments, truth_is_list); !fits)
     return report(fits.error());
   if (truth_is_list) return run_listed_eval(arguments);
-  auto outcome = run_evaluation(job_of(arguments));
+  const auto job = job_of(arguments);
+  if (!job) return report(job.error());
+  auto outcome = run_evaluation(*job);
   if (!outcome) {
     if (outcome.error().field == "classes") outcome.error().field = "--classes";
     return report(outcome.error());
@@ -139,7 +146,10 @@ void add_eval_command(CLI::App& program, Action& action) {
                      arguments->also,
                      "a further map and its truth, for the calibration alone; repeatable");
   command.add_option("--layer", arguments->layer, "semantic layer in each")->capture_default_str();
-  command.add_option("--classes", arguments->classes, "only these, separated by commas")
+  command
+      .add_option("--classes",
+                  arguments->classes,
+                  "only these, as query --string takes them, separated by commas")
       ->delimiter(',');
   command.add_option(
       "--reliability", arguments->reliability, "PNG to write: P(best class) left, P(real) right");
@@ -154,6 +164,7 @@ void add_eval_command(CLI::App& program, Action& action) {
                   "with --input: detections file, one a detector; may be repeated")
       ->needs(input);
   command.add_flag("--json", arguments->json, "one JSON document");
+  arguments->class_names.add_to(command);
   arguments->load.add_to(command);
   show_examples(command,
                 {"hypermap eval --map lab.hmap --truth lab/truth.hmap",

@@ -2,6 +2,7 @@
 #include "evaluated_archive.hpp"
 
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
 #include <algorithm>
@@ -17,16 +18,33 @@ const Object* object_of(const MapArchive& archive, std::uint64_t id) {
   return archive.objects.find(ObjectId{static_cast<std::uint32_t>(id)});
 }
 
+/// That it is of a class by another name of it.
+double probability_of_aliases(const Object& object, ClassId id, const MapArchive& archive) {
+  double sum = 0.0;
+  if (archive.vocabulary.empty()) return sum;
+  const std::string class_name = archive.vocabulary.class_of(archive.classes.name(id));
+  for (const ClassEvidence& other : object_beliefs(object).classes) {
+    if (other.id == id || !archive.classes.contains(other.id)) continue;
+    const bool is_same = archive.vocabulary.class_of(archive.classes.name(other.id)) == class_name;
+    if (is_same) sum += other.probability.value();
+  }
+  return sum;
+}
+
 std::optional<BelievedObject> believed(const Object& object,
-                                       const ClassRegistry& classes,
+                                       const MapArchive& archive,
                                        bool is_confirmed) {
+  const ClassRegistry& classes = archive.classes;
   const auto best = best_class(object);
   if (!best || !classes.contains(best->id)) return std::nullopt;
-  BelievedObject result{.id = object.id.value,
-                        .is_confirmed = is_confirmed,
-                        .real_probability = real_probability(object).value(),
-                        .best_class_probability = best->probability.value()};
-  result.shape.class_name = classes.name(best->id);
+  const std::string& name = classes.name(best->id);
+  BelievedObject result{
+      .id = object.id.value,
+      .is_confirmed = is_confirmed,
+      .real_probability = real_probability(object).value(),
+      .best_class_probability =
+          best->probability.value() + probability_of_aliases(object, best->id, archive)};
+  result.shape.class_name = archive.vocabulary.shown_class(name);
   result.shape.centroid = object.centroid_in_map.head<2>();
   result.shape.box = object.box;
   return result;
@@ -57,12 +75,24 @@ Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
   return result;
 }
 
+void understand(EvaluatedArchive& evaluated, const ClassVocabulary& vocabulary) {
+  for (EvaluatedObject& object : evaluated.objects) {
+    object.class_name = vocabulary.shown_class(object.class_name);
+  }
+  if (evaluated.archive.true_surfaces) {
+    for (TrueSurface& surface : evaluated.archive.true_surfaces->objects) {
+      surface.class_name = vocabulary.shown_class(surface.class_name);
+    }
+  }
+  evaluated.archive.vocabulary = vocabulary;
+}
+
 std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map) {
   std::vector<BelievedObject> objects;
   for (const Object& object : map.archive.objects.objects()) {
     const auto in_layer = std::find(map.ids.begin(), map.ids.end(), object.id.value);
     const bool is_confirmed = in_layer != map.ids.end();
-    auto belief = believed(object, map.archive.classes, is_confirmed);
+    auto belief = believed(object, map.archive, is_confirmed);
     if (!belief) continue;
     if (is_confirmed) {
       const EvaluatedObject& shown =

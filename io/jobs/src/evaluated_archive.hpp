@@ -33,8 +33,13 @@ struct EvaluatedSource {
 [[nodiscard]] Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
                                                       const EvaluatedSource& source);
 
+/// Names of classes become what they mean by the vocabulary: in the objects, in the true surfaces,
+/// and wherever the archive is asked.
+void understand(EvaluatedArchive& evaluated, const ClassVocabulary& vocabulary);
+
 /// All objects of a map with what it believes; those without a class or a shape are left out.
-/// Confirmed ones are those in the layer.
+/// Confirmed ones are those in the layer. Names that mean one class by the archive's vocabulary are
+/// one: their probabilities are summed.
 [[nodiscard]] std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map);
 
 }  // namespace hypermap
