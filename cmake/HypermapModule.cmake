@@ -168,6 +168,7 @@ function(hypermap_install_package)
   install(FILES ${PROJECT_BINARY_DIR}/hypermap-config.cmake
                 ${PROJECT_BINARY_DIR}/hypermap-config-version.cmake
                 cmake/FindLibDeflate.cmake
+                cmake/FindPcre2.cmake
                 cmake/FindPclLite.cmake
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/hypermap)
 endfunction()

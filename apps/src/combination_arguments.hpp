@@ -3,8 +3,6 @@
 /// How what several detectors say becomes one, from the command line.
 #pragma once
 
-#include "hypermap/core/base/result.hpp"
-
 #include <CLI/App.hpp>
 
 #include <filesystem>
@@ -23,8 +21,8 @@ struct CombinationArguments {
 
   /// `stacking.rule`: as it was given, else the one that the other flags need, if any was given.
   [[nodiscard]] std::optional<std::string> rule_text() const;
-  /// `stacking.weights`, as a file of options says them. Errors: kInvalidArgument naming the flag.
-  [[nodiscard]] Result<std::optional<std::string>> weights_text() const;
+  /// `stacking.weights`, as a file of options says them. Requires: parsed by `add_to`'s option.
+  [[nodiscard]] std::optional<std::string> weights_text() const;
 };
 
 }  // namespace hypermap::app

@@ -3,6 +3,8 @@
 
 #include "option_flags.hpp"
 
+#include <CLI/Error.hpp>
+
 #include <algorithm>
 #include <system_error>
 
@@ -66,6 +68,29 @@ std::vector<std::string> unused_detections(const std::filesystem::path& folder) 
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+CLI::Option& DetectionFiles::add_to(CLI::App& command) {
+  CLI::Option& option = *command.add_option(
+      "--detections", files, "detections file, one a detector; may be repeated");
+  command.add_option(
+      "--detector",
+      detectors,
+      "whose words --detections are: the first names the detector of the first file, "
+      "and so on; may be repeated (default: what the file says, else its name)");
+  return option;
+}
+
+void DetectionFiles::keep_to_files() const {
+  if (detectors.size() <= files.size()) return;
+  throw CLI::ValidationError("--detector",
+                             "names " + std::to_string(detectors.size()) + " detectors of " +
+                                 std::to_string(files.size()) + " files of --detections");
+}
+
+void DetectionFiles::put_into(DatasetOptions& options) const {
+  options.detections.assign(files.begin(), files.end());
+  options.detector_names = detectors;
 }
 
 void add_keep_classes(CLI::App& command, std::vector<std::string>& names) {

@@ -10,6 +10,7 @@
 
 #include <CLI/App.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -39,6 +40,18 @@ inline constexpr const char* kDescriptionHelp =
 
 /// Files of the dataset's folder that look like detections and are not read unless named.
 [[nodiscard]] std::vector<std::string> unused_detections(const std::filesystem::path& folder);
+
+/// Files of detections, and whose words the first of them hold.
+struct DetectionFiles {
+  std::vector<std::string> files;
+  std::vector<std::string> detectors;
+
+  /// Gives the option of the files.
+  CLI::Option& add_to(CLI::App& command);
+  /// Throws CLI::ValidationError when there are more names than files.
+  void keep_to_files() const;
+  void put_into(DatasetOptions& options) const;
+};
 
 /// The only classes whose detections are used or written.
 void add_keep_classes(CLI::App& command, std::vector<std::string>& names);

@@ -100,6 +100,7 @@ Result<std::optional<SensedStackReport>> SensedArguments::fuse_into(GridStack& s
   if (dataset.input.empty()) return std::optional<SensedStackReport>();
   SensedStackJob asked = job;
   asked.input = dataset.input;
+  asked.vocabulary = map.vocabulary;
   HYPERMAP_ASSIGN_OR_RETURN(asked.dataset, dataset.options());
   asked.dataset.read_color = false;
   asked.dataset.detections.assign(detections.begin(), detections.end());

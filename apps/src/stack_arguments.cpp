@@ -63,7 +63,9 @@ std::vector<CLI::Option*> add_voxel_options(CLI::App& command, StackArguments& a
   CLI::Option* classes =
       command
           .add_option(
-              "--class", request.classes, "only these, separated by commas; may be repeated")
+              "--class",
+              request.classes,
+              "only these, as query --string takes them, separated by commas; may be repeated")
           ->delimiter(',');
   CLI::Option* fused =
       command
@@ -146,6 +148,7 @@ void StackArguments::add_to(CLI::App& command) {
   }
   add_cut_options(command, *this);
   sensed.add_to(command);
+  class_names.add_to(command);
   load.add_to(command);
 }
 
@@ -222,6 +225,8 @@ Result<std::optional<std::size_t>> StackArguments::cells_without_class(
 
 Result<StackOfFile> StackArguments::make(const CommonOptions& common) const {
   HYPERMAP_ASSIGN_OR_RETURN(MapArchive whole_map, map());
+  ClassVocabulary own_vocabulary = whole_map.vocabulary;
+  HYPERMAP_TRY(class_names.replace(whole_map.vocabulary));
   std::optional<SensedStackReport> report;
   auto cut = [&]() -> Result<GridStack> {
     HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, uncut_stack(whole_map));
@@ -243,6 +248,7 @@ Result<StackOfFile> StackArguments::make(const CommonOptions& common) const {
   }();
   if (!cut) return Unexpected(with_source(cut.error(), {tiles.empty() ? file : tiles}));
   HYPERMAP_ASSIGN_OR_RETURN(const auto without_class, cells_without_class(whole_map));
+  whole_map.vocabulary = std::move(own_vocabulary);  // the call's is not saved
   return StackOfFile{.map = std::move(whole_map),
                      .stack = std::move(*cut),
                      .sensed = std::move(report),

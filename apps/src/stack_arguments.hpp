@@ -3,6 +3,7 @@
 /// The options by which commands say which stack they make of a map.
 #pragma once
 
+#include "class_names.hpp"
 #include "command.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
@@ -23,7 +24,7 @@ namespace hypermap::app {
 
 /// A map, and the stack that was asked of it.
 struct StackOfFile {
-  MapArchive map;
+  MapArchive map;  ///< With its own vocabulary.
   GridStack stack;
   std::optional<SensedStackReport> sensed = std::nullopt;  ///< Of the frames that were fused.
   /// As num_cells_without_class, where the stack is of voxels and no occupancy layer was fused.
@@ -46,6 +47,7 @@ struct StackArguments {
   std::optional<double> resolution_m;
   double yaw_deg = 0.0;
   SensedArguments sensed;
+  ClassNames class_names;
   LoadArguments load;
 
   void add_to(CLI::App& command);

@@ -177,6 +177,7 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(why["name"], thing["name"])
             self.assertEqual(why["withheld_for"], [])
             self.assertGreaterEqual(sum(naming["detections"] for naming in why["namings"]), 3)
+            self.assertEqual({naming["detector"] for naming in why["namings"]}, {"detections"})
             self.assertLessEqual(why["first"]["stamp_s"], why["last"]["stamp_s"])
             self.assertTrue(why["last_seen"]["detected"])
             self.assertLessEqual(why["last_seen"]["frame"], why["last"]["frame"])

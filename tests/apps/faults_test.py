@@ -17,7 +17,7 @@ import tempfile
 import unittest
 
 from faults import KILL, FaultCase, OLD, with_fault
-from program import DATA, IS_SANITIZED, digest, run
+from program import DATA, IS_SANITIZED, SOURCE, digest, run
 from tiny_dataset import make_dataset
 
 SAMPLE = 2 if IS_SANITIZED else 8
@@ -156,6 +156,12 @@ class Exports(FaultCase):
                 output = self.out / name
                 self.check_faults(lambda path=output: path.write_bytes(OLD),
                                   ["export", Inputs.objects(0.05), "--format", form, "--output", output], count=SAMPLE // 2)
+
+    def test_a_map_that_is_told_what_names_mean(self):
+        archive = self.out / "a.hmap"
+        self.is_repeatable = False
+        self.check_faults(lambda: shutil.copy(Inputs.objects(0.1), archive),
+                          ["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], count=SAMPLE)
 
     def test_an_archive_that_cannot_be_read(self):
         archive = self.folder / "in" / "a.hmap"

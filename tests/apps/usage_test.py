@@ -25,6 +25,11 @@ class Usage(unittest.TestCase):
                           ["map", "--input", "x", "--output", "y", "--resolution", "nan"],
                           ["map", "--input", "x", "--output", "y", "--resolution", "-1"],
                           ["map", "--input", "x", "--output", "y", "--mode", "fast"],
+                          ["map", "--input", "x", "--output", "y", "--weights", "yolo=-1"],
+                          ["map", "--input", "x", "--output", "y", "--weights", "yolo=1e7"],
+                          ["map", "--input", "x", "--output", "y", "--weights", "yolo"],
+                          ["map", "--input", "x", "--output", "y", "--detector", "yolo"],
+                          ["classes", "x", "--set", "y", "--clear"],
                           ["simulate", "--output", "x", "--frames", "0"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
                           ["query", "x", "--at", "1,2"]]:

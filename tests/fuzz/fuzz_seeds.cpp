@@ -28,6 +28,7 @@ std::string_view target_of(std::string_view member) {
   if (member == "provenance.yaml") return "provenance";
   if (member == "classes.yaml") return "yaml";
   if (member == "detectors.yaml") return "detectors";
+  if (member == "vocabulary.yaml") return "vocabulary";
   if (member.ends_with(".yaml")) return "map";
   if (member.ends_with(".png")) return "png";
   if (member.ends_with(".ot")) return "octree";
@@ -69,6 +70,9 @@ void write_members(std::shared_ptr<const ByteSource> source,
 /// The tests' sample with what only a simulation knows: two surfaces, one of them seen.
 MapArchive simulated_archive() {
   MapArchive archive = test::sample_archive();
+  archive.vocabulary = ClassVocabulary::create({.aliases = {{{"sofa"}, {{"settee"}}}},
+                                                .super_classes = {{{"seat"}, {{"sofa"}}}}})
+                           .value();
   archive.topological_map.emplace();
   archive.topological_map->observe({0, 0, 1.2});
   archive.topological_map->observe({1.5, 0, 1.2});

@@ -39,6 +39,7 @@ void fuzz_topology(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_vector(std::string_view bytes);
 void fuzz_views(std::string_view bytes);
+void fuzz_vocabulary(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
 void fuzz_zip(std::string_view bytes);
@@ -85,6 +86,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"trajectory", fuzz_trajectory},
                                       {"vector", fuzz_vector},
                                       {"views", fuzz_views},
+                                      {"vocabulary", fuzz_vocabulary},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},
                                       {"zip", fuzz_zip}};

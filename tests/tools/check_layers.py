@@ -37,6 +37,7 @@ THIRD_PARTY = {
     "jerror.h": ("JPEG::JPEG", ("codec",)),
     "nlohmann/": ("nlohmann_json::nlohmann_json", ("exports", "jobs", "apps")),
     "epoxy/": ("epoxy", ("viewer_offscreen",)),
+    "pcre2.h": ("Pcre2::Pcre2", ("core",)),
     "xxhash.h": ("XxHash::headers", ("archive",)),
     "CLI/": ("CLI11::CLI11", ("apps",)),
 }

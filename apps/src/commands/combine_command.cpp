@@ -21,14 +21,14 @@ namespace {
 struct CombineArguments {
   DatasetArguments dataset;
   CombinerJob job;
-  std::vector<std::string> detections;
+  DetectionFiles detections;
 };
 
 Result<CombinerJobReport> run(const CombineArguments& arguments, const std::string& progress_when) {
   CombinerJob job = arguments.job;
   job.input = arguments.dataset.input;
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
-  job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
+  arguments.detections.put_into(job.dataset);
   Progress progress("reading", progress_when);
   return train_combiner_job(
       job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
@@ -69,10 +69,7 @@ void add_combine_command(CLI::App& program, const CommonOptions& common, Action&
   CLI::App& command = *program.add_subcommand(
       "combine", "Learn from labelled frames how to combine detectors, for map --combiner");
   arguments->dataset.add_to(command);
-  command
-      .add_option(
-          "--detections", arguments->detections, "detections file, one a detector; repeated")
-      ->required();
+  arguments->detections.add_to(command).required();
   command
       .add_option("--labels",
                   arguments->job.labels,
@@ -89,11 +86,13 @@ void add_combine_command(CLI::App& program, const CommonOptions& common, Action&
                 {"hypermap combine --input lab --detections yolo.jsonl --detections ssd.jsonl "
                  "--labels true.jsonl --output combiner.json"});
   command.callback([arguments, &common, &action] {
+    arguments->detections.keep_to_files();
     std::vector<std::filesystem::path> read{arguments->dataset.input,
                                             arguments->dataset.description.value_or(""),
                                             arguments->dataset.classes.value_or(""),
                                             arguments->job.labels};
-    read.insert(read.end(), arguments->detections.begin(), arguments->detections.end());
+    const auto& detections = arguments->detections.files;
+    read.insert(read.end(), detections.begin(), detections.end());
     keep_apart("--output", arguments->job.output, read);
     action = [arguments, &common] {
       const auto done = run(*arguments, common.progress);

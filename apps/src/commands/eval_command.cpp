@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "class_names.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "evaluation_texts.hpp"
@@ -36,6 +37,7 @@ struct EvalArguments {
   bool json = false;
   bool rates = false;
   std::optional<std::string> csv;
+  ClassNames class_names;
   LoadArguments load;
 
   [[nodiscard]] bool asks_for_rates() const {
@@ -43,19 +45,21 @@ struct EvalArguments {
   }
 };
 
-EvaluationJob job_of(const EvalArguments& arguments) {
+Result<EvaluationJob> job_of(const EvalArguments& arguments) {
   EvaluationJob job{
       .map = arguments.maps.front(), .truth = arguments.truths.front(), .layer = arguments.layer};
   if (arguments.against) job.against = *arguments.against;
   for (const auto& [map, truth] : arguments.also) job.also.push_back({map, truth});
   job.options.classes = arguments.classes;
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   job.limits = arguments.load.limits;
   job.stop = stop_when_interrupted();
   return job;
 }
 
 std::vector<std::filesystem::path> inputs_of(const EvalArguments& arguments) {
-  std::vector<std::filesystem::path> inputs{arguments.against.value_or("")};
+  std::vector<std::filesystem::path> inputs{arguments.against.value_or(""),
+                                            arguments.class_names.file};
   inputs.insert(inputs.end(), arguments.maps.begin(), arguments.maps.end());
   inputs.insert(inputs.end(), arguments.truths.begin(), arguments.truths.end());
   for (const auto& [map, truth] : arguments.also) {
@@ -86,20 +90,22 @@ std::optional<NamingFrames> naming_frames_of(const EvalArguments& arguments) {
   return frames;
 }
 
-ListedEvaluationJob listed_job_of(const EvalArguments& arguments) {
+Result<ListedEvaluationJob> listed_job_of(const EvalArguments& arguments) {
   ListedEvaluationJob job{
       .map = arguments.maps.front(), .truth = arguments.truths.front(), .layer = arguments.layer};
   job.frames = naming_frames_of(arguments);
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   job.limits = arguments.load.limits;
   job.stop = stop_when_interrupted();
   return job;
 }
 
-RatesJob rates_job_of(const EvalArguments& arguments) {
+Result<RatesJob> rates_job_of(const EvalArguments& arguments) {
   RatesJob job{.frames = naming_frames_of(arguments), .layer = arguments.layer};
   job.maps.assign(arguments.maps.begin(), arguments.maps.end());
   job.truths.assign(arguments.truths.begin(), arguments.truths.end());
   job.options.classes = arguments.classes;
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   job.limits = arguments.load.limits;
   job.stop = stop_when_interrupted();
   return job;
@@ -147,12 +153,13 @@ Result<void> check_options_of(const EvalArguments& arguments, bool truth_is_list
 
 ExitCode run_rates(const EvalArguments& arguments) {
   if (const auto fits = check_options_of_runs(arguments); !fits) return report(fits.error());
-  const RatesJob job = rates_job_of(arguments);
-  const auto outcome = run_rates_job(job);
+  const auto job = rates_job_of(arguments);
+  if (!job) return report(job.error());
+  const auto outcome = run_rates_job(*job);
   if (!outcome) return report(in_flags(outcome.error()));
   ExitCode worst = ExitCode::kDone;
   for (const Finding& finding : outcome->findings) worst = std::max(worst, report(finding));
-  const std::vector<RunName> names = run_names(job);
+  const std::vector<RunName> names = run_names(*job);
   if (arguments.csv) {
     const auto written = write_csv_files(*outcome, names, *arguments.csv);
     if (!written) return report(written.error());
@@ -164,13 +171,14 @@ ExitCode run_rates(const EvalArguments& arguments) {
 }
 
 ExitCode run_listed_eval(const EvalArguments& arguments) {
-  const ListedEvaluationJob job = listed_job_of(arguments);
-  const auto outcome = run_listed_evaluation(job);
+  const auto job = listed_job_of(arguments);
+  if (!job) return report(job.error());
+  const auto outcome = run_listed_evaluation(*job);
   if (!outcome) return report(outcome.error());
   ExitCode worst = ExitCode::kDone;
   for (const Finding& finding : outcome->findings) worst = std::max(worst, report(finding));
   const std::string text =
-      arguments.json ? json_text_of(*outcome, job.options) : table_text_of(*outcome, job.options);
+      arguments.json ? json_text_of(*outcome, job->options) : table_text_of(*outcome, job->options);
   std::printf("%s", text.c_str());
   return worst;
 }
@@ -182,7 +190,9 @@ ExitCode run_eval(const EvalArguments& arguments) {
   if (const auto fits = check_options_of(arguments, truth_is_list); !fits)
     return report(fits.error());
   if (truth_is_list) return run_listed_eval(arguments);
-  const auto outcome = run_evaluation(job_of(arguments));
+  const auto job = job_of(arguments);
+  if (!job) return report(job.error());
+  const auto outcome = run_evaluation(*job);
   if (!outcome) return report(in_flags(outcome.error()));
   if (arguments.reliability) {
     if (const auto written = write_plot(*arguments.reliability, *outcome); !written)
@@ -215,7 +225,10 @@ void add_eval_command(CLI::App& program, Action& action) {
                          arguments->also,
                          "a further map and its truth, for the calibration alone; repeatable");
   command.add_option("--layer", arguments->layer, "semantic layer in each")->capture_default_str();
-  command.add_option("--classes", arguments->classes, "only these, separated by commas")
+  command
+      .add_option("--classes",
+                  arguments->classes,
+                  "only these, as query --string takes them, separated by commas")
       ->delimiter(',');
   auto* reliability = command.add_option(
       "--reliability", arguments->reliability, "PNG to write: P(best class) left, P(real) right");
@@ -245,6 +258,7 @@ void add_eval_command(CLI::App& program, Action& action) {
       ->excludes(against)
       ->excludes(also)
       ->excludes(reliability);
+  arguments->class_names.add_to(command);
   arguments->load.add_to(command);
   show_examples(
       command,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
+#include "class_names.hpp"
 #include "command.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
@@ -20,6 +21,7 @@ struct ExportArguments {
   std::string format;
   std::string palette;
   std::string rules;
+  ClassNames class_names;
   ExportRequest request;
   LoadArguments load;
 };
@@ -33,9 +35,10 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
     HYPERMAP_ASSIGN_OR_RETURN(request.rules, read_relation_options(arguments.rules));
   }
   HYPERMAP_ASSIGN_OR_RETURN(
-      const auto loaded,
+      auto loaded,
       load_archive(
           arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
+  HYPERMAP_TRY(arguments.class_names.replace(loaded.value.vocabulary));
   auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   if (request.format == ExportFormat::kClassGrids && loaded.value.class_grids.empty()) {
@@ -70,7 +73,8 @@ void add_export_command(CLI::App& program, Action& action) {
   command
       .add_option("--class",
                   arguments->request.classes,
-                  "only these classes, separated by commas; may be repeated")
+                  "only these classes, as query --string takes them, separated by commas; may be "
+                  "repeated")
       ->delimiter(',');
   command.add_flag(
       "--keep-rotation", arguments->request.keep_rotation, "grids keep the yaw of their origin");
@@ -83,6 +87,7 @@ void add_export_command(CLI::App& program, Action& action) {
   arguments->load.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--rules", arguments->rules, kRulesHelp);
+  arguments->class_names.add_to(command);
   show_examples(command,
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
                  "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
@@ -92,9 +97,10 @@ void add_export_command(CLI::App& program, Action& action) {
     const auto format = parse_export_format(arguments->format).value();
     const auto& output = arguments->request.output;
     const bool is_ros_map = format == ExportFormat::kRosMap;
-    keep_apart("--output",
-               is_ros_map ? ros_map_yaml(output) : output,
-               {arguments->file, arguments->palette, arguments->rules});
+    keep_apart(
+        "--output",
+        is_ros_map ? ros_map_yaml(output) : output,
+        {arguments->file, arguments->palette, arguments->rules, arguments->class_names.file});
     const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews;
     if (is_folder) keep_out_of_datasets("--output", output);
     if (format == ExportFormat::kGeojson &&

@@ -106,6 +106,13 @@ void print(const ArchiveInfo& info) {
   for (const DetectorDescription& detector : info.detectors) {
     std::printf("detector %s\n", to_string(detector).c_str());
   }
+  if (info.num_aliases + info.num_super_classes > 0) {
+    std::printf("names of classes: %zu %s, %zu %s\n",
+                info.num_aliases,
+                info.num_aliases == 1 ? "alias" : "aliases",
+                info.num_super_classes,
+                info.num_super_classes == 1 ? "super-class" : "super-classes");
+  }
   for (const ModelSummary& model : info.models) {
     std::printf("embeddings of %s: %s of %zu numbers\n",
                 printable(model.model).c_str(),

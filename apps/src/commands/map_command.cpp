@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choices.hpp"
+#include "class_names.hpp"
 #include "combination_arguments.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
@@ -37,7 +38,7 @@ struct MapArguments {
   NetworkArguments network;
   LookArguments looks;
   MappingJob job;
-  std::vector<std::string> detections;
+  DetectionFiles detections;
   std::vector<std::string> transient;
   std::vector<std::string> kept_classes;
   std::string preset = "default";
@@ -51,14 +52,14 @@ struct MapArguments {
   MappingTimesArguments times;
   std::optional<std::string> transform;
   std::string places;
+  ClassNames class_names;
   int num_threads = 0;
   LoadArguments load;
 };
 
 /// A file of what belongs where is given to be used.
 std::optional<std::string> prior_of(const MapArguments& arguments) {
-  if (arguments.places.empty()) return std::nullopt;
-  return "places";
+  return arguments.places.empty() ? std::nullopt : std::optional<std::string>("places");
 }
 
 /// Preset, then the options file, then the command line.
@@ -68,7 +69,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   job.limits = arguments.load.limits;
   job.looks = arguments.looks.options();
   HYPERMAP_ASSIGN_OR_RETURN(job.dataset, arguments.dataset.options());
-  job.dataset.detections.assign(arguments.detections.begin(), arguments.detections.end());
+  arguments.detections.put_into(job.dataset);
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.dataset.detector());
   HYPERMAP_ASSIGN_OR_RETURN(job.detector, arguments.network.applied_to(job.detector));
   job.combiner = arguments.combination.combiner;
@@ -81,7 +82,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
       arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
   const std::optional<std::string> class_stack =
       arguments.class_stack ? std::optional<std::string>("true") : std::nullopt;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto weights, arguments.combination.weights_text());
+  const std::optional<std::string> weights = arguments.combination.weights_text();
   const std::optional<std::string> stacking = arguments.combination.rule_text();
   HYPERMAP_ASSIGN_OR_RETURN(options,
                             with_flags(std::move(options),
@@ -102,6 +103,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
   transient.insert(transient.end(), arguments.transient.begin(), arguments.transient.end());
   auto& wanted = job.mapper.wanted_class_names;
   wanted.insert(wanted.end(), arguments.kept_classes.begin(), arguments.kept_classes.end());
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
   HYPERMAP_ASSIGN_OR_RETURN(job.placement, placement_of(arguments.transform));
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.mapper.num_threads = arguments.num_threads > 0 ? arguments.num_threads : std::max(cores, 1);
@@ -164,8 +166,7 @@ void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& ar
 void add_options(CLI::App& command, MapArguments& arguments) {
   arguments.dataset.add_to(command);
   command.add_option("--output", arguments.job.output, "archive to write")->required();
-  command.add_option(
-      "--detections", arguments.detections, "detections file, one a detector; may be repeated");
+  arguments.detections.add_to(command);
   auto* model = command.add_option(
       "--model", arguments.job.model, "network (ONNX) to run on each image, a detector");
   arguments.network.add_to(command, *model);
@@ -217,6 +218,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       arguments.places,
       "YAML file with what belongs where, as data/places.yaml: what stands around an "
       "object then counts for its class (prior.source places)");
+  arguments.class_names.add_to(command, "which the map keeps");
   command.add_flag("--views",
                    arguments.job.keep_views,
                    "keep the best colour view of each object, a small image");
@@ -251,10 +253,13 @@ void keep_outputs_apart(const MapArguments& arguments) {
   std::vector<std::filesystem::path> read{dataset.description.value_or(""),
                                           dataset.classes.value_or(""),
                                           arguments.config.value_or(""),
+                                          arguments.class_names.file,
+                                          arguments.places,
                                           arguments.job.model.value_or(""),
                                           arguments.combination.combiner.value_or(""),
                                           arguments.job.poses.value_or("")};
-  read.insert(read.end(), arguments.detections.begin(), arguments.detections.end());
+  const auto& detections = arguments.detections.files;
+  read.insert(read.end(), detections.begin(), detections.end());
   const std::filesystem::path checkpoint =
       arguments.job.checkpoint_every > 0 || arguments.job.resume
           ? checkpoint_path(arguments.job.output)
@@ -276,9 +281,11 @@ void add_map_command(CLI::App& program, const CommonOptions& common, Action& act
                  "hypermap map --input lab --detections detections.jsonl --resolution 0.03 "
                  "--output lab.hmap"});
   command.callback([arguments, &common, &action] {
-    if (arguments->dataset.classes && !arguments->job.model && arguments->detections.empty()) {
+    if (arguments->dataset.classes && !arguments->job.model &&
+        arguments->detections.files.empty()) {
       throw CLI::ValidationError("--classes", "names the outputs of --model or --detections");
     }
+    arguments->detections.keep_to_files();
     keep_outputs_apart(*arguments);
     action = [arguments, &common] { return run(*arguments, common.progress); };
   });

@@ -5,6 +5,8 @@
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/places/relation_text.hpp"
+#include "hypermap/core/places/vocabulary_rules.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/map_places.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
@@ -57,13 +59,15 @@ std::string name_of(const SemanticObject& object) {
 /// The objects that `name` means. Errors: kNotFound, telling the classes that there are.
 Result<std::vector<const SemanticObject*>> objects_named(const MapArchive& archive,
                                                          const std::string& name) {
+  auto meant = asked_of_map(archive, name);
+  if (!meant) return Unexpected(for_flag(meant.error(), "--place"));
   std::vector<const SemanticObject*> found;
   std::set<std::string> known;
   const SemanticLayer* layer = objects_in(archive);
   const auto objects = layer == nullptr ? std::span<const SemanticObject>() : layer->objects();
   for (const SemanticObject& object : objects) {
     known.insert(object.name);
-    const bool is_meant = std::to_string(object.id) == name || is_spelling_of(object.name, name);
+    const bool is_meant = std::to_string(object.id) == name || meant->contains(object.name);
     if (is_meant) found.push_back(&object);
   }
   if (!found.empty()) return found;
@@ -133,7 +137,9 @@ Json json_of(const MapArchive& archive, const MapRoom& room) {
 /// Errors: those of read_place_rules and map_places.
 Result<MapPlaces> places_of(const MapArchive& archive, const std::string& rules_file) {
   HYPERMAP_ASSIGN_OR_RETURN(PlaceRules rules, read_place_rules(places_file(rules_file)));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto classifier, BelongingsClassifier::create(std::move(rules)));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const auto classifier,
+      BelongingsClassifier::create(with_vocabulary(std::move(rules), archive.vocabulary)));
   return map_places(archive, classifier);
 }
 

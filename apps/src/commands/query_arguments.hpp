@@ -3,6 +3,7 @@
 /// The command line of `query`.
 #pragma once
 
+#include "class_names.hpp"
 #include "hypermap/core/places/relations.hpp"
 #include "load_arguments.hpp"
 #include "places.hpp"
@@ -29,6 +30,7 @@ struct QueryArguments {
   /// By kind: the class or the id of what others are on, in, under, beside, part of.
   std::map<RelationKind, std::string> related = {};
   std::string rules;
+  ClassNames class_names;
   SimilarArguments similar = {};
   PlaceArguments places;
   std::optional<std::uint32_t> why;

@@ -2,7 +2,8 @@
 // Long because: the flags of one command, and which of them go together, are read side by side.
 #include "command.hpp"
 #include "completeness.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
@@ -119,18 +120,20 @@ ExitCode report_refusal(Error error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
-/// Says, when nothing of the map has the name, that it may be misspelt; whether it did. The states
-/// of space are no names of objects.
+/// Says, when nothing of the map has a name that the text asks for, that it may be misspelt;
+/// whether it did. The states of space are no names of objects.
 bool print_hint(const MapArchive& archive, const MapQuery& query) {
   const std::string& text = *query.text;
-  std::vector<std::string> names(archive.classes.names().begin(), archive.classes.names().end());
-  if (query.layer != kObjectsLayer) names.insert(names.end(), {"Free", "Occupied", "Unknown"});
-  const auto is_said = [&](const std::string& name) { return is_spelling_of(name, text); };
-  if (archive.classes.find(text) || std::ranges::any_of(names, is_said)) return false;
+  std::vector<std::string> known = names_in(archive);
+  if (query.layer == kObjectsLayer) {
+    known.assign(archive.classes.names().begin(), archive.classes.names().end());
+  }
+  const auto names = asked_of_map(archive, text);
+  const auto is_asked = [&](const std::string& name) { return names->contains(name); };
+  if (!names || std::ranges::any_of(known, is_asked)) return false;
   std::fprintf(stderr,
-               "query: no class of this map is called \"%s\"%s\n",
-               printable(text).c_str(),
-               did_you_mean(text, names).c_str());
+               "query: %s\n",
+               nothing_asked(text, known, archive.vocabulary, "no class of this map").c_str());
   return true;
 }
 
@@ -181,11 +184,14 @@ ExitCode run(QueryRequest request) {
     if (!similar_to) return report(similar_to.error());
     request.similar_to = std::move(*similar_to);
   }
-  const auto loaded = load_archive(request.arguments.file,
-                                   request.arguments.load.limits,
-                                   archive_layer_types(),
-                                   stop_when_interrupted());
+  auto loaded = load_archive(request.arguments.file,
+                             request.arguments.load.limits,
+                             archive_layer_types(),
+                             stop_when_interrupted());
   if (!loaded) return report(loaded.error());
+  if (const auto read = request.arguments.class_names.replace(loaded->value.vocabulary); !read) {
+    return report(read.error());
+  }
   if (request.arguments.why || request.why_not) return tell_why(loaded->value, request);
   if (asks_places(request.arguments.places)) return tell_places(loaded->value, request);
   const auto graph = relations_for(loaded->value, request);
@@ -217,7 +223,10 @@ void add_query_command(CLI::App& program, Action& action) {
       "point X,Y; of octree, evidence and objects also X,Y,Z with a height in metres");
   command.add_option(
       "--area", arguments->area, "polygon \"x y,x y,x y,...\" or \"x,y x,y x,y ...\"");
-  command.add_option("--string", arguments->text, "objects of this name; Free, Occupied, Unknown");
+  command.add_option("--string",
+                     arguments->text,
+                     "objects of this name, alias or super-class; of names that begin so (chair*) "
+                     "or match an expression (/chair|sofa/); Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
   command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
   arguments->similar.add_to(command);
@@ -239,6 +248,7 @@ void add_query_command(CLI::App& program, Action& action) {
             "; with --string those of one class");
   }
   command.add_option("--rules", arguments->rules, kRulesHelp);
+  arguments->class_names.add_to(command);
   add_place_options(command, arguments->places);
   command.add_option(
       "--frame", arguments->frame, "frame of points and areas (default: the layer's)");
@@ -253,6 +263,8 @@ void add_query_command(CLI::App& program, Action& action) {
                 {"hypermap query lab.hmap --layer objects --string chair",
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
                  "hypermap query lab.hmap --nearest sofa --at 1.5,2",
+                 "hypermap query lab.hmap --layer objects --string furniture --class-names "
+                 "data/vocabulary.yaml",
                  "hypermap query lab.hmap --beside chair",
                  "hypermap query flat.hmap --place cup",
                  "hypermap query flat.hmap --route kitchen,bed",

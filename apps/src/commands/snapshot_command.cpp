@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "class_names.hpp"
 #include "command.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -13,10 +16,12 @@
 
 #include <CLI/Validators.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hypermap::app {
@@ -32,6 +37,8 @@ struct SnapshotArguments {
   std::optional<double> cut_above_m;
   LoadArguments load;
   std::string palette;
+  std::vector<std::string> classes;
+  ClassNames class_names;
 };
 
 Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
@@ -48,6 +55,21 @@ Result<SnapshotOptions> options_of(const SnapshotArguments& arguments) {
   return options;
 }
 
+/// The names that were asked for. Errors: those of asked_of_map; kNotFound for a text that asks for
+/// nothing in the map.
+Result<NameSelection> classes_to_show(const MapArchive& archive,
+                                      const SnapshotArguments& arguments) {
+  const std::vector<std::string> known = names_in(archive);
+  for (const std::string& text : arguments.classes) {
+    const auto names = asked_of_map(archive, text);
+    if (!names) return Unexpected(of_option(names.error(), "--class"));
+    const auto is_asked = [&](const std::string& name) { return names->contains(name); };
+    if (std::ranges::any_of(known, is_asked)) continue;
+    return fail(ErrorCode::kNotFound, nothing_asked(text, known, archive.vocabulary), "--class");
+  }
+  return asked_of_map(archive, arguments.classes);
+}
+
 /// Writes the image; gives what of the map it leaves out.
 Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
                                      const SnapshotOptions& options) {
@@ -56,13 +78,18 @@ Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
     HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
   }
   HYPERMAP_ASSIGN_OR_RETURN(
-      const auto loaded,
+      auto loaded,
       load_archive(
           arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
+  HYPERMAP_TRY(arguments.class_names.replace(loaded.value.vocabulary));
   const MapArchive& archive = loaded.value;
   const auto confirmed = confirmed_objects_of(archive);
   SnapshotScene scene = map_scene(
       archive.hypermap, archive.classes, confirmed, shown_leaves(archive), shown_frame_id(archive));
+  if (!arguments.classes.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(const NameSelection names, classes_to_show(archive, arguments));
+    scene = only_named(std::move(scene), names);
+  }
   scene.num_tentative = archive.objects.size() - confirmed.size();
   scene.palette = palette;
   scene.title = arguments.title.value_or(std::filesystem::path(arguments.file).filename().string());
@@ -88,6 +115,13 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view); overlay "
       "draws stacks and supercells in the colours of their classes, which the legend leaves out, "
       "by default where no occupancy grid would lie under them");
+  command
+      .add_option("--class",
+                  arguments->classes,
+                  "only objects, shapes and voxels of these classes, as query --string takes them, "
+                  "separated by commas; may be repeated")
+      ->delimiter(',');
+  arguments->class_names.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--title", arguments->title, "text over the image (default: file name)");
   command
@@ -99,7 +133,9 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       {"hypermap snapshot lab.hmap --output lab.png",
        "hypermap snapshot lab.hmap --view top --layers occupancy,semantic --output plan.png"});
   command.callback([arguments, &action] {
-    keep_apart("--output", arguments->output, {arguments->file, arguments->palette});
+    keep_apart("--output",
+               arguments->output,
+               {arguments->file, arguments->palette, arguments->class_names.file});
     keep_suffix("--output", arguments->output, ".png");
     auto options = options_of(*arguments);
     if (!options) throw CLI::ValidationError("--" + options.error().field, options.error().what);

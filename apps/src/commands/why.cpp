@@ -259,7 +259,7 @@ Result<void> print_why(const MapArchive& archive, ObjectId id, bool json) {
   }
   const bool shown = is_shown(archive, id);
   if (json) {
-    std::printf("%s\n", json_text(*why, archive.classes, shown).c_str());
+    std::printf("%s\n", json_text(*why, archive, shown).c_str());
   } else {
     print_object(*why, archive, shown);
   }
@@ -271,7 +271,7 @@ Result<void> print_why_not(const MapArchive& archive, const PlanPoint& at, bool 
   HYPERMAP_ASSIGN_OR_RETURN(const PlaceExplanation place,
                             explain_place(archive, at, rules.confirmation, rules.absence));
   if (json) {
-    std::printf("%s\n", json_text(place, archive.classes, at).c_str());
+    std::printf("%s\n", json_text(place, archive, at).c_str());
   } else {
     print_place(place, archive, rules, at);
   }

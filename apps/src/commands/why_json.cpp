@@ -53,6 +53,11 @@ Json json_of_last_seen(const Explanation& why) {
   return nullptr;
 }
 
+/// Null for a detector of before their names were kept.
+Json name_of(DetectorId id, const DetectorRegistry& detectors) {
+  return detectors.contains(id) ? Json(detectors.description(id).name) : Json(nullptr);
+}
+
 Json json_of(const Removal& removal) {
   const auto number = [](const std::optional<std::uint32_t>& looks) {
     return looks ? Json(*looks) : Json(nullptr);
@@ -64,7 +69,8 @@ Json json_of(const Removal& removal) {
           {"looks_until_removed_unseen_side", number(removal.looks_until_removed_unseen)}};
 }
 
-Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
+Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
+  const ClassRegistry& classes = archive.classes;
   Json out{{"id", why.id.value},
            {"name",
             why.beliefs.classes.empty() ? "unknown" : classes.name(why.beliefs.classes.front().id)},
@@ -97,7 +103,8 @@ Json json_of(const Explanation& why, const ClassRegistry& classes, bool is_shown
   }
   for (const Naming& naming : why.namings) {
     out["namings"].push_back({{"class", classes.name(naming.class_id)},
-                              {"detector", naming.detector.value},
+                              {"detector", name_of(naming.detector, archive.detectors)},
+                              {"detector_id", naming.detector.value},
                               {"detections", naming.num_detections},
                               {"mean_score", naming.mean_score},
                               {"directions", naming.num_directions},
@@ -115,7 +122,7 @@ Json json_of(const std::optional<NearestObject>& nearest) {
   return {{"id", nearest->id.value}, {"distance_m", nearest->distance_m}};
 }
 
-Json json_of(const PlaceExplanation& place, const ClassRegistry& classes, const PlanPoint& at) {
+Json json_of(const PlaceExplanation& place, const MapArchive& archive, const PlanPoint& at) {
   Json out{{"position", {at.xy.x(), at.xy.y()}},
            {"shown", Json::array()},
            {"space", place.space ? Json(*place.space) : Json(nullptr)},
@@ -125,7 +132,7 @@ Json json_of(const PlaceExplanation& place, const ClassRegistry& classes, const 
   if (at.z) out["position"].push_back(*at.z);
   for (const ObjectId id : place.shown) out["shown"].push_back(id.value);
   for (const Explanation& why : place.withheld) {
-    out["withheld"].push_back(json_of(why, classes, false));
+    out["withheld"].push_back(json_of(why, archive, false));
   }
   return out;
 }
@@ -136,14 +143,14 @@ std::string document(const Json& json) {
 
 }  // namespace
 
-std::string json_text(const Explanation& why, const ClassRegistry& classes, bool is_shown) {
-  return document(json_of(why, classes, is_shown));
+std::string json_text(const Explanation& why, const MapArchive& archive, bool is_shown) {
+  return document(json_of(why, archive, is_shown));
 }
 
 std::string json_text(const PlaceExplanation& place,
-                      const ClassRegistry& classes,
+                      const MapArchive& archive,
                       const PlanPoint& at) {
-  return document(json_of(place, classes, at));
+  return document(json_of(place, archive, at));
 }
 
 }  // namespace hypermap::app

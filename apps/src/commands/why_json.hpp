@@ -3,8 +3,8 @@
 /// Explanations of objects and places as JSON.
 #pragma once
 
-#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/objects/explanation.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/place_explanation.hpp"
 
 #include <string>
@@ -13,10 +13,10 @@ namespace hypermap::app {
 
 /// One document, indented.
 [[nodiscard]] std::string json_text(const Explanation& why,
-                                    const ClassRegistry& classes,
+                                    const MapArchive& archive,
                                     bool is_shown);
 [[nodiscard]] std::string json_text(const PlaceExplanation& place,
-                                    const ClassRegistry& classes,
+                                    const MapArchive& archive,
                                     const PlanPoint& at);
 
 }  // namespace hypermap::app

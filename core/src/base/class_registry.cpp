@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/class_registry.hpp"
 
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/utf8.hpp"
 
 #include <algorithm>
@@ -23,16 +22,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kVocNameO
     {"airplane", "aeroplane"},
 }};
 
-constexpr std::size_t kMostListed = 100;
-
-/// " (a, b)": few enough to look one up.
-std::string class_list(std::span<const std::string> names) {
-  if (names.empty() || names.size() > kMostListed) return {};
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
-  return " (" + text + ")";
-}
-
 bool is_separator(char c) {
   return c == ' ' || c == '-' || c == '_';
 }
@@ -52,12 +41,17 @@ Result<void> check_name(std::string_view name) {
 
 }  // namespace
 
-std::string canonical_class_name(std::string_view name) {
+std::string folded_class_name(std::string_view name) {
   std::string out;
   out.reserve(name.size());
   for (const char c : name) {
     if (!is_separator(c)) out.push_back(lower_ascii(c));
   }
+  return out;
+}
+
+std::string canonical_class_name(std::string_view name) {
+  std::string out = folded_class_name(name);
   const auto* alias = std::find_if(
       kVocNameOf.begin(), kVocNameOf.end(), [&](const auto& entry) { return entry.first == out; });
   return alias == kVocNameOf.end() ? out : std::string(alias->second);
@@ -84,22 +78,6 @@ Result<ClassRegistry> ClassRegistry::from_names(std::span<const std::string> nam
     }
   }
   return registry;
-}
-
-Result<std::vector<ClassId>> ClassRegistry::find_all(std::span<const std::string> names) const {
-  std::vector<ClassId> ids;
-  for (const std::string& name : names) {
-    const std::optional<ClassId> id = find(name);
-    if (!id) {
-      return fail(ErrorCode::kNotFound,
-                  "no class is called \"" + printable(name) + "\"; " + std::to_string(size()) +
-                      " are known" + did_you_mean(name, names_) + class_list(names_));
-    }
-    ids.push_back(*id);
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
 }
 
 Result<ClassId> ClassRegistry::add(std::string_view name) {

@@ -7,6 +7,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/topological_map_json.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
+#include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
@@ -43,6 +44,7 @@ class ExtensionReader {
     if (entry_.format == kTopologicalMapFormat) return read_topological_map();
     if (entry_.format == kClassesFormat) return read_classes();
     if (entry_.format == kDetectorsFormat) return read_detectors();
+    if (entry_.format == kVocabularyFormat) return read_vocabulary();
     if (entry_.format == kProvenanceFormat) return read_provenance();
     if (entry_.format == kTrueSurfacesFormat) return read_true_surfaces();
     return read_checkpoint();
@@ -60,6 +62,7 @@ class ExtensionReader {
     if (entry_.format == kTopologicalMapFormat) return archive_.topological_map.has_value();
     if (entry_.format == kClassesFormat) return archive_.classes.size() > 0;
     if (entry_.format == kDetectorsFormat) return archive_.detectors.size() > 0;
+    if (entry_.format == kVocabularyFormat) return !archive_.vocabulary.empty();
     if (entry_.format == kProvenanceFormat) return !archive_.provenance.empty();
     if (entry_.format == kTrueSurfacesFormat) return archive_.true_surfaces.has_value();
     return archive_.checkpoint.kind != ValueKind::kNull;
@@ -189,6 +192,14 @@ class ExtensionReader {
     archive_.detectors = std::move(detectors.value);
     keep_entry(archive_, entry_);
     return std::move(detectors.findings);
+  }
+
+  Result<std::vector<Finding>> read_vocabulary() {
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
+                              members_.take(entry_.file, owner_, limits_.max_text_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(archive_.vocabulary, parse_vocabulary(bytes, source()));
+    keep_entry(archive_, entry_);
+    return std::vector<Finding>{};
   }
 
   Result<std::vector<Finding>> read_provenance() {

@@ -7,6 +7,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/topological_map_json.hpp"
 #include "hypermap/io/archive/true_surfaces_json.hpp"
+#include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
@@ -89,6 +90,11 @@ void put_detectors(WrittenExtensions& written, const MapArchive& archive) {
   put(written, entry_of(archive, kDetectorsFormat), write_detectors(archive.detectors));
 }
 
+void put_vocabulary(WrittenExtensions& written, const MapArchive& archive) {
+  if (archive.vocabulary.empty()) return;
+  put(written, entry_of(archive, kVocabularyFormat), write_vocabulary(archive.vocabulary));
+}
+
 Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archive) {
   for (std::size_t i = 0; i < archive.class_grids.size(); ++i) {
     const ClassGrid& grid = archive.class_grids[i];
@@ -148,6 +154,7 @@ Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   HYPERMAP_TRY(put_topological_map(written, archive));
   put_classes(written, archive);
   put_detectors(written, archive);
+  put_vocabulary(written, archive);
   HYPERMAP_TRY(put_class_grids(written, archive));
   HYPERMAP_TRY(put_provenance(written, archive));
   put_checkpoint(written, archive);

@@ -35,6 +35,12 @@ LayerSummary summary_of(const Layer& layer) {
   return summary;
 }
 
+std::size_t count_members(const std::vector<VocabularyGroup>& groups) {
+  std::size_t count = 0;
+  for (const VocabularyGroup& group : groups) count += group.members.size();
+  return count;
+}
+
 std::vector<ModelSummary> models_of(const ObjectMap& objects) {
   std::map<std::string, ModelSummary> models;
   for (const Object& object : objects.objects()) {
@@ -63,13 +69,15 @@ ArchiveInfo describe(const MapArchive& archive) {
     extended = extended || !is_strict_form(layer);
   }
   extended = extended || archive.classes.size() > 0 || archive.detectors.size() > 0 ||
-             !archive.provenance.empty() || archive.checkpoint.kind != ValueKind::kNull ||
-             archive.true_surfaces.has_value() || archive.topological_map.has_value() ||
-             !archive.foreign_extensions.empty();
+             !archive.vocabulary.empty() || !archive.provenance.empty() ||
+             archive.checkpoint.kind != ValueKind::kNull || archive.true_surfaces.has_value() ||
+             archive.topological_map.has_value() || !archive.foreign_extensions.empty();
   info.format_version = extended ? kArchiveFormatVersion : 0;
   info.classes.assign(archive.classes.names().begin(), archive.classes.names().end());
   const auto detectors = archive.detectors.detectors();
   info.detectors.assign(detectors.begin(), detectors.end());
+  info.num_aliases = count_members(archive.vocabulary.groups().aliases);
+  info.num_super_classes = archive.vocabulary.groups().super_classes.size();
   const auto transforms = archive.hypermap.frames().transforms();
   info.transforms.assign(transforms.begin(), transforms.end());
   info.provenance = archive.provenance;

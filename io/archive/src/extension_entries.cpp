@@ -31,6 +31,9 @@ ExtensionEntry new_entry(std::string_view format) {
   } else if (format == kDetectorsFormat) {
     entry.name = "detectors";
     entry.file = "detectors.yaml";
+  } else if (format == kVocabularyFormat) {
+    entry.name = "vocabulary";
+    entry.file = "vocabulary.yaml";
   } else if (format == kProvenanceFormat) {
     entry.name = "provenance";
     entry.file = "provenance.yaml";

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/cleared_floor.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/grids/low_obstacles.hpp"
@@ -70,7 +71,11 @@ ClassAmounts amounts_in(const MapArchive& archive, const std::vector<std::uint64
   }
   ClassAmounts amounts = class_amounts(beliefs, archive.classes);
   for (const auto& [name, amount] : named) amounts[name] += amount;
-  return amounts;
+  ClassAmounts of_classes;
+  for (const auto& [name, amount] : amounts) {
+    of_classes[archive.vocabulary.class_of(name)] += amount;
+  }
+  return of_classes;
 }
 
 std::optional<std::uint64_t> number_in(std::string_view text) {
@@ -94,7 +99,9 @@ RouteEnd end_in_room(const MapPlaces& places, RoomNumber room) {
 }
 
 /// The room that a text names; none when it names none.
-std::optional<RoomNumber> room_named(const MapPlaces& places, std::string_view text) {
+std::optional<RoomNumber> room_named(const MapPlaces& places,
+                                     const NameSelection& names,
+                                     std::string_view text) {
   constexpr std::string_view kRoom = "room ";
   if (text.starts_with(kRoom)) {
     const auto number = number_in(text.substr(kRoom.size()));
@@ -102,9 +109,8 @@ std::optional<RoomNumber> room_named(const MapPlaces& places, std::string_view t
       return static_cast<RoomNumber>(*number);
     }
   }
-  const auto found = std::ranges::find_if(places.rooms, [&](const MapRoom& one) {
-    return one.place && is_spelling_of(*one.place, text);
-  });
+  const auto found = std::ranges::find_if(
+      places.rooms, [&](const MapRoom& one) { return one.place && names.contains(*one.place); });
   if (found == places.rooms.end()) return std::nullopt;
   return found->room.number;
 }
@@ -146,9 +152,10 @@ Result<RouteEnd> route_end(const MapArchive& archive,
     if (found != shapes.end()) return end_at_object(places, *found);
     return fail(ErrorCode::kNotFound, "no object has the id " + std::string(text));
   }
-  if (const auto room = room_named(places, text)) return end_in_room(places, *room);
+  HYPERMAP_ASSIGN_OR_RETURN(const NameSelection asked, asked_of_map(archive, text));
+  if (const auto room = room_named(places, asked, text)) return end_in_room(places, *room);
   const auto of_class = std::ranges::find_if(
-      shapes, [&](const SemanticObject& one) { return is_spelling_of(one.name, text); });
+      shapes, [&](const SemanticObject& one) { return asked.contains(one.name); });
   if (of_class != shapes.end()) return end_at_object(places, *of_class);
   std::set<std::string> known;
   for (const SemanticObject& one : shapes) known.insert(one.name);

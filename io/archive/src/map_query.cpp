@@ -2,6 +2,8 @@
 #include "hypermap/io/archive/map_query.hpp"
 
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
@@ -51,14 +53,28 @@ std::vector<ObjectId> ids_of(const MapAnswers& answers) {
   return ids;
 }
 
+/// The names that the text asks for. Errors: those of asked_of_map, of the member `text`.
+Result<std::optional<NameSelection>> asked_text(const MapArchive& archive, const MapQuery& query) {
+  if (!query.text) return std::optional<NameSelection>();
+  auto names = asked_of_map(archive, *query.text);
+  if (names) return std::optional(std::move(*names));
+  names.error().field = "string";
+  return Unexpected(std::move(names).error());
+}
+
 /// What no object fulfils, for people.
-std::string conditions_of(const MapQuery& query, const ClassRegistry& classes) {
+std::string conditions_of(const MapQuery& query, const MapArchive& archive) {
   std::string text;
   if (query.text) text += " of class '" + printable(*query.text) + "'";
   if (query.value) text += " with id " + std::to_string(*query.value);
   if (query.area) text += " in the area";
-  if (query.text && !classes.find(*query.text)) text += did_you_mean(*query.text, classes.names());
-  return text;
+  if (!query.text || is_class_of_map(archive, *query.text)) return text;
+  const auto names = asked_of_map(archive, *query.text);
+  const bool is_plain = names && names->contains(*query.text);
+  if (is_plain && !archive.vocabulary.knows(*query.text)) {
+    return text + did_you_mean(*query.text, archive.classes.names());
+  }
+  return text + ": " + nothing_asked(*query.text, archive.classes.names(), archive.vocabulary);
 }
 
 /// A frame is known when a layer or a transform has it.
@@ -81,12 +97,13 @@ Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, query.layer));
   if (layer.content->is_flat()) HYPERMAP_TRY(check_flat(query));
   HYPERMAP_TRY(check_frame(archive, query.frame_id));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto text, asked_text(archive, query));
   HYPERMAP_ASSIGN_OR_RETURN(
       auto found,
       query_layer(layer,
                   archive.hypermap.frames(),
                   query.frame_id,
-                  {.text = query.text, .value = query.value, .at = query.at, .area = query.area}));
+                  {.text = text, .value = query.value, .at = query.at, .area = query.area}));
   MapAnswers answers{.frame_id = query.frame_id.empty() ? layer.info.frame_id : query.frame_id,
                      .found = {}};
   for (LayerAnswer& one : found) answers.found.push_back(answer_of(std::move(one)));
@@ -106,8 +123,7 @@ Result<MapAnswers> query_nearest(const MapArchive& archive, const MapQuery& quer
   const PlanPoint point{.xy = layer_from_query * query.at->xy, .z = query.at->z};
   const auto nearest =
       nearest_object(archive.objects, archive.classes, {.among = ids_of(answers)}, point);
-  if (!nearest)
-    return fail(ErrorCode::kNotFound, "no object" + conditions_of(query, archive.classes));
+  if (!nearest) return fail(ErrorCode::kNotFound, "no object" + conditions_of(query, archive));
   std::erase_if(answers.found, [&](const MapAnswer& one) { return one.id != nearest->value; });
   return answers;
 }

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/object_relations.hpp"
 
+#include "hypermap/core/places/vocabulary_rules.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
+
+#include <utility>
 
 namespace hypermap {
 
 RelationGraph archive_relations(const MapArchive& archive, RelationOptions options) {
   if (!options.voxel_m && archive.octree) options.voxel_m = archive.octree->resolution_m();
-  return find_relations(archive.objects, archive.classes, confirmed_ids_of(archive), options);
+  return find_relations(archive.objects,
+                        archive.classes,
+                        confirmed_ids_of(archive),
+                        with_vocabulary(std::move(options), archive.vocabulary));
 }
 
 std::string called(const MapArchive& archive, ObjectId id) {

@@ -3,7 +3,9 @@
 
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/objects/object_query.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/objects_layer.hpp"
 
 #include <algorithm>
@@ -41,12 +43,17 @@ Unexpected no_object_of(const MapArchive& archive,
                         const std::string& name,
                         RelationKind kind) {
   const std::string field(key_of(kind));
-  if (archive.classes.find(name)) {
+  if (is_class_of_map(archive, name)) {
     return fail(ErrorCode::kNotFound, "no object of class '" + printable(name) + "'", field);
   }
   if (is_spelling_of(kFloorName, name)) {
     return fail(
         ErrorCode::kNotFound, "the floor is no object of the map: things are on it alone", field);
+  }
+  if (archive.vocabulary.knows(name)) {
+    return fail(ErrorCode::kNotFound,
+                nothing_asked(name, archive.classes.names(), archive.vocabulary),
+                field);
   }
   std::vector<std::string> known = classes_in(archive, graph);
   if (kind == RelationKind::kOn) known.emplace_back(kFloorName);
@@ -64,7 +71,12 @@ Result<std::vector<ObjectId>> objects_named(const MapArchive& archive,
     return fail(ErrorCode::kNotFound, "no object has the id " + name, std::string(key_of(kind)));
   }
   std::vector<ObjectId> ids;
-  for (const ObjectId id : objects_of_class(archive.objects, archive.classes, name)) {
+  auto names = asked_of_map(archive, name);
+  if (!names) {
+    names.error().field = std::string(key_of(kind));
+    return Unexpected(std::move(names).error());
+  }
+  for (const ObjectId id : objects_of_class(archive.objects, archive.classes, *names)) {
     if (support_of(graph, id)) ids.push_back(id);
   }
   const bool is_floor = kind == RelationKind::kOn && is_spelling_of(kFloorName, name);

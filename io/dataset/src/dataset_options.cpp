@@ -12,6 +12,8 @@ namespace {
 constexpr OptionRow kDatasetRows[] = {
     option::flag<&DatasetOptions::find_detections>(
         "find_detections", {.effect = "Else detections in the folder are not read unless named."}),
+    option::names<&DatasetOptions::detector_names>(
+        "detector_names", {.effect = "Whose the first of the named detections are."}),
     option::number<&DatasetOptions::stamp_tolerance_s>(
         "stamp_tolerance_s", {0, 3600}, {.unit = "s", .effect = "Partners may be this far apart."}),
     option::count<&DatasetOptions::first>(

@@ -182,7 +182,9 @@ Result<void> read_detection_files(const DatasetOptions& options,
   }
   DetectionReadOptions reading = options.detection_reading;
   std::vector<DetectorId> read;
-  for (const fs::path& file : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const fs::path& file = files[i];
+    const std::string given = i < options.detector_names.size() ? options.detector_names[i] : "";
     HYPERMAP_ASSIGN_OR_RETURN(auto loaded, read_detections(file, reading));
     reading.embeddings = loaded.value.embeddings;
     DatasetSummary& summary = sequence.summary;
@@ -194,7 +196,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
     if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
-    const auto detector = register_detector(paired, read, summary.detectors);
+    const auto detector = register_detector(paired, given, read, summary.detectors);
     if (!detector) return Unexpected(in_file(detector.error(), paired.file));
     paired.detector = *detector;
     read.push_back(*detector);

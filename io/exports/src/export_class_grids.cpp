@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_folder.hpp"
 #include "export_parts.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/footprint_grids.hpp"
 #include "map_file_pair.hpp"
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -21,25 +19,17 @@ std::vector<std::string> class_names_of(const std::vector<ClassGrid>& grids) {
   return names;
 }
 
-bool is_spelled(const std::string& name, const std::vector<std::string>& names) {
-  return std::ranges::any_of(names,
-                             [&](const std::string& one) { return is_spelling_of(one, name); });
-}
-
 /// Those of `grids` whose class was asked for; a class without a grid that the map knows has none.
-Result<std::set<std::string>> wanted_names(const MapArchive& archive,
+Result<std::set<std::string>> wanted_grids(const MapArchive& archive,
                                            const std::vector<ClassGrid>& grids,
                                            const ExportRequest& request) {
   std::vector<std::string> known = class_names_of(grids);
   std::set<std::string> wanted(known.begin(), known.end());
   if (request.classes.empty()) return wanted;
   known.insert(known.end(), archive.classes.names().begin(), archive.classes.names().end());
-  for (const std::string& name : request.classes) {
-    if (is_spelled(name, known)) continue;
-    return fail(ErrorCode::kNotFound, nothing_named("class", name, known), "--class");
-  }
-  std::erase_if(wanted,
-                [&](const std::string& name) { return !is_spelled(name, request.classes); });
+  HYPERMAP_ASSIGN_OR_RETURN(const NameSelection names,
+                            wanted_names(archive, known, request.classes));
+  std::erase_if(wanted, [&](const std::string& name) { return !names.contains(name); });
   return wanted;
 }
 
@@ -52,7 +42,7 @@ Result<WrittenFiles> export_class_grids(const MapArchive& archive, const ExportR
     grids = std::move(made.grids);
   }
   HYPERMAP_ASSIGN_OR_RETURN(const std::set<std::string> wanted,
-                            wanted_names(archive, grids, request));
+                            wanted_grids(archive, grids, request));
   if (wanted.empty()) return WrittenFiles{};
   HYPERMAP_TRY(make_export_folder(request.output));
   WrittenFiles written;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/completion/completion.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/object_completion.hpp"
@@ -9,11 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -107,25 +107,16 @@ const Object* object_of(const SemanticObject& shape,
   return archive.objects.find(ObjectId{static_cast<std::uint32_t>(shape.id)});
 }
 
-bool is_wanted(const SemanticObject& object, const std::vector<std::string>& classes) {
-  return classes.empty() || std::any_of(classes.begin(), classes.end(), [&](const auto& name) {
-           return is_spelling_of(object.name, name);
-         });
-}
-
-/// Every class asked for is one of the map or the name of a shape.
-Result<void> check_classes(const MapArchive& archive,
-                           const SemanticLayer& layer,
-                           const std::vector<std::string>& classes) {
-  for (const std::string& name : classes) {
-    if (archive.classes.find(name) || !layer.of_class(name).empty()) continue;
-    std::vector<std::string> known(archive.classes.names().begin(), archive.classes.names().end());
-    for (const SemanticObject& object : layer.objects()) known.push_back(object.name);
-    return fail(ErrorCode::kNotFound,
-                "'" + printable(name) + "' is no class of this map" + did_you_mean(name, known),
-                "--class");
-  }
-  return {};
+/// The names of what is wanted; none when all is. Every text asks for a class of the map or for the
+/// name of a shape.
+Result<std::optional<NameSelection>> names_wanted(const MapArchive& archive,
+                                                  const SemanticLayer& layer,
+                                                  const std::vector<std::string>& classes) {
+  if (classes.empty()) return std::optional<NameSelection>();
+  std::vector<std::string> known(archive.classes.names().begin(), archive.classes.names().end());
+  for (const SemanticObject& object : layer.objects()) known.push_back(object.name);
+  HYPERMAP_ASSIGN_OR_RETURN(NameSelection names, wanted_names(archive, known, classes));
+  return std::optional(std::move(names));
 }
 
 }  // namespace
@@ -140,12 +131,12 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
                             wanted_layer<SemanticLayer>(archive, request, kSemanticLayerClass));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
-  HYPERMAP_TRY(check_classes(archive, semantic, request.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, names_wanted(archive, semantic, request.classes));
   const ObjectRemarks remarks{.guesses = request.complete ? completed_boxes(archive) : Guesses(),
                               .graph = archive_relations(archive, request.rules)};
   Json features = Json::array();
   for (const SemanticObject& object : semantic.objects()) {
-    if (!is_wanted(object, request.classes)) continue;
+    if (wanted && !wanted->contains(object.name)) continue;
     features.push_back(feature_json(object, object_of(object, *layer, archive), remarks));
   }
   if (features.empty()) return WrittenFiles{};

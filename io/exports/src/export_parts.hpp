@@ -3,9 +3,12 @@
 /// What the single exports share.
 #pragma once
 
+#include "hypermap/core/vocabulary/name_selection.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 
 #include <set>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace hypermap {
@@ -16,6 +19,13 @@ using WrittenFiles = std::vector<std::filesystem::path>;
 /// Errors: kNotFound naming the class and those that are known.
 [[nodiscard]] Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
                                                                       const ExportRequest& request);
+
+/// All that the texts ask for (asked_names, by the map's vocabulary).
+/// Errors: of the field "--class": those of asked_names; kNotFound for the first that asks for
+/// nothing that is `known`, with those that are.
+[[nodiscard]] Result<NameSelection> wanted_names(const MapArchive& archive,
+                                                 std::span<const std::string> known,
+                                                 std::span<const std::string> texts);
 
 /// The layer that was asked for, in any spelling. Errors: kNotFound; where the name is that of a
 /// class it says how the format, or another one, gives what the map has of it.

@@ -3,6 +3,8 @@
 
 #include "export_parts.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
 
 #include <algorithm>
@@ -103,9 +105,25 @@ Result<void> validate(const ExportRequest& request) {
 Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
                                                         const ExportRequest& request) {
   if (request.classes.empty()) return std::optional<std::set<ClassId>>();
-  const auto ids = archive.classes.find_all(request.classes);
+  const auto ids = asked_classes(archive, request.classes);
   if (!ids) return fail(ids.error().code, ids.error().what, "--class");
   return std::optional(std::set<ClassId>(ids->begin(), ids->end()));
+}
+
+Result<NameSelection> wanted_names(const MapArchive& archive,
+                                   std::span<const std::string> known,
+                                   std::span<const std::string> texts) {
+  std::set<std::string> all;
+  for (const std::string& text : texts) {
+    const auto names = asked_names(text, known, archive.vocabulary);
+    if (!names) return fail(names.error().code, names.error().what, "--class");
+    const auto is_asked = [&](const std::string& name) { return names->contains(name); };
+    if (std::ranges::none_of(known, is_asked)) {
+      return fail(ErrorCode::kNotFound, nothing_asked(text, known, archive.vocabulary), "--class");
+    }
+    all.insert(names->canonical_names().begin(), names->canonical_names().end());
+  }
+  return NameSelection::of_canonical({all.begin(), all.end()});
 }
 
 Result<const Layer*> named_layer(const MapArchive& archive, const ExportRequest& request) {

@@ -165,6 +165,7 @@ Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest&
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
   ClassStackRequest of_classes = request.of_classes;
   of_classes.options.frame_id = shown_frame_id(archive);
+  of_classes.vocabulary = archive.vocabulary;
   auto of_voxels = class_stack(leaves, archive.classes, of_classes);
   if (!of_voxels) return Unexpected(of_flags(of_voxels.error()));
   GridStack stack = std::move(*of_voxels);

@@ -43,6 +43,7 @@ Result<LabelledFrames> open_frames(const CombinerJob& job) {
   HYPERMAP_ASSIGN_OR_RETURN(frames.words, open_dataset(job.input, options, frames.classes));
   frames.num_known = frames.classes.size();
   options.detections = {job.labels};
+  options.detector_names = {};
   HYPERMAP_ASSIGN_OR_RETURN(frames.labels, open_dataset(job.input, options, frames.classes));
   return frames;
 }

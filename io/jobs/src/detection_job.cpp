@@ -5,10 +5,9 @@
 #include "hypermap/io/dataset/class_names.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 #include "known_detectors.hpp"
-#include "unknown_names.hpp"
+#include "named_classes.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,10 +23,8 @@ DatasetOptions images_only(DatasetOptions options) {
   return options;
 }
 
-/// The classes of these names that are known; none when all are wanted.
-std::optional<std::vector<ClassId>> wanted_classes(std::span<const std::string> names,
-                                                   const ClassRegistry& classes) {
-  if (names.empty()) return std::nullopt;
+/// The classes of these names that are known.
+std::vector<ClassId> known_ids(std::span<const std::string> names, const ClassRegistry& classes) {
   std::vector<ClassId> ids;
   ids.reserve(names.size());
   for (const std::string& name : names) {
@@ -63,19 +60,21 @@ Result<DetectionJobReport> run_detection(const DetectionJob& job, const JobProgr
                             OnnxDetector::load(job.model, job.detector, classes));
   HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
                             open_dataset(job.input, images_only(job.dataset), classes));
-  const auto wanted = wanted_classes(job.wanted_class_names, classes);
+  HYPERMAP_ASSIGN_OR_RETURN(auto to_keep,
+                            named_classes(job.wanted_class_names, "wanted_classes", classes, {}));
+  const std::vector<ClassId> wanted = known_ids(to_keep.names, classes);
   DetectionJobReport report;
   report.network_form = detector.form();
-  report.findings = unknown_names(job.wanted_class_names, "wanted_classes", classes);
+  report.findings = std::move(to_keep.findings);
   std::vector<FrameDetections> frames;
   for (std::size_t i = 0; i < dataset->size(); ++i) {
     const auto frame = dataset->read(i);
     auto found = frame ? detector.detect(frame->color)
                        : Result<std::vector<Detection>>(Unexpected(frame.error()));
     if (found) {
-      if (wanted) {
+      if (!job.wanted_class_names.empty()) {
         report.num_filtered +=
-            std::erase_if(*found, [&](const Detection& one) { return !is_of_one(one, *wanted); });
+            std::erase_if(*found, [&](const Detection& one) { return !is_of_one(one, wanted); });
       }
       frames.push_back(named(*found,
                              classes,

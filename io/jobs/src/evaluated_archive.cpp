@@ -4,11 +4,14 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace hypermap {
@@ -19,16 +22,33 @@ const Object* object_of(const MapArchive& archive, std::uint64_t id) {
   return archive.objects.find(ObjectId{static_cast<std::uint32_t>(id)});
 }
 
+/// That it is of a class by another name of it.
+double probability_of_aliases(const Object& object, ClassId id, const MapArchive& archive) {
+  double sum = 0.0;
+  if (archive.vocabulary.empty()) return sum;
+  const std::string class_name = archive.vocabulary.class_of(archive.classes.name(id));
+  for (const ClassEvidence& other : object_beliefs(object).classes) {
+    if (other.id == id || !archive.classes.contains(other.id)) continue;
+    const bool is_same = archive.vocabulary.class_of(archive.classes.name(other.id)) == class_name;
+    if (is_same) sum += other.probability.value();
+  }
+  return sum;
+}
+
 std::optional<BelievedObject> believed(const Object& object,
-                                       const ClassRegistry& classes,
+                                       const MapArchive& archive,
                                        bool is_confirmed) {
+  const ClassRegistry& classes = archive.classes;
   const auto best = best_class(object);
   if (!best || !classes.contains(best->id)) return std::nullopt;
-  BelievedObject result{.id = object.id.value,
-                        .is_confirmed = is_confirmed,
-                        .real_probability = real_probability(object).value(),
-                        .best_class_probability = best->probability.value()};
-  result.shape.class_name = classes.name(best->id);
+  const std::string& name = classes.name(best->id);
+  BelievedObject result{
+      .id = object.id.value,
+      .is_confirmed = is_confirmed,
+      .real_probability = real_probability(object).value(),
+      .best_class_probability =
+          best->probability.value() + probability_of_aliases(object, best->id, archive)};
+  result.shape.class_name = archive.vocabulary.shown_class(name);
   result.shape.centroid = object.centroid_in_map.head<2>();
   result.shape.box = object.box;
   return result;
@@ -71,20 +91,49 @@ Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
                           .field = source.layer});
 }
 
-Result<void> check_classes(const EvaluationReport& report,
-                           const EvaluationOptions& options,
-                           std::span<const EvaluatedObject> truth) {
-  for (const std::string& name : options.classes) {
-    if (report.classes.contains(canonical_class_name(name))) continue;
-    std::vector<std::string> known;
-    known.reserve(truth.size());
-    for (const EvaluatedObject& object : truth) known.push_back(object.class_name);
-    return fail(ErrorCode::kNotFound,
-                "neither the map nor the truth has an object of class '" + printable(name) + "'" +
-                    did_you_mean(name, known),
-                "classes");
+ClassVocabulary vocabulary_of(const std::optional<ClassVocabulary>& given,
+                              const MapArchive& map,
+                              const MapArchive& truth) {
+  if (given) return *given;
+  return map.vocabulary.empty() ? truth.vocabulary : map.vocabulary;
+}
+
+Result<EvaluationOptions> understood_options(const EvaluationOptions& given,
+                                             const EvaluatedArchive& map,
+                                             const EvaluatedArchive& truth) {
+  const ClassVocabulary& vocabulary = truth.archive.vocabulary;
+  std::vector<std::string> known;
+  known.reserve(map.objects.size() + truth.objects.size());
+  for (const EvaluatedObject& object : truth.objects) known.push_back(object.class_name);
+  for (const EvaluatedObject& object : map.objects) known.push_back(object.class_name);
+  EvaluationOptions options = given;
+  std::set<std::string> names;
+  for (const std::string& text : given.classes) {
+    const auto asked = asked_names(text, known, vocabulary);
+    if (!asked) return fail(asked.error().code, asked.error().what, "classes");
+    const auto is_asked = [&](const std::string& name) { return asked->contains(name); };
+    if (std::ranges::none_of(known, is_asked)) {
+      return fail(ErrorCode::kNotFound,
+                  "neither the map nor the truth has an object of class '" + printable(text) + "'" +
+                      did_you_mean(text, known),
+                  "classes");
+    }
+    names.insert(asked->canonical_names().begin(), asked->canonical_names().end());
   }
-  return {};
+  options.classes.assign(names.begin(), names.end());
+  return options;
+}
+
+void understand(EvaluatedArchive& evaluated, const ClassVocabulary& vocabulary) {
+  for (EvaluatedObject& object : evaluated.objects) {
+    object.class_name = vocabulary.shown_class(object.class_name);
+  }
+  if (evaluated.archive.true_surfaces) {
+    for (TrueSurface& surface : evaluated.archive.true_surfaces->objects) {
+      surface.class_name = vocabulary.shown_class(surface.class_name);
+    }
+  }
+  evaluated.archive.vocabulary = vocabulary;
 }
 
 std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map) {
@@ -92,7 +141,7 @@ std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map) {
   for (const Object& object : map.archive.objects.objects()) {
     const auto in_layer = std::find(map.ids.begin(), map.ids.end(), object.id.value);
     const bool is_confirmed = in_layer != map.ids.end();
-    auto belief = believed(object, map.archive.classes, is_confirmed);
+    auto belief = believed(object, map.archive, is_confirmed);
     if (!belief) continue;
     if (is_confirmed) {
       const EvaluatedObject& shown =

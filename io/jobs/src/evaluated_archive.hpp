@@ -3,12 +3,14 @@
 /// An archive as evaluations see it: shapes, boxes, beliefs, voxels.
 #pragma once
 
+#include "hypermap/core/evaluation/map_evaluation.hpp"
 #include "hypermap/core/evaluation/object_predictions.hpp"
+#include "hypermap/core/vocabulary/class_vocabulary.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,14 +42,25 @@ struct EvaluatedSource {
                                                      const EvaluatedSource& source,
                                                      const std::string& frame_id);
 
-/// Errors: kNotFound naming a class that is asked for, and of which neither the map nor the truth
-/// has an object. `report` is of that map and truth.
-[[nodiscard]] Result<void> check_classes(const EvaluationReport& report,
-                                         const EvaluationOptions& options,
-                                         std::span<const EvaluatedObject> truth);
+/// Names of classes become what they mean by the vocabulary: in the objects, in the true surfaces,
+/// and wherever the archive is asked.
+void understand(EvaluatedArchive& evaluated, const ClassVocabulary& vocabulary);
+
+/// The vocabulary that was given, else the map's, else the truth's.
+[[nodiscard]] ClassVocabulary vocabulary_of(const std::optional<ClassVocabulary>& given,
+                                            const MapArchive& map,
+                                            const MapArchive& truth);
+
+/// The options with the names that their classes ask for, by the vocabulary of the truth. Errors:
+/// of the field `classes`, those of asked_names; kNotFound for a text that asks for the class of no
+/// object. Requires: both are understood.
+[[nodiscard]] Result<EvaluationOptions> understood_options(const EvaluationOptions& given,
+                                                           const EvaluatedArchive& map,
+                                                           const EvaluatedArchive& truth);
 
 /// All objects of a map with what it believes; those without a class or a shape are left out.
-/// Confirmed ones are those in the layer.
+/// Confirmed ones are those in the layer. Names that mean one class by the archive's vocabulary are
+/// one: their probabilities are summed.
 [[nodiscard]] std::vector<BelievedObject> believed_objects(const EvaluatedArchive& map);
 
 }  // namespace hypermap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluated_relations.hpp"
 
+#include "hypermap/core/places/vocabulary_rules.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 
 #include <algorithm>
@@ -69,6 +70,7 @@ std::map<ObjectId, ObjectId> matches_of(const EvaluatedArchive& map,
 std::vector<Relation> surface_relations(const EvaluatedArchive& truth,
                                         const std::map<ObjectId, ObjectId>& truth_of,
                                         const RelationOptions& options) {
+  const RelationOptions understood = with_vocabulary(options, truth.archive.vocabulary);
   ClassRegistry classes;
   std::vector<Object> objects;
   std::vector<ObjectId> among;
@@ -84,7 +86,7 @@ std::vector<Relation> surface_relations(const EvaluatedArchive& truth,
     objects.push_back(*std::move(object));
   }
   const auto all = ObjectMap::restore(std::move(objects), next);
-  return all ? find_relations(*all, classes, among, options).relations : std::vector<Relation>{};
+  return all ? find_relations(*all, classes, among, understood).relations : std::vector<Relation>{};
 }
 
 /// The text of a key of a true object; empty when it has none.

@@ -3,6 +3,7 @@
 
 #include "evaluated_archive.hpp"
 #include "evaluated_relations.hpp"
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 
 #include <algorithm>
@@ -18,6 +19,33 @@ namespace {
 
 EvaluatedSource source_of(const EvaluationJob& job) {
   return {.layer = job.layer, .limits = job.limits, .stop = job.stop};
+}
+
+/// Voxels with the classes that their names mean by the archive's vocabulary.
+struct UnderstoodVoxels {
+  LeafSource leaves;
+  ClassRegistry classes;
+};
+
+Result<UnderstoodVoxels> understood_voxels(const MapArchive& archive) {
+  UnderstoodVoxels voxels{.leaves = shown_leaves(archive), .classes = archive.classes};
+  if (archive.vocabulary.empty()) return voxels;
+  voxels.classes = {};
+  std::vector<ClassId> meant;
+  meant.reserve(archive.classes.size());
+  for (const std::string& name : archive.classes.names()) {
+    HYPERMAP_ASSIGN_OR_RETURN(const ClassId id,
+                              voxels.classes.add(archive.vocabulary.shown_class(name)));
+    meant.push_back(id);
+  }
+  voxels.leaves = [leaves = std::move(voxels.leaves), meant](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      LeafSample understood = leaf;
+      if (leaf.best_class) understood.best_class = meant[leaf.best_class->value];
+      visit(understood);
+    });
+  };
+  return voxels;
 }
 
 std::string extension_frame(const MapArchive& archive, std::string_view format) {
@@ -54,10 +82,10 @@ std::optional<double> surface_covered(const std::vector<SurfaceCoverage>& covera
 Result<VoxelOutcome> evaluated_voxels(const EvaluatedArchive& map,
                                       const EvaluatedArchive& truth,
                                       const StopCheck& stop) {
+  HYPERMAP_ASSIGN_OR_RETURN(const UnderstoodVoxels voxels, understood_voxels(map.archive));
   HYPERMAP_ASSIGN_OR_RETURN(
       VoxelEvaluation labels,
-      evaluate_voxels(
-          shown_leaves(map.archive), map.archive.classes, *truth.archive.true_surfaces, stop));
+      evaluate_voxels(voxels.leaves, voxels.classes, *truth.archive.true_surfaces, stop));
   const auto covered = surface_covered(labels.coverage, truth);
   return VoxelOutcome{std::move(labels), covered};
 }
@@ -69,14 +97,17 @@ void add_to(std::vector<Prediction>& predictions, const std::vector<Prediction>&
 /// The predictions of the map, and those of the further pairs behind them.
 Result<ObjectPredictions> all_predictions(std::span<const BelievedObject> believed,
                                           const EvaluatedArchive& truth,
+                                          const EvaluationOptions& options,
                                           const EvaluationJob& job) {
-  ObjectPredictions all = object_predictions(believed, truth.objects, job.options);
+  ObjectPredictions all = object_predictions(believed, truth.objects, options);
   for (const MapAndTruth& pair : job.also) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other_truth, load_evaluated(pair.truth, source_of(job)));
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other_map,
+    HYPERMAP_ASSIGN_OR_RETURN(auto other_truth, load_evaluated(pair.truth, source_of(job)));
+    HYPERMAP_ASSIGN_OR_RETURN(auto other_map,
                               load_in_frame(pair.map, source_of(job), other_truth.frame_id));
+    understand(other_truth, truth.archive.vocabulary);
+    understand(other_map, truth.archive.vocabulary);
     const ObjectPredictions more =
-        object_predictions(believed_objects(other_map), other_truth.objects, job.options);
+        object_predictions(believed_objects(other_map), other_truth.objects, options);
     add_to(all.real, more.real);
     add_to(all.best_class, more.best_class);
   }
@@ -115,11 +146,15 @@ bool knows_frames_named(const std::vector<EvaluatedObject>& truth) {
 Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   HYPERMAP_TRY(validate(job.options));
   HYPERMAP_TRY(validate(job.calibration));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto truth, load_evaluated(job.truth, source_of(job)));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto map, load_in_frame(job.map, source_of(job), truth.frame_id));
-  EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, job.options),
+  HYPERMAP_ASSIGN_OR_RETURN(auto truth, load_evaluated(job.truth, source_of(job)));
+  HYPERMAP_ASSIGN_OR_RETURN(auto map, load_in_frame(job.map, source_of(job), truth.frame_id));
+  const ClassVocabulary vocabulary = vocabulary_of(job.vocabulary, map.archive, truth.archive);
+  understand(map, vocabulary);
+  understand(truth, vocabulary);
+  HYPERMAP_ASSIGN_OR_RETURN(const EvaluationOptions options,
+                            understood_options(job.options, map, truth));
+  EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, options),
                             .knows_frames_named = knows_frames_named(truth.objects)};
-  HYPERMAP_TRY(check_classes(outcome.report, job.options, truth.objects));
   outcome.why_no_voxels = why_no_voxels(map.archive, truth.archive);
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));
@@ -127,16 +162,16 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   outcome.relations = evaluated_relations(map, truth, outcome.report);
   const std::vector<BelievedObject> believed = believed_objects(map);
   HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions,
-                            all_predictions(believed, truth, job));
+                            all_predictions(believed, truth, options, job));
   outcome.best_class = calibration(predictions.best_class, job.calibration);
   outcome.real = calibration(predictions.real, job.calibration);
   outcome.objects = object_outcomes(believed, predictions, truth);
   if (job.against) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto other,
+    HYPERMAP_ASSIGN_OR_RETURN(auto other,
                               load_in_frame(*job.against, source_of(job), truth.frame_id));
+    understand(other, vocabulary);
     HYPERMAP_ASSIGN_OR_RETURN(
-        outcome.against,
-        compare(outcome.report, evaluate(other.objects, truth.objects, job.options)));
+        outcome.against, compare(outcome.report, evaluate(other.objects, truth.objects, options)));
   }
   return outcome;
 }

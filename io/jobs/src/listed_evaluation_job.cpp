@@ -56,7 +56,21 @@ Result<void> take_objects(const EvaluatedArchive& map,
   return {};
 }
 
-Result<void> count_frames_named(const ListedEvaluationJob& job, ListedEvaluation& outcome) {
+/// The list with every name that means a class of it.
+ListedInstances with_aliases(ListedInstances listed, const ClassVocabulary& vocabulary) {
+  for (ListedInstance& instance : listed.instances) {
+    std::vector<std::string> aliases;
+    for (const std::string& name : instance.class_names) {
+      for (std::string& one : vocabulary.same_names(name)) aliases.push_back(std::move(one));
+    }
+    instance.class_names.insert(instance.class_names.end(), aliases.begin(), aliases.end());
+  }
+  return listed;
+}
+
+Result<void> count_frames_named(const ListedEvaluationJob& job,
+                                const ListedInstances& understood,
+                                ListedEvaluation& outcome) {
   ClassRegistry classes;
   DatasetOptions options = job.frames->dataset;
   options.read_color = false;
@@ -66,7 +80,7 @@ Result<void> count_frames_named(const ListedEvaluationJob& job, ListedEvaluation
                             .what = "must have detections, to count the frames that name a thing",
                             .file = job.frames->input.string()});
   }
-  InstanceSightings sightings(outcome.listed);
+  InstanceSightings sightings(understood);
   for (std::size_t i = 0; i < dataset->size(); ++i) {
     if (job.stop && job.stop())
       return fail(ErrorCode::kInterrupted, "interrupted while frames were counted");
@@ -83,9 +97,10 @@ Result<void> count_frames_named(const ListedEvaluationJob& job, ListedEvaluation
 }
 
 InstanceStanding standing_of(std::size_t t,
+                             const ListedInstances& understood,
                              const ListedEvaluation& outcome,
                              const ClassRegistry& known) {
-  const ListedInstance& instance = outcome.listed.instances[t];
+  const ListedInstance& instance = understood.instances[t];
   const bool has_word = std::any_of(
       instance.class_names.begin(), instance.class_names.end(), [&](const std::string& name) {
         return known.find(name).has_value();
@@ -106,14 +121,16 @@ Result<ListedEvaluation> evaluate_listed(const EvaluatedArchive& map,
   ListedEvaluation outcome{.listed = listed};
   HYPERMAP_ASSIGN_OR_RETURN(outcome.map_from_input, place_of_sequence(map.archive, job, outcome));
   HYPERMAP_TRY(take_objects(map, job, outcome));
-  if (job.frames) HYPERMAP_TRY(count_frames_named(job, outcome));
+  const ListedInstances understood =
+      with_aliases(outcome.listed, job.vocabulary.value_or(map.archive.vocabulary));
+  if (job.frames) HYPERMAP_TRY(count_frames_named(job, understood, outcome));
   outcome.instances.reserve(outcome.listed.instances.size());
   for (std::size_t t = 0; t < outcome.listed.instances.size(); ++t) {
-    const ListedInstance& instance = outcome.listed.instances[t];
+    const ListedInstance& instance = understood.instances[t];
     outcome.instances.push_back(
         {.class_names = instance.class_names,
          .box = box_in_map(instance, outcome.listed.up_in_input, outcome.map_from_input),
-         .standing = standing_of(t, outcome, map.archive.classes)});
+         .standing = standing_of(t, understood, outcome, map.archive.classes)});
   }
   outcome.comparison = compare_instances(outcome.objects, outcome.instances, job.options);
   return outcome;

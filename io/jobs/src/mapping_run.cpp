@@ -12,7 +12,7 @@
 #include "mapping_job_checks.hpp"
 #include "resumed_run.hpp"
 #include "run_settings.hpp"
-#include "unknown_names.hpp"
+#include "run_vocabulary.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -52,27 +52,28 @@ Result<std::optional<OnnxDetector>> load_detector(const MappingJob& job,
   return std::optional<OnnxDetector>(std::move(detector));
 }
 
-Result<SemanticMapper> make_mapper(const MappingJob& job,
+Result<SemanticMapper> make_mapper(const SemanticMapperOptions& options,
                                    const ClassRegistry& classes,
                                    const MapArchive* map) {
-  if (map == nullptr) return SemanticMapper::create(job.mapper, classes);
+  if (map == nullptr) return SemanticMapper::create(options, classes);
   if (!map->octree) {
     return fail(ErrorCode::kUnsupported, "has no semantic octree to go on from", "--append");
   }
-  return SemanticMapper::resume(
-      job.mapper, *map->octree, map->objects, classes, map->topological_map);
+  return SemanticMapper::resume(options, *map->octree, map->objects, classes, map->topological_map);
 }
 
-/// The mapper of a run that begins, or of one that goes on where `saved` ended.
+/// The mapper of a run that begins, or of one that goes on where `saved` ended. The options name
+/// classes as they are called.
 Result<SemanticMapper> open_mapper(MappingRun& run,
                                    const MappingJob& job,
+                                   const SemanticMapperOptions& options,
                                    const std::optional<SavedRun>& saved,
                                    MappingReport& report) {
-  HYPERMAP_TRY(add_named_classes(job.mapper, run.classes));
-  if (!saved) return make_mapper(job, run.classes, run.previous ? &*run.previous : nullptr);
+  HYPERMAP_TRY(add_named_classes(options, run.classes));
+  if (!saved) return make_mapper(options, run.classes, run.previous ? &*run.previous : nullptr);
   HYPERMAP_TRY(refuse_other_run(run, job, *saved));
   take_over(run, *saved, report);
-  return make_mapper(job, run.classes, &saved->map);
+  return make_mapper(options, run.classes, &saved->map);
 }
 
 /// With a network at work, detections beside the data are read only when they were asked for.
@@ -81,17 +82,6 @@ DatasetOptions dataset_options(const MappingJob& job) {
   options.read_color = options.read_color && (job.model.has_value() || job.keep_views);
   if (job.model) options.find_detections = false;
   return options;
-}
-
-/// Tells the mapper what belongs where, if its options want that.
-Result<void> set_prior_source(const MappingJob& job, SemanticMapper& mapper) {
-  if (job.mapper.prior.source == ClassPriorKind::kNone) return {};
-  if (!job.place_rules) {
-    return fail(ErrorCode::kInvalidArgument, "needs rules of what belongs where", "prior.source");
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(auto prior, PlacePrior::create(*job.place_rules, job.mapper.prior));
-  mapper.set_prior_source(std::make_shared<const PlacePrior>(std::move(prior)));
-  return {};
 }
 
 /// Every option by name, as an options file would say it.
@@ -209,10 +199,8 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   report.findings = run.dataset->summary().findings;
   HYPERMAP_TRY(settle_alignment(run, job, report));
   if (run.previous) HYPERMAP_TRY(prepare_to_append(run, job, report));
-  append(report.findings,
-         unknown_names(job.mapper.objects.transient_class_names, "transient_classes", run.classes));
-  append(report.findings,
-         unknown_names(job.mapper.wanted_class_names, "wanted_classes", run.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const SemanticMapperOptions options,
+                            understood_options(run, job, report));
   if (job.resume || job.checkpoint_every > 0) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
@@ -220,8 +208,8 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
       auto stacking,
       model_of_stacking(job.mapper.objects.stacking, job.combiner, run.detectors, run.classes));
   append(report.findings, std::move(stacking.findings));
-  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, saved, report));
-  HYPERMAP_TRY(set_prior_source(job, mapper));
+  HYPERMAP_ASSIGN_OR_RETURN(auto mapper, open_mapper(run, job, options, saved, report));
+  HYPERMAP_TRY(set_prior_source(run, job, mapper));
   run.mapper.emplace(std::move(mapper));
   run.mapper->set_stacking_model(std::move(stacking.value));
   if (job.strict && !report.findings.empty()) return Unexpected(report.findings.front().error);
@@ -279,6 +267,7 @@ MapArchive map_of(const MappingRun& run, const MappingJob& job) {
   archive.checkpoint = {};
   archive.classes = run.classes;
   archive.detectors = run.detectors;
+  archive.vocabulary = vocabulary_of(run, job);
   archive.octree = run.mapper->octree();
   archive.objects = run.mapper->objects();
   archive.views = run.views.views();

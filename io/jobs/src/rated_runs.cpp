@@ -156,11 +156,10 @@ RatedTruth rated_truth(const ListedEvaluation& evaluation,
 
 }  // namespace
 
-Result<RatedRun> rated_run(const EvaluatedArchive& map,
-                           const EvaluatedArchive& truth,
-                           const EvaluationOptions& options) {
+RatedRun rated_run(const EvaluatedArchive& map,
+                   const EvaluatedArchive& truth,
+                   const EvaluationOptions& options) {
   const EvaluationReport report = evaluate(map.objects, truth.objects, options);
-  HYPERMAP_TRY(check_classes(report, options, truth.objects));
   const std::vector<BelievedObject> believed = believed_objects(map);
   const BeliefById beliefs = beliefs_of(believed);
   const auto predictions = object_predictions(believed, truth.objects, options);

@@ -10,10 +10,10 @@
 namespace hypermap {
 
 /// A map against a truth that is an archive: found is what the one-to-one metric matches.
-/// Errors: those of check_classes. Requires: validate(options).
-[[nodiscard]] Result<RatedRun> rated_run(const EvaluatedArchive& map,
-                                         const EvaluatedArchive& truth,
-                                         const EvaluationOptions& options);
+/// Requires: validate(options).
+[[nodiscard]] RatedRun rated_run(const EvaluatedArchive& map,
+                                 const EvaluatedArchive& truth,
+                                 const EvaluationOptions& options);
 
 /// A map against a list: found is what `evaluation` found. `evaluation` is of that map.
 [[nodiscard]] RatedRun rated_run(const EvaluatedArchive& map,

@@ -67,6 +67,7 @@ Result<RatedRun> rated_against_list(const std::filesystem::path& map_path,
                                 .frames = job.frames,
                                 .layer = job.layer,
                                 .options = job.comparison,
+                                .vocabulary = job.vocabulary,
                                 .limits = job.limits,
                                 .stop = job.stop};
   HYPERMAP_ASSIGN_OR_RETURN(ListedEvaluation evaluation, evaluate_listed(map, listed, one));
@@ -81,10 +82,16 @@ Result<RatedRun> rated(const std::filesystem::path& map_path,
                        std::vector<Finding>& findings) {
   if (const auto* listed = std::get_if<ListedInstances>(&truth))
     return rated_against_list(map_path, truth_path, *listed, job, findings);
-  const auto& archive = std::get<EvaluatedArchive>(truth);
-  HYPERMAP_ASSIGN_OR_RETURN(const EvaluatedArchive map,
-                            load_in_frame(map_path, source_of(job), archive.frame_id));
-  return rated_run(map, archive, job.options);
+  EvaluatedArchive understood_truth = std::get<EvaluatedArchive>(truth);
+  HYPERMAP_ASSIGN_OR_RETURN(EvaluatedArchive map,
+                            load_in_frame(map_path, source_of(job), understood_truth.frame_id));
+  const ClassVocabulary vocabulary =
+      vocabulary_of(job.vocabulary, map.archive, understood_truth.archive);
+  understand(map, vocabulary);
+  understand(understood_truth, vocabulary);
+  HYPERMAP_ASSIGN_OR_RETURN(const EvaluationOptions options,
+                            understood_options(job.options, map, understood_truth));
+  return rated_run(map, understood_truth, options);
 }
 
 /// What one run cannot tell.

@@ -4,6 +4,7 @@
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_table.hpp"
 #include "hypermap/io/archive/provenance.hpp"
+#include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 
 #include <algorithm>
@@ -119,6 +120,14 @@ std::string rules_text(const std::optional<PlaceRules>& rules) {
   return hash.text();
 }
 
+/// What names of classes mean, as one hash.
+std::string vocabulary_text(const std::optional<ClassVocabulary>& vocabulary) {
+  if (!vocabulary) return kNone;
+  InputHash hash;
+  hash.add(write_vocabulary(*vocabulary));
+  return hash.text();
+}
+
 std::string placement_text(const std::optional<WorldPlacement>& placement) {
   if (!placement) return kNone;
   const std::array<double, 4> numbers{
@@ -149,6 +158,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   HYPERMAP_ASSIGN_OR_RETURN(std::string poses, identity_of(job.poses));
   entries.emplace_back("dataset", make_text(std::move(description)));
   entries.emplace_back("detections", make_text(std::move(detections)));
+  entries.emplace_back("detector_names", make_text(joined(job.dataset.detector_names)));
   entries.emplace_back("classes", make_text(joined(job.dataset.detection_reading.class_names)));
   entries.emplace_back("model", make_text(std::move(model)));
   add_table(job.detector, "detector.", entries);
@@ -163,6 +173,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("transform", make_text(placement_text(job.placement)));
   entries.emplace_back("views", make_text(job.keep_views ? "yes" : "no"));
   entries.emplace_back("places", make_text(rules_text(job.place_rules)));
+  entries.emplace_back("class_names", make_text(vocabulary_text(job.vocabulary)));
   entries.emplace_back("frames", make_text(frames_text(dataset)));
   return make_map(std::move(entries));
 }

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "hypermap/projection/sensor_models/depth_camera_model.hpp"
 #include "hypermap/projection/sensor_models/detection_model.hpp"
 
@@ -176,7 +177,8 @@ class FrameFuser {
   [[nodiscard]] Result<std::unique_ptr<FrameModel>> detection_model(EvidenceOptions evidence,
                                                                     const ClassRegistry& classes) {
     const std::string parent = stack_layer_name(stack_->options().parent, "detections");
-    HYPERMAP_ASSIGN_OR_RETURN(const std::vector<ClassId> ids, classes.find_all(job_->classes));
+    HYPERMAP_ASSIGN_OR_RETURN(const std::vector<ClassId> ids,
+                              asked_classes(classes, job_->vocabulary, job_->classes));
     wanted_ = layers_of_classes(parent, classes, ids);
     evidence.p_hit = DetectionModelOptions{}.evidence.p_hit;
     HYPERMAP_ASSIGN_OR_RETURN(DetectionModel model,

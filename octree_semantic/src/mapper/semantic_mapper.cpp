@@ -4,6 +4,7 @@
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/object_scopes.hpp"
 #include "mapper/observation_labels.hpp"
@@ -40,11 +41,11 @@ std::vector<Observation> observe(const RgbdFrame& frame,
   return observations;
 }
 
-/// Errors: as ClassRegistry::find_all, naming the field.
+/// Errors: as asked_classes, naming the field.
 Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
                                     const ClassRegistry& classes,
                                     const char* field) {
-  auto ids = classes.find_all(names);
+  auto ids = asked_classes(classes, {}, names);
   if (!ids) ids.error().field = field;
   return ids;
 }

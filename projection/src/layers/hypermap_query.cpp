@@ -88,7 +88,7 @@ Result<Answers> query_string(const Hypermap& map,
                              const QueryScope& scope,
                              std::string_view text,
                              const std::optional<Polygon>& area) {
-  return run_query(map, scope, {.text = std::string(text), .area = area});
+  return run_query(map, scope, {.text = text, .area = area});
 }
 
 Result<Answers> query_int(const Hypermap& map,

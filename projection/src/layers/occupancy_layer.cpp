@@ -19,7 +19,7 @@ LayerAnswer answer_of(const OccupancyGrid& grid, Cell cell) {
 
 bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {
   return (!query.value || *query.value == occupancy) &&
-         (!query.text || is_spelling_of(occupancy_string(occupancy), *query.text));
+         (!query.text || query.text->contains(occupancy_string(occupancy)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 namespace hypermap {
 namespace {
@@ -32,6 +33,16 @@ ObjectIds intersection(const ObjectIds& a, const ObjectIds& b) {
   return both;
 }
 
+ObjectIds ids_of_names(const SemanticLayer& layer, const NameSelection& names) {
+  ObjectIds ids;
+  for (const std::string& name : names.canonical_names()) {
+    const ObjectIds of_name = layer.of_class(name);
+    ids.insert(ids.end(), of_name.begin(), of_name.end());
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 ObjectIds ids_of_value(const SemanticLayer& layer, std::int64_t value) {
   const auto id = static_cast<std::uint64_t>(value);
   return value >= 0 && layer.find(id) != nullptr ? ObjectIds{id} : ObjectIds{};
@@ -39,7 +50,7 @@ ObjectIds ids_of_value(const SemanticLayer& layer, std::int64_t value) {
 
 ObjectIds ids_of(const SemanticLayer& layer, const LayerQuery& query) {
   std::vector<ObjectIds> conditions;
-  if (query.text) conditions.push_back(layer.of_class(*query.text));
+  if (query.text) conditions.push_back(ids_of_names(layer, *query.text));
   if (query.value) conditions.push_back(ids_of_value(layer, *query.value));
   if (query.at) conditions.push_back(layer.at(query.at->xy));
   if (query.area) conditions.push_back(layer.in(*query.area));

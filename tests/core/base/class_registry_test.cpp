@@ -69,21 +69,9 @@ TEST(ClassRegistry, RefusesAListThatNamesAClassTwice) {
   EXPECT_EQ(ClassRegistry::from_names(std::vector<std::string>{"a", ""}).error().field, "names[1]");
 }
 
-TEST(ClassRegistry, FindsAllNamesOrSaysWhichIsUnknown) {
-  const std::vector<std::string> names{"cup", "chair"};
-  const ClassRegistry registry = ClassRegistry::from_names(names).value();
-  const std::vector<std::string> asked{"Chair", "cup", "chair"};
-  EXPECT_EQ(registry.find_all(asked).value(), (std::vector<ClassId>{{0}, {1}}));
-  const std::vector<std::string> unknown{"cup", "dog"};
-  EXPECT_EQ(registry.find_all(unknown).error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(registry.find_all(unknown).error().what,
-            "no class is called \"dog\"; 2 are known (cup, chair)");
-  const std::vector<std::string> part{"hai"};
-  EXPECT_EQ(registry.find_all(part).error().what,
-            "no class is called \"hai\"; 2 are known, did you mean \"chair\"? (cup, chair)");
-  ClassRegistry many;
-  for (int i = 0; i < 101; ++i) ASSERT_TRUE(many.add("c" + std::to_string(i)));
-  EXPECT_EQ(many.find_all(unknown).error().what, "no class is called \"cup\"; 101 are known");
+TEST(ClassRegistry, SpellingsFoldWithoutTheWordsOfOtherLists) {
+  EXPECT_EQ(folded_class_name("TV-Monitor_2 x"), "tvmonitor2x");
+  EXPECT_EQ(folded_class_name("Couch"), "couch");  // canonical: sofa
 }
 
 TEST(ClassRegistry, StopsAtItsLimit) {

@@ -95,6 +95,40 @@ TEST(DetectorLine, FilesThatDoNotSayAreCalledByTheirStems) {
       << "a file that says who speaks is that detector's, whatever the file is called";
 }
 
+TEST(DetectorLine, ACocoObjectMaySayItToo) {
+  const auto coco = [](const std::string& detector) {
+    return R"({"detector": )" + detector +
+           R"(, "images": [{"id": 1, "file_name": "a.png"}], "categories": [{"id": 2, "name": "cup"}],)"
+           R"( "annotations": [{"image_id": 1, "category_id": 2, "bbox": [0, 0, 5, 5], "score": 1}]})";
+  };
+  const DetectionSet set = parsed_set(coco(R"({"name": "yolo", "classes": ["cup", "saucer"]})"));
+  EXPECT_EQ(set.detector.name, "yolo");
+  EXPECT_EQ(set.frames.size(), 1U);
+  EXPECT_THAT(set.class_names, testing::UnorderedElementsAre("cup", "saucer"));
+  EXPECT_THAT(line_refusal(coco(R"("ssd")")), HasSubstr("$.detector"));
+  EXPECT_THAT(line_refusal(coco(R"({"type": "boxes"})")), HasSubstr("name"));
+}
+
+TEST(DetectorLine, WhoAsksMayNameTheDetectorsOfFiles) {
+  const TempDir folder;
+  test::write_tum(folder.path());
+  test::write_text(folder / "a.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "b.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "y.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
+  DatasetOptions options{.detections = {folder / "a.jsonl", folder / "y.jsonl", folder / "b.jsonl"},
+                         .detector_names = {"ssd", "yolo"}};
+  ClassRegistry classes;
+  const auto reader = opened(folder.path(), classes, options);
+  ASSERT_NE(reader, nullptr);
+  EXPECT_THAT(reader->summary().detectors.names(), ElementsAre("ssd", "yolo", "b"));
+  options.detector_names = {"ssd", "other"};
+  EXPECT_THAT(refusal(folder.path(), options),
+              HasSubstr("y.jsonl: detector: is of detector \"yolo\" by what it says, not of "
+                        "\"other\""));
+  options.detector_names = {std::string(257, 'x')};
+  EXPECT_THAT(refusal(folder.path(), options), HasSubstr("a.jsonl"));
+}
+
 TEST(DetectorLine, DetectorsThatAreKnownKeepTheirIds) {
   const TempDir folder;
   test::write_tum(folder.path());

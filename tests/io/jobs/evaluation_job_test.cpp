@@ -186,6 +186,40 @@ TEST_F(EvaluationJobTest, AnotherClassIsAWrongLabelAndAWrongBelief) {
   EXPECT_NEAR(*outcome.best_class.expected_error, 1.0, 1e-12);
 }
 
+TEST_F(EvaluationJobTest, AliasesAreOneClassInObjectsVoxelsAndBeliefs) {
+  const ClassVocabulary words =
+      ClassVocabulary::create({.aliases = {{{"chair"}, {{"stool"}}}},
+                               .super_classes = {{{"seat"}, {{"chair"}}}, {{"tool"}, {{"saw"}}}}})
+          .value();
+  MapArchive map = chair_map("stool");
+  EXPECT_TRUE(save_archive(map, dir / "plain.hmap"));
+  map.vocabulary = words;
+  EXPECT_TRUE(save_archive(map, dir / "map.hmap"));
+  EXPECT_TRUE(save_archive(chair_truth(), dir / "truth.hmap"));
+  const EvaluationJob without{.map = dir / "plain.hmap", .truth = dir / "truth.hmap"};
+  const EvaluationJob kept{.map = dir / "map.hmap", .truth = dir / "truth.hmap"};
+  EvaluationJob given = without;
+  given.vocabulary = words;
+  const auto apart = run_evaluation(without).value();
+  EXPECT_EQ(apart.report.all.one_to_one.matched, 0U);
+  EXPECT_DOUBLE_EQ(*apart.voxels->labels.all.precision(), 0.0);
+  EXPECT_NEAR(*apart.best_class.expected_error, 1.0, 1e-12);
+  for (const EvaluationJob& job : {kept, given}) {
+    const auto outcome = run_evaluation(job).value();
+    EXPECT_EQ(outcome.report.all.one_to_one.matched, 1U);
+    EXPECT_TRUE(outcome.report.classes.contains("chair"));
+    EXPECT_FALSE(outcome.report.classes.contains("stool"));
+    EXPECT_DOUBLE_EQ(*outcome.voxels->labels.all.precision(), 1.0);
+    EXPECT_NEAR(*outcome.best_class.expected_error, 0.0, 1e-12);
+    EXPECT_EQ(outcome.objects.at(0).class_name, "chair");
+  }
+  EvaluationJob seats = kept;
+  seats.options.classes = {"seat"};
+  EXPECT_EQ(run_evaluation(seats).value().report.all.one_to_one.matched, 1U);
+  seats.options.classes = {"tool"};
+  EXPECT_EQ(run_evaluation(seats).error().field, "classes");
+}
+
 TEST_F(EvaluationJobTest, FurtherPairsCountInTheCalibrationAlone) {
   EXPECT_TRUE(save_archive(chair_map("chair"), dir / "map.hmap"));
   EXPECT_TRUE(save_archive(chair_map("sofa"), dir / "sofa.hmap"));

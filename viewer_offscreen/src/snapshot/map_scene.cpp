@@ -3,6 +3,8 @@
 
 #include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -29,6 +31,28 @@ SnapshotScene map_scene(const Hypermap& hypermap,
     scene = with_layer(std::move(scene), layer, hypermap.frames());
   }
   for (const Object* object : objects) scene.objects.push_back(drawn(*object, classes));
+  return scene;
+}
+
+SnapshotScene only_named(SnapshotScene scene, const NameSelection& names) {
+  std::set<ClassId> ids;
+  for (std::uint32_t i = 0; i < scene.classes.size(); ++i) {
+    if (names.contains(scene.classes.name(ClassId{i}))) ids.insert(ClassId{i});
+  }
+  std::erase_if(scene.objects, [&](const SnapshotObject& object) {
+    return !object.class_id || !ids.contains(*object.class_id);
+  });
+  std::erase_if(scene.semantic,
+                [&](const SemanticObject& shape) { return !names.contains(shape.name); });
+  if (!scene.leaves) return scene;
+  scene.leaves = [leaves = std::move(scene.leaves),
+                  ids = std::move(ids)](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      LeafSample shown = leaf;
+      if (shown.best_class && !ids.contains(*shown.best_class)) shown.best_class.reset();
+      visit(shown);
+    });
+  };
   return scene;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/object_query.hpp"
 
-#include "objects/association/policies.hpp"
+#include "hypermap/core/objects/object.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
 
 namespace hypermap {
 namespace {
@@ -29,6 +31,20 @@ bool fulfils(const Object& object, const ObjectQuery& query) {
   return !query.area || box_intersects(object.box, *query.area);
 }
 
+/// Of the classes that bear these names.
+std::set<ClassId> ids_of(const NameSelection& names, const ClassRegistry& classes) {
+  std::set<ClassId> ids;
+  for (const std::string& name : names.canonical_names()) {
+    if (const auto id = classes.find(name)) ids.insert(*id);
+  }
+  return ids;
+}
+
+bool is_of_one(const Object& object, const std::set<ClassId>& ids) {
+  const auto best = best_class(object);
+  return best && ids.contains(best->id);
+}
+
 double distance_m(const Object& object, const PlanPoint& point) {
   const Eigen::Vector3d& centre = object.centroid_in_map;
   const double z = point.z.value_or(centre.z());
@@ -40,14 +56,11 @@ double distance_m(const Object& object, const PlanPoint& point) {
 std::vector<ObjectId> find_objects(const ObjectMap& objects,
                                    const ClassRegistry& classes,
                                    const ObjectQuery& query) {
-  std::optional<ClassId> wanted;
-  if (query.class_name) {
-    wanted = classes.find(*query.class_name);
-    if (!wanted) return {};
-  }
+  const auto wanted =
+      query.class_name ? std::optional(ids_of(*query.class_name, classes)) : std::nullopt;
   std::vector<ObjectId> found;
   for (const Object& object : objects.objects()) {
-    if (wanted && !is_of_class(object, *wanted)) continue;
+    if (wanted && !is_of_one(object, *wanted)) continue;
     if (fulfils(object, query)) found.push_back(object.id);
   }
   return found;
@@ -55,8 +68,8 @@ std::vector<ObjectId> find_objects(const ObjectMap& objects,
 
 std::vector<ObjectId> objects_of_class(const ObjectMap& objects,
                                        const ClassRegistry& classes,
-                                       std::string_view class_name) {
-  return find_objects(objects, classes, {.class_name = std::string(class_name)});
+                                       const NameSelection& class_names) {
+  return find_objects(objects, classes, {.class_name = class_names});
 }
 
 std::optional<ObjectId> nearest_object(const ObjectMap& objects,

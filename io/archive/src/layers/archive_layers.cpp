@@ -105,6 +105,13 @@ Result<Layer> archive_layer(const MapArchive& archive, std::string_view name) {
       return is_spelling_of(layer.info.name, name);
     });
   }
+  if (found == layers.end()) {
+    const std::string asked = archive.vocabulary.class_of(name);
+    found = std::find_if(layers.begin(), layers.end(), [&](const Layer& layer) {
+      return layer.content.as<ClassGridLayer>() != nullptr &&
+             archive.vocabulary.class_of(layer.info.name) == asked;
+    });
+  }
   if (found != layers.end()) return std::move(*found);
   if (is_spelling_of(kObjectsLayer, name)) return objects_layer(archive);
   if (is_spelling_of(kEvidenceLayer, name) && archive.octree) return evidence_layer(archive);

@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/class_stack.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "hypermap/projection/stack/leaf_evidence.hpp"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace hypermap {
 namespace {
 
 Result<std::set<ClassId>> classes_asked_for(const ClassRegistry& classes,
-                                            const std::vector<std::string>& names) {
-  const auto ids = classes.find_all(names);
+                                            const ClassStackRequest& request) {
+  const auto ids = asked_classes(classes, request.vocabulary, request.classes);
   if (!ids) return fail(ids.error().code, ids.error().what, "--class");
   return std::set<ClassId>(ids->begin(), ids->end());
 }
@@ -32,7 +33,7 @@ Result<GridGeometry> geometry_of_band(const LeafSource& leaves, const HeightBand
 Result<GridStack> class_stack(const LeafSource& leaves,
                               const ClassRegistry& classes,
                               const ClassStackRequest& request) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, classes_asked_for(classes, request.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, classes_asked_for(classes, request));
   HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, geometry_of_band(leaves, request.band));
   HYPERMAP_ASSIGN_OR_RETURN(GridStack stack, GridStack::create(geometry, request.options));
   HYPERMAP_ASSIGN_OR_RETURN(auto grids,

@@ -95,9 +95,18 @@ PairedDetections pair_detections(DetectionSet set,
 }
 
 Result<DetectorId> register_detector(const PairedDetections& paired,
+                                     std::string_view given,
                                      std::span<const DetectorId> read,
                                      DetectorRegistry& detectors) {
-  if (!paired.set.detector.name.empty()) return detectors.add(paired.set.detector);
+  const std::string& own = paired.set.detector.name;
+  if (!given.empty() && !own.empty() && given != own) {
+    return fail(ErrorCode::kInvalidArgument,
+                "is of detector \"" + printable(own) + "\" by what it says, not of \"" +
+                    printable(given) + "\"",
+                "detector");
+  }
+  if (!given.empty() && own.empty()) return detectors.add({.name = std::string(given)});
+  if (!own.empty()) return detectors.add(paired.set.detector);
   const std::filesystem::path file(paired.file);
   const std::filesystem::path stem = file.has_stem() ? file.stem() : file.parent_path().stem();
   const std::string name = printable(stem.string());

@@ -30,9 +30,11 @@ struct PairedDetections {
                                                const std::vector<SequenceEntry>& entries,
                                                double stamp_tolerance_s);
 
-/// The detector whose words these are: by its own name, else by the stem of the file, beside those
-/// of the files that were `read` before. Errors: those of DetectorRegistry::add.
+/// The detector whose words these are: `given`, where that is a name, else by its own name, else by
+/// the stem of the file, beside those of the files that were `read` before.
+/// Errors: those of DetectorRegistry::add; kInvalidArgument for a file that says another name.
 [[nodiscard]] Result<DetectorId> register_detector(const PairedDetections& paired,
+                                                   std::string_view given,
                                                    std::span<const DetectorId> read,
                                                    DetectorRegistry& detectors);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detector_line.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/io/codec/value_limits.hpp"
@@ -192,6 +193,7 @@ Result<void> parse_coco_json(const JsonNode& root,
     HYPERMAP_TRY(parse_tables_beside(folder, options.limits, tables));
   } else {
     HYPERMAP_TRY(parse_tables(root, options.limits, tables));
+    HYPERMAP_TRY(parse_detector_key(root, builder));
   }
   for (const auto& [id, name] : tables.categories) builder.add_class(name);
   for (std::size_t i = 0; i < list.size(); ++i) {

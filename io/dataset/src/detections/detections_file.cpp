@@ -160,9 +160,9 @@ Result<void> parse_json(std::string_view text,
       JsonDocument::parse(text, builder.file(), json_limits(builder.options())));
   const JsonNode root = document.root();
   if (is_detections_head(root)) return check_detections_head(root, {});
-  if (is_detector_line(root)) return parse_detector_line(root, builder);
   const bool is_coco =
       root.is(JsonKind::kArray) || root.find("annotations") || root.find("results");
+  if (!is_coco && is_detector_line(root)) return parse_detector_line(root, builder);
   return is_coco ? parse_coco_json(root, folder, builder) : parse_frame_json(root, builder);
 }
 

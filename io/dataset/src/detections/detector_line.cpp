@@ -54,8 +54,13 @@ Result<void> parse_detector_line(const JsonNode& line, DetectionSetBuilder& buil
                       "the detector must be named once, before the first image");
   }
   HYPERMAP_TRY(expect_keys(line, {kDetectorKey}));
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode node, line.require(kDetectorKey));
-  HYPERMAP_ASSIGN_OR_RETURN(DetectorDescription detector, parse_detector(node));
+  return parse_detector_key(line, builder);
+}
+
+Result<void> parse_detector_key(const JsonNode& object, DetectionSetBuilder& builder) {
+  const auto node = object.find(kDetectorKey);
+  if (!node) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(DetectorDescription detector, parse_detector(*node));
   builder.set_detector(std::move(detector));
   return {};
 }

@@ -25,6 +25,10 @@ namespace hypermap {
 /// missing, and for what `validate(DetectorDescription)` refuses.
 [[nodiscard]] Result<void> parse_detector_line(const JsonNode& line, DetectionSetBuilder& builder);
 
+/// The same of the key `detector` of an object that has others beside it; one without says nothing.
+/// Errors: kMalformedFile as parse_detector_line.
+[[nodiscard]] Result<void> parse_detector_key(const JsonNode& object, DetectionSetBuilder& builder);
+
 /// Such a line, its end included; nothing for a detector without a name.
 [[nodiscard]] std::string detector_line(const DetectorDescription& detector);
 

@@ -37,10 +37,6 @@ class ClassRegistry {
   /// The id of `name` or of another spelling of it, when known.
   [[nodiscard]] std::optional<ClassId> find(std::string_view name) const;
 
-  /// The ids of all of these names, ascending, each once.
-  /// Errors: kNotFound naming the first that is not known.
-  [[nodiscard]] Result<std::vector<ClassId>> find_all(std::span<const std::string> names) const;
-
   /// Requires: contains(id).
   [[nodiscard]] const std::string& name(ClassId id) const;
 
@@ -57,10 +53,11 @@ class ClassRegistry {
   std::map<std::string, ClassId, std::less<>> id_of_canonical_;
 };
 
-/// One spelling for all spellings of a class: lower case, without spaces, hyphens and underscores,
-/// and the names of COCO 2017 mapped to those of the VOC style ("tv" -> "tvmonitor", "couch" ->
-/// "sofa", "potted plant" -> "pottedplant", "motorcycle" -> "motorbike", "airplane" ->
-/// "aeroplane").
+/// Lower case (of ASCII), without spaces, hyphens and underscores.
+[[nodiscard]] std::string folded_class_name(std::string_view name);
+/// One spelling for all spellings of a class: `folded_class_name`, and the names of COCO 2017
+/// mapped to those of the VOC style ("tv" -> "tvmonitor", "couch" -> "sofa", "potted plant" ->
+/// "pottedplant", "motorcycle" -> "motorbike", "airplane" -> "aeroplane").
 [[nodiscard]] std::string canonical_class_name(std::string_view name);
 /// Whether both are spellings of one class, or of one word.
 [[nodiscard]] bool is_spelling_of(std::string_view a, std::string_view b);

@@ -10,18 +10,17 @@
 #include "hypermap/core/geometry/plan_point.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object_map.hpp"
+#include "hypermap/core/vocabulary/name_selection.hpp"
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace hypermap {
 
 /// Conditions that must all hold; those that are absent always do. Frame: Map.
 struct ObjectQuery {
-  /// The best class, in any spelling of it (`canonical_class_name`); an unknown name fits nothing.
-  std::optional<std::string> class_name = std::nullopt;
+  /// The best class is one of these; an unknown name fits nothing.
+  std::optional<NameSelection> class_name = std::nullopt;
   std::optional<ObjectId> id = std::nullopt;
   std::optional<PlanPoint> at = std::nullopt;  ///< In the box, faces included.
   std::optional<Polygon> area = std::nullopt;  ///< Meets the box seen from above, edges included.
@@ -35,10 +34,10 @@ struct ObjectQuery {
                                                  const ClassRegistry& classes,
                                                  const ObjectQuery& query);
 
-/// Those whose best class is this one, in any spelling of it.
+/// Those whose best class is one of these.
 [[nodiscard]] std::vector<ObjectId> objects_of_class(const ObjectMap& objects,
                                                      const ClassRegistry& classes,
-                                                     std::string_view class_name);
+                                                     const NameSelection& class_names);
 
 /// Of the objects that fulfil the query the one whose centroid is nearest to `point`, measured in
 /// the plane when `point` has no height; of equally near ones the lowest id. Cost: O(n).

@@ -6,10 +6,10 @@
 /// representations), table 2.
 #pragma once
 
-#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/geometry/plan_point.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/core/vocabulary/name_selection.hpp"
 
 #include <Eigen/Core>
 
@@ -24,7 +24,8 @@ namespace hypermap {
 /// getString is `at`, getStrings `area`, getCoords `text`, getCoordsArea `text` with `area`; the
 /// integer queries go by `value`. Frame: the layer's.
 struct LayerQuery {
-  std::optional<std::string> text = std::nullopt;    ///< A spelling of the string representation.
+  /// The string representation is one of these names.
+  std::optional<NameSelection> text = std::nullopt;
   std::optional<std::int64_t> value = std::nullopt;  ///< The integer representation is this one.
   std::optional<PlanPoint> at = std::nullopt;  ///< It is at this point; flat layers ignore heights.
   /// It is in this area: objects that touch it are, cells must share area with it.
@@ -51,7 +52,7 @@ struct LayerAnswer {
 
 /// Whether string and integer representation are those that `query` asks for.
 [[nodiscard]] inline bool has_representation(const LayerAnswer& answer, const LayerQuery& query) {
-  return (!query.text || is_spelling_of(answer.name, *query.text)) &&
+  return (!query.text || query.text->contains(answer.name)) &&
          (!query.value || *query.value == answer.value);
 }
 

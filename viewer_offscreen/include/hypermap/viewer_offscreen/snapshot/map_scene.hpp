@@ -6,6 +6,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/vocabulary/name_selection.hpp"
 #include "hypermap/projection/layers/hypermap.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 
@@ -24,5 +25,9 @@ namespace hypermap {
                                       std::span<const Object* const> objects,
                                       LeafSource leaves,
                                       std::string frame_id = "map");
+
+/// The scene with those of its objects and shapes that bear one of the names. Voxels of other
+/// classes stay, without a class; what layers draw besides stays as it is.
+[[nodiscard]] SnapshotScene only_named(SnapshotScene scene, const NameSelection& names);
 
 }  // namespace hypermap

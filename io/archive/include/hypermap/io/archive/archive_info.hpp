@@ -37,6 +37,8 @@ struct ArchiveInfo {
   std::vector<LayerSummary> layers;
   std::vector<std::string> classes;                 ///< In the order of their ids.
   std::vector<DetectorDescription> detectors = {};  ///< The same.
+  std::size_t num_aliases = 0;  ///< Of the map's vocabulary, as its super-classes.
+  std::size_t num_super_classes = 0;
   std::vector<FrameTransform> transforms;
   std::vector<Provenance> provenance;  ///< Of each run, oldest first.
   /// Of the confirmed objects (`archive_relations`), as many of each of `kRelationKinds`.
@@ -54,7 +56,8 @@ struct ArchiveInfo {
 /// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
 /// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `detectors` [{`id`, `name`,
-/// `type`, `architecture`, `classes`; null what is not stated}], `transforms`, `relations` {`on`,
+/// `type`, `architecture`, `classes`; null what is not stated}], `class_names` {`aliases`,
+/// `super_classes`: how many}, `transforms`, `relations` {`on`,
 /// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
 /// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `provenance` (of the
 /// newest run, with the others, oldest first, in its list `earlier`; null when there is none).

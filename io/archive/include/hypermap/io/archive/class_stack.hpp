@@ -8,6 +8,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/vocabulary/class_vocabulary.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 
@@ -21,9 +22,11 @@ namespace hypermap {
 inline constexpr std::string_view kStackLayer = "stack";
 
 struct ClassStackRequest {
-  HeightBand band = {};                   ///< Voxels that count.
-  std::vector<std::string> classes = {};  ///< Only these; all when empty.
-  GridStackOptions options = {};          ///< Of the stack; its frame is that of the leaves.
+  HeightBand band = {};  ///< Voxels that count.
+  std::vector<std::string> classes =
+      {};                           ///< Only what these ask for (asked_names); all when empty.
+  ClassVocabulary vocabulary = {};  ///< By which they are understood.
+  GridStackOptions options = {};    ///< Of the stack; its frame is that of the leaves.
 };
 
 /// A layer for each class that some leaf in the band bears: project_class_evidence, as it is, of as

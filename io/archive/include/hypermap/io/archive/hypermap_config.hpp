@@ -43,6 +43,7 @@ inline constexpr std::string_view kViewsFormat = "hypermap-views";
 inline constexpr std::string_view kTopologicalMapFormat = "hypermap-topological-map";
 inline constexpr std::string_view kClassesFormat = "hypermap-classes";
 inline constexpr std::string_view kDetectorsFormat = "hypermap-detectors";
+inline constexpr std::string_view kVocabularyFormat = "hypermap-vocabulary";
 inline constexpr std::string_view kClassGridFormat = "hypermap-class-grid";
 inline constexpr std::string_view kProvenanceFormat = "hypermap-provenance";
 inline constexpr std::string_view kCheckpointFormat = "hypermap-checkpoint";

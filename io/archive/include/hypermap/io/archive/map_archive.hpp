@@ -13,6 +13,7 @@
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/segmentation/detector_registry.hpp"
+#include "hypermap/core/vocabulary/class_vocabulary.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/layer_types.hpp"
 #include "hypermap/io/archive/object_views.hpp"
@@ -64,6 +65,8 @@ struct MapArchive {
   /// Whose words the observation logs hold, by the ids there. Maps of before they were kept have
   /// none.
   DetectorRegistry detectors = {};
+  /// What the names of classes mean when something is asked; all else keeps the names as they are.
+  ClassVocabulary vocabulary = {};
   ObjectMap objects = {};
   ObjectViews views = {};  ///< Of objects, where they were kept.
   /// Where the sensor came to; none in maps that were made without.

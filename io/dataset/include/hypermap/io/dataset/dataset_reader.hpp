@@ -33,6 +33,9 @@ struct DatasetOptions {
   /// `detections.json`, or what the description names). A file that does not say whose it is is
   /// that of the detector of its stem's name, label images are that of `labels`.
   std::vector<std::filesystem::path> detections = {};
+  /// Whose they are, of the first ones of these files; empty: as above. A file that says another
+  /// name is refused.
+  std::vector<std::string> detector_names = {};
   /// False: detections in the folder are not read unless named above.
   bool find_detections = true;
   DetectionReadOptions detection_reading = {};

@@ -30,7 +30,10 @@ struct EvaluationJob {
   std::optional<std::filesystem::path> against = std::nullopt;  ///< Another map of the same place.
   std::vector<MapAndTruth> also = {};  ///< Further pairs, for the calibration alone.
   std::string layer = "semantic";      ///< Semantic layer in each archive.
+  /// Its classes are what they ask for (asked_names).
   EvaluationOptions options = {};
+  /// What names of classes mean in all archives; none: what the map says, else what the truth does.
+  std::optional<ClassVocabulary> vocabulary = std::nullopt;
   CalibrationOptions calibration = {};
   ArchiveLimits limits = {};  ///< Of each archive.
   StopCheck stop = {};        ///< Ends the loading of any with kInterrupted.

@@ -35,6 +35,8 @@ struct ListedEvaluationJob {
   std::optional<NamingFrames> frames = std::nullopt;
   std::string layer = "semantic";  ///< Semantic layer of the map: its confirmed objects.
   InstanceComparisonOptions options = {};
+  /// What names of classes mean; none: what the map says.
+  std::optional<ClassVocabulary> vocabulary = std::nullopt;
   ArchiveLimits limits = {};
   StopCheck stop = {};  ///< Ends loading, and counting after the frame in hand, with kInterrupted.
 };

@@ -49,6 +49,9 @@ struct MappingJob {
   SemanticMapperOptions mapper = {};
   /// What belongs where, for `mapper.prior.source` places; without it that is refused.
   std::optional<PlaceRules> place_rules = std::nullopt;
+  /// What names of classes mean, kept in the map; none: what the map that it goes on from keeps.
+  /// Options and rules that name classes are understood by it; the map keeps detectors' own names.
+  std::optional<ClassVocabulary> vocabulary = std::nullopt;
   LayerOptions layers = {};
   /// Which axis of the dataset's world points up ("z", "-y", ...), "floor" to find the floor plane;
   /// none: what the dataset's description says, else z for TUM RGB-D, else "floor".

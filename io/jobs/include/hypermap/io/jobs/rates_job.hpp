@@ -29,8 +29,10 @@ struct RatesJob {
   std::string layer = "semantic";                     ///< Semantic layer in each archive.
   EvaluationOptions options = {};                     ///< Against archives.
   InstanceComparisonOptions comparison = {};          ///< Against lists.
-  ArchiveLimits limits = {};                          ///< Of each archive.
-  StopCheck stop = {};  ///< Ends loading and counting with kInterrupted.
+  /// What names of classes mean; none: as the map says, else the truth.
+  std::optional<ClassVocabulary> vocabulary = std::nullopt;
+  ArchiveLimits limits = {};  ///< Of each archive.
+  StopCheck stop = {};        ///< Ends loading and counting with kInterrupted.
 };
 
 struct RatesOutcome {

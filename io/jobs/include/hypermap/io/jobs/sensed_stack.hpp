@@ -8,6 +8,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/job_progress.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/vocabulary/class_vocabulary.hpp"
 #include "hypermap/grid_registration/grid_registration.hpp"
 #include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
@@ -48,7 +49,9 @@ struct SensedStackJob {
   std::filesystem::path input;
   DatasetOptions dataset = {};
   std::vector<FrameSensor> sensors = {FrameSensor{}};
-  std::vector<std::string> classes = {};  ///< Of detections; all when empty.
+  /// Of detections: what these ask for (asked_names); all when empty.
+  std::vector<std::string> classes = {};
+  ClassVocabulary vocabulary = {};  ///< By which they are understood.
   HeightOptions heights = {};
   /// The layer of the stack that the depth of each frame is registered to before the frame is
   /// fused; none: poses are taken as they are.
@@ -76,7 +79,7 @@ struct SensedStackReport {
 /// kInvalidArgument when no run has the input's world, nothing is to be sensed or a registration's
 /// options are wrong; kNotFound when the stack has no layer `reference`, no frame can be read, or
 /// frames are to be registered and none can be, with the reasons;
-/// those of open_dataset, ClassRegistry::find_all and GridStack::fuse; kInterrupted. Cost: a pass
+/// those of open_dataset, asked_classes and GridStack::fuse; kInterrupted. Cost: a pass
 /// over the frames; a registration is a fraction of a second each.
 [[nodiscard]] Result<SensedStackReport> fuse_frames(GridStack& stack,
                                                     const SensedStackJob& job,
