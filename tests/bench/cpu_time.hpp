@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// CPU time of this process: what a figure means on a machine that others use as well.
+/// CPU time of this process: what a figure means on a machine that others use as well; and what a
+/// clock on the wall says, of work that several threads share.
 #pragma once
 
+#include <chrono>
 #include <ctime>
 
 namespace hypermap::test {
@@ -20,6 +22,19 @@ double cpu_time_of(Work&& work) {
   const double before = cpu_seconds();
   work();
   return cpu_seconds() - before;
+}
+
+struct WorkSeconds {
+  double cpu = 0.0;   ///< Of all threads.
+  double wall = 0.0;  ///< On a machine that others use too it takes longer.
+};
+
+template <class Work>
+WorkSeconds seconds_of(Work&& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double cpu = cpu_time_of(work);
+  return {.cpu = cpu,
+          .wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
 }
 
 }  // namespace hypermap::test

@@ -42,7 +42,9 @@ std::string objects_table(const ObjectSizes& objects) {
   return "\n" + table.text() + count_text(objects.num_objects, "object") + ": packed " +
          kilobytes(objects.mean) + " KiB each; one by one the median is " +
          kilobytes(objects.median_alone) + ", the largest, object " +
-         std::to_string(objects.largest.value) + ", " + kilobytes(objects.largest_alone) + "\n";
+         std::to_string(objects.largest.value) + ", " + kilobytes(objects.largest_alone) + "; " +
+         std::to_string(objects.num_large) + " take more than " +
+         std::to_string(kLargeObjectBytes / 1024) + " KiB\n";
 }
 
 std::string grids_line(const GridSizes& grids) {

@@ -84,7 +84,8 @@ std::size_t TopologicalMap::CellHash::operator()(const Cell& cell) const noexcep
   return hash;
 }
 
-TopologicalMap::TopologicalMap(const TopologicalMapOptions& options) : options_(options) {
+TopologicalMap::TopologicalMap(const TopologicalMapOptions& options)
+    : options_(options), graph_(CowRef<Graph>::make()) {
   assert(validate(options));
 }
 
@@ -196,15 +197,15 @@ std::optional<VertexId> TopologicalMap::nearest(const Eigen::Vector3d& position_
   const double edge_m = options_.vertex_distance_m;
   const auto is_cheap = [&](double within_m) {
     const double cells_per_side = 2.0 * within_m / edge_m + 2.0;
-    return std::pow(cells_per_side, 3.0) < static_cast<double>(vertices_.size());
+    return std::pow(cells_per_side, 3.0) < static_cast<double>(vertices().size());
   };
   for (double within_m = edge_m; within_m == edge_m || is_cheap(within_m); within_m *= 2.0) {
     if (const auto found = nearest_within(position_in_map, within_m, any)) return found;
   }
   std::optional<VertexId> best;
   double best_m2 = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-    const double m2 = (vertices_[i].position_in_map - position_in_map).squaredNorm();
+  for (std::uint32_t i = 0; i < vertices().size(); ++i) {
+    const double m2 = (vertices()[i].position_in_map - position_in_map).squaredNorm();
     if (m2 >= best_m2) continue;
     best = VertexId{i};
     best_m2 = m2;
@@ -222,8 +223,8 @@ std::optional<VertexId> TopologicalMap::nearest_within(const Eigen::Vector3d& po
   for (std::int32_t x = low[0]; x <= high[0]; ++x) {
     for (std::int32_t y = low[1]; y <= high[1]; ++y) {
       for (std::int32_t z = low[2]; z <= high[2]; ++z) {
-        const auto cell = cells_.find({x, y, z});
-        if (cell == cells_.end()) continue;
+        const auto cell = graph_->cells.find({x, y, z});
+        if (cell == graph_->cells.end()) continue;
         for (const VertexId id : cell->second) {
           const double distance_m = (position_of(id) - position).norm();
           if (distance_m <= within_m) found.emplace_back(distance_m, id);
@@ -248,8 +249,8 @@ std::optional<VertexId> TopologicalMap::nearest_path_vertex(const Eigen::Vector3
 
 std::vector<TopologicalEdge> TopologicalMap::edges() const {
   std::vector<TopologicalEdge> edges;
-  for (std::uint32_t i = 0; i < joined_.size(); ++i) {
-    for (const VertexId other : joined_[i]) {
+  for (std::uint32_t i = 0; i < graph_->joined.size(); ++i) {
+    for (const VertexId other : graph_->joined[i]) {
       if (other.value > i) edges.push_back({VertexId{i}, other});
     }
   }
@@ -257,7 +258,7 @@ std::vector<TopologicalEdge> TopologicalMap::edges() const {
 }
 
 std::span<const VertexId> TopologicalMap::neighbours(VertexId id) const {
-  return joined_[id.value];
+  return graph_->joined[id.value];
 }
 
 double TopologicalMap::distance_m(VertexId a, VertexId b) const {
@@ -275,25 +276,27 @@ TopologicalMap::Cell TopologicalMap::cell_of(const Eigen::Vector3d& position) co
 
 /// Invariant: memory that ends leaves all three lists as they were.
 VertexId TopologicalMap::add(const Eigen::Vector3d& position, VertexKind kind) {
-  const VertexId id{static_cast<std::uint32_t>(vertices_.size())};
-  make_room(vertices_);
-  make_room(joined_);
-  cells_[cell_of(position)].push_back(id);
-  vertices_.push_back({position, kind});
-  joined_.emplace_back();
+  Graph& graph = graph_.writable();
+  const VertexId id{static_cast<std::uint32_t>(graph.vertices.size())};
+  make_room(graph.vertices);
+  make_room(graph.joined);
+  graph.cells[cell_of(position)].push_back(id);
+  graph.vertices.push_back({position, kind});
+  graph.joined.emplace_back();
   return id;
 }
 
 /// Invariant: as add; an edge stands at both of its ends or at none.
 void TopologicalMap::join(VertexId a, VertexId b) {
-  make_room(joined_[a.value]);
-  make_room(joined_[b.value]);
+  if (std::ranges::binary_search(graph_->joined[a.value], b)) return;
+  Graph& graph = graph_.writable();
+  make_room(graph.joined[a.value]);
+  make_room(graph.joined[b.value]);
   const auto insert = [](std::vector<VertexId>& ids, VertexId id) {
-    const auto place = std::ranges::lower_bound(ids, id);
-    if (place == ids.end() || *place != id) ids.insert(place, id);
+    ids.insert(std::ranges::lower_bound(ids, id), id);
   };
-  insert(joined_[a.value], b);
-  insert(joined_[b.value], a);
+  insert(graph.joined[a.value], b);
+  insert(graph.joined[b.value], a);
 }
 
 }  // namespace hypermap

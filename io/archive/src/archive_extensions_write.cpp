@@ -13,8 +13,11 @@
 #include "layers/layer_files.hpp"
 #include "octree/octree_options_keys.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace hypermap {
@@ -25,25 +28,59 @@ void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
   written.entries.push_back(std::move(entry));
 }
 
-Result<void> put_octree(WrittenExtensions& written, const MapArchive& archive) {
-  if (!archive.octree) return {};
-  const OctomapTree tree = to_octomap_tree(*archive.octree);
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_octomap(tree));
-  HYPERMAP_ASSIGN_OR_RETURN(std::string twin, write_octomap_binary(tree));
+/// The octree as `.ot` and as `.bt`.
+struct OctreeBytes {
+  std::string full;
+  std::string twin;
+};
+
+Result<OctreeBytes> write_octree(const SemanticOctree& octree) {
+  const OctomapTree tree = to_octomap_tree(octree);
+  OctreeBytes bytes;
+  HYPERMAP_ASSIGN_OR_RETURN(bytes.full, write_octomap(tree));
+  HYPERMAP_ASSIGN_OR_RETURN(bytes.twin, write_octomap_binary(tree));
+  return bytes;
+}
+
+/// The parts of a map that take long, made at the same time.
+struct LargeParts {
+  std::optional<Result<OctreeBytes>> octree = std::nullopt;
+  std::optional<Result<std::string>> objects = std::nullopt;
+};
+
+LargeParts write_large_parts(const MapArchive& archive) {
+  LargeParts parts;
+  tbb::parallel_invoke(
+      [&] {
+        if (archive.octree) parts.octree = write_octree(*archive.octree);
+      },
+      [&] {
+        if (!(archive.objects == ObjectMap())) parts.objects = write_objects(archive.objects);
+      });
+  return parts;
+}
+
+Result<void> put_octree(WrittenExtensions& written,
+                        const MapArchive& archive,
+                        std::optional<Result<OctreeBytes>> made) {
+  if (!made) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(OctreeBytes bytes, *std::move(made));
   ExtensionEntry entry = entry_of(archive, kOctomapFormat);
   std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
   append_keys(keys, entry.extra);
   entry.extra = make_map(std::move(keys));
   ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
   twin_entry.frame_id = entry.frame_id;
-  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(twin)};
-  put(written, std::move(entry), std::move(bytes));
+  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(bytes.twin)};
+  put(written, std::move(entry), std::move(bytes.full));
   return {};
 }
 
-Result<void> put_objects(WrittenExtensions& written, const MapArchive& archive) {
-  if (archive.objects == ObjectMap()) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, write_objects(archive.objects));
+Result<void> put_objects(WrittenExtensions& written,
+                         const MapArchive& archive,
+                         std::optional<Result<std::string>> made) {
+  if (!made) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, *std::move(made));
   put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
   return {};
 }
@@ -146,9 +183,10 @@ Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
 
 Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
   WrittenExtensions written;
-  HYPERMAP_TRY(put_octree(written, archive));
+  LargeParts parts = write_large_parts(archive);
+  HYPERMAP_TRY(put_octree(written, archive, std::move(parts.octree)));
   for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
-  HYPERMAP_TRY(put_objects(written, archive));
+  HYPERMAP_TRY(put_objects(written, archive, std::move(parts.objects)));
   HYPERMAP_TRY(put_embeddings(written, archive));
   HYPERMAP_TRY(put_views(written, archive));
   HYPERMAP_TRY(put_topological_map(written, archive));

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -112,7 +113,7 @@ std::vector<std::pair<std::string_view, std::string_view>> members_of_line(std::
 }
 
 /// The packed size of each text by itself, in their order.
-Result<std::vector<std::uint64_t>> packed_alone(const std::vector<std::string_view>& texts) {
+Result<std::vector<std::uint64_t>> packed_alone(std::span<const std::string_view> texts) {
   ZipLimits limits;
   limits.max_entries = texts.size();
   ZipWriter writer(limits);
@@ -127,15 +128,23 @@ Result<std::vector<std::uint64_t>> packed_alone(const std::vector<std::string_vi
   return sizes;
 }
 
-Result<std::vector<ObjectFieldSize>> field_sizes(const std::vector<std::string_view>& objects) {
+/// Of the member's text, the lines of objects: their states, and their cells in the same order.
+struct LinesOfObjects {
+  std::span<const std::string_view> states;
+  std::span<const std::string_view> cells;
+};
+
+Result<std::vector<ObjectFieldSize>> field_sizes(const LinesOfObjects& objects) {
   std::map<std::string_view, std::string> values;
-  for (const std::string_view line : objects) {
-    for (const auto& [key, value] : members_of_line(line)) {
-      std::string& all = values[key];
-      all += value;
-      all += '\n';
-    }
+  const auto add = [&values](std::string_view key, std::string_view value) {
+    std::string& all = values[key];
+    all += value;
+    all += '\n';
+  };
+  for (const std::string_view line : objects.states) {
+    for (const auto& [key, value] : members_of_line(line)) add(key, value);
   }
+  for (const std::string_view line : objects.cells) add("cells", line);
   std::vector<std::string_view> texts;
   std::vector<ObjectFieldSize> fields;
   for (const auto& [key, text] : values) {
@@ -148,6 +157,14 @@ Result<std::vector<ObjectFieldSize>> field_sizes(const std::vector<std::string_v
   return fields;
 }
 
+/// Of each object its two lines, packed by themselves.
+Result<std::vector<std::uint64_t>> sizes_alone(const LinesOfObjects& objects) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<std::uint64_t> sizes, packed_alone(objects.states));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<std::uint64_t> cells, packed_alone(objects.cells));
+  for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] += cells[i];
+  return sizes;
+}
+
 /// Requires: the archive that `zip` is has objects, by ascending id.
 Result<ObjectSizes> object_sizes(const ObjectMap& objects,
                                  const HypermapConfig& config,
@@ -155,22 +172,27 @@ Result<ObjectSizes> object_sizes(const ObjectMap& objects,
   const std::string& file =
       std::ranges::find(config.extensions, kObjectsFormat, &ExtensionEntry::format)->file;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string text, zip.read(file));
-  std::vector<std::string_view> lines = lines_of(text);
-  lines.erase(lines.begin());  // the head
-  HYPERMAP_ASSIGN_OR_RETURN(std::vector<std::uint64_t> alone, packed_alone(lines));
-  ObjectSizes sizes{.num_objects = lines.size()};
+  const std::vector<std::string_view> lines = lines_of(text);
+  const std::size_t num_objects = objects.size();
+  const std::span<const std::string_view> all(lines);
+  const LinesOfObjects of_objects{.states = all.subspan(1, num_objects),
+                                  .cells = all.subspan(1 + num_objects, num_objects)};
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<std::uint64_t> alone, sizes_alone(of_objects));
+  ObjectSizes sizes{.num_objects = num_objects};
   sizes.mean =
-      static_cast<double>(zip.find(file)->num_packed_bytes) / static_cast<double>(lines.size());
+      static_cast<double>(zip.find(file)->num_packed_bytes) / static_cast<double>(num_objects);
   const auto largest = std::ranges::max_element(alone);
   sizes.largest_alone = *largest;
   std::size_t place = static_cast<std::size_t>(largest - alone.begin());
   for (const Object& object : objects.objects()) {
     if (place-- == 0) sizes.largest = object.id;
   }
+  sizes.num_large = static_cast<std::size_t>(
+      std::ranges::count_if(alone, [](std::uint64_t size) { return size > kLargeObjectBytes; }));
   const auto middle = alone.begin() + static_cast<std::ptrdiff_t>(alone.size() / 2);
   std::ranges::nth_element(alone, middle);
   sizes.median_alone = *middle;
-  HYPERMAP_ASSIGN_OR_RETURN(sizes.fields, field_sizes(lines));
+  HYPERMAP_ASSIGN_OR_RETURN(sizes.fields, field_sizes(of_objects));
   return sizes;
 }
 

@@ -25,6 +25,7 @@ std::string objects_json(const ObjectSizes& objects) {
                       {"median_alone", std::to_string(objects.median_alone)},
                       {"largest_alone", std::to_string(objects.largest_alone)},
                       {"largest", std::to_string(objects.largest.value)},
+                      {"num_large", std::to_string(objects.num_large)},
                       {"fields", json_array(objects.fields, [](const auto& field) {
                          return field_json(field);
                        })}});

@@ -8,9 +8,13 @@
 #include "hypermap/io/codec/zip_writer.hpp"
 #include "layers/layer_files.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace hypermap {
@@ -53,13 +57,26 @@ Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
   return files;
 }
 
+Result<PackedMember> packed_file(const OpaqueFile& file, const ZipLimits& limits) {
+  auto packed = packed_member(file.name, file.bytes, limits);
+  if (packed) return packed;
+  Error error = std::move(packed).error();
+  error.entry = file.name;
+  return tl::make_unexpected(std::move(error));
+}
+
 Result<std::string> zip_of(const std::vector<OpaqueFile>& files, const ZipLimits& limits) {
+  std::vector<std::optional<Result<PackedMember>>> packed(files.size());
+  tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+    packed[i] = packed_file(files[i], limits);
+  });
   ZipWriter writer(limits);
-  for (const OpaqueFile& file : files) {
-    auto added = writer.add(file.name, file.bytes);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(PackedMember member, *std::move(packed[i]));
+    auto added = writer.add(std::move(member));
     if (!added) {
       Error error = std::move(added).error();
-      error.entry = file.name;
+      error.entry = files[i].name;
       return tl::make_unexpected(std::move(error));
     }
   }

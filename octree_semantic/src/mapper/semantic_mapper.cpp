@@ -83,8 +83,8 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree empty, SemanticOctree::create(options.octree));
   try {
     auto known = std::make_shared<const ClassRegistry>(classes);
-    auto nothing = std::make_shared<const MapSnapshot>(
-        MapSnapshot{std::move(empty), ObjectMap{}, known, 0, 0, {}});
+    auto nothing = std::make_shared<const MapSnapshot>(MapSnapshot{
+        std::move(empty), ObjectMap{}, TopologicalMap(options.places), known, 0, 0, {}});
     SemanticMapper mapper(options,
                           std::move(filter),
                           std::move(octree),

@@ -10,8 +10,8 @@
 namespace hypermap {
 
 void SemanticMapper::publish() {
-  snapshots_->publish(std::make_shared<const MapSnapshot>(
-      MapSnapshot{octree_, objects_, classes_, num_frames_, frame_index_, stamp_}));
+  snapshots_->publish(std::make_shared<const MapSnapshot>(MapSnapshot{
+      octree_, objects_, topological_map_, classes_, num_frames_, frame_index_, stamp_}));
   num_published_frames_ = num_frames_;
 }
 

@@ -103,32 +103,83 @@ TEST(ObjectJson, APriorSurvivesAndIsChecked) {
   EXPECT_THAT(to_string(parse_objects(wrong, kObjectsSource).error()), HasSubstr("prior"));
 }
 
+/// What an older version wrote of one object: its cells among its state, no line of their own.
+std::string older_version(const std::string& text, int version, const std::string& cells) {
+  std::string older =
+      with_replaced(text, "\"version\":3", "\"version\":" + std::to_string(version));
+  older.resize(older.rfind('\n', older.size() - 2) + 1);
+  const std::size_t from = older.find("\"origin\":");
+  const std::size_t to = older.find("},\"ledger\"");
+  return older.replace(from, to - from, cells);
+}
+
 TEST(ObjectJson, VersionOneListsCellsAndVotesAsNumbers) {
   const ObjectMap objects = sample(1);
-  std::string text =
-      with_replaced(write_objects(objects).value(), "\"version\":2", "\"version\":1");
   std::string votes = "\"votes\":[";
   for (const PointVote& vote : objects.at(ObjectId{1}).points.state().votes) {
     votes += (votes.back() == '[' ? "[" : ",[") + std::to_string(vote.cell.x) + "," +
              std::to_string(vote.cell.y) + "," + std::to_string(vote.cell.z) + "," +
              std::to_string(vote.votes) + "]";
   }
-  const std::size_t from = text.find("\"origin\":");
-  const std::size_t to = text.find("},\"ledger\"");
-  ASSERT_NE(to, std::string::npos);
-  const auto again = parse_objects(text.replace(from, to - from, votes + "]"), kObjectsSource);
+  const auto again =
+      parse_objects(older_version(write_objects(objects).value(), 1, votes + "]"), kObjectsSource);
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_TRUE(*again == objects);
+}
+
+TEST(ObjectJson, VersionTwoHasCellsAsTwoTextsOfTheObject) {
+  Object object;
+  object.box.max_in_map = {1, 1, 1};
+  const std::vector<Eigen::Vector3f> points{{0.005F, 0.005F, 0.005F}, {0.015F, 0.005F, 0.005F}};
+  object.points.observe(points);
+  ObjectMap objects;
+  objects.add(object);
+  // Two cells side by side in x, an observation each.
+  const std::string cells = R"("origin":[0,0,0],"levels":1,"cells":"11","votes":"BB")";
+  const auto again =
+      parse_objects(older_version(write_objects(objects).value(), 2, cells), kObjectsSource);
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_TRUE(*again == objects);
 }
 
 TEST(ObjectJson, DamagedCellsAreNamed) {
   const std::string text = write_objects(sample(1)).value();
-  EXPECT_THAT(objects_error(with_replaced(text, "\"cells\":\"", "\"cells\":\"0")),
-              HasSubstr("a.hmap!objects.jsonl:2: $.points.cells"));
+  const std::size_t cells = text.rfind('\n', text.size() - 2) + 1;
+  std::string longer = text;
+  longer.insert(cells + 1, "AAAA");
+  EXPECT_THAT(objects_error(longer), HasSubstr("a.hmap!objects.jsonl:3: $: its bytes"));
+  std::string no_letters = text;
+  no_letters.replace(cells + 1, 1, "-");
+  EXPECT_THAT(objects_error(no_letters), HasSubstr("a.hmap!objects.jsonl:3: $: base64 must be"));
+  std::string no_text = text;
+  no_text.replace(cells, std::string::npos, "7\n");
+  EXPECT_THAT(objects_error(no_text), HasSubstr("a.hmap!objects.jsonl:3"));
+  EXPECT_THAT(objects_error(text.substr(0, cells)), HasSubstr("only 0 lines of cells"));
   EXPECT_THAT(objects_error(with_replaced(text, "\"levels\":", "\"levels\":9")),
               HasSubstr("$.points.levels: must be in 0 .. 32"));
+  EXPECT_THAT(objects_error(with_replaced(text, "\"num_cells\":", "\"num_cells\":99999")),
+              HasSubstr("$.points.num_cells: are more cells than max_cells"));
   EXPECT_THAT(objects_error(with_replaced(text, "\"origin\":[", "\"origin\":[1,")),
               HasSubstr("$.points.origin"));
+}
+
+TEST(ObjectJson, ManyObjectsKeepTheirOrderAndTheFirstErrorIsTheOneNamed) {
+  ObjectMap objects;
+  for (int i = 0; i < 1200; ++i) {
+    Object object;
+    object.box.max_in_map = {1.0 + i, 1, 1};
+    const std::vector<Eigen::Vector3f> points{{0.1F * static_cast<float>(i), 0.0F, 0.0F}};
+    object.points.observe(points);
+    objects.add(object);
+  }
+  std::string text = write_objects(objects).value();
+  EXPECT_EQ(text, write_objects(objects).value());
+  EXPECT_TRUE(parse_objects(text, kObjectsSource).value() == objects);
+  for (const char* id : {"\"id\":900,", "\"id\":700,", "\"id\":1100,"}) {
+    text = with_replaced(text, id, "\"id\":0,");
+  }
+  EXPECT_THAT(objects_error(with_replaced(text, "\"id\":600,", "\"id\":\"x\",")),
+              HasSubstr("objects.jsonl:601: $.id"));
 }
 
 TEST(ObjectJson, TheNextIdSurvivesErasing) {
@@ -160,7 +211,7 @@ TEST(ObjectJson, ErrorsNameMemberLineAndPath) {
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":1,\"color\":2,")),
               HasSubstr("unknown key"));
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":0,")), HasSubstr("a.hmap"));
-  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":2", "\"version\":7")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":3", "\"version\":7")),
               HasSubstr("written by a newer version 7"));
 }
 

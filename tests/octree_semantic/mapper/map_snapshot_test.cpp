@@ -40,14 +40,15 @@ SemanticMapper publishing_every(int num_frames) {
 struct Moment {
   SemanticOctree octree;
   ObjectMap objects;
+  TopologicalMap topological_map;
 };
 const std::vector<Moment>& moments() {
   static const std::vector<Moment> kMoments = [] {
     SemanticMapper mapper = publishing_every(0);
-    std::vector<Moment> made{{mapper.octree(), mapper.objects()}};
+    std::vector<Moment> made{{mapper.octree(), mapper.objects(), mapper.topological_map()}};
     for (const RgbdFrame& frame : frames()) {
       EXPECT_FALSE(mapper.integrate(frame)->published);
-      made.push_back({mapper.octree(), mapper.objects()});
+      made.push_back({mapper.octree(), mapper.objects(), mapper.topological_map()});
     }
     return made;
   }();
@@ -60,6 +61,8 @@ void expect_moment(const MapSnapshot& snapshot) {
   const Moment& moment = moments()[snapshot.num_frames];
   EXPECT_TRUE(snapshot.octree == moment.octree) << "after " << snapshot.num_frames;
   EXPECT_TRUE(snapshot.objects == moment.objects) << "after " << snapshot.num_frames;
+  EXPECT_TRUE(snapshot.topological_map == moment.topological_map)
+      << "after " << snapshot.num_frames;
   if (snapshot.num_frames == 0) return;
   EXPECT_EQ(snapshot.frame_index, frames()[snapshot.num_frames - 1].index);
   EXPECT_EQ(snapshot.stamp, frames()[snapshot.num_frames - 1].stamp);
@@ -103,6 +106,28 @@ TEST(MapSnapshot, IsPublishedEveryNthFrame) {
   }
 }
 
+TEST(MapSnapshot, HasThePlacesOfItsMomentThoughTheSensorWentOn) {
+  SemanticMapper mapper = publishing_every(1);
+  RgbdFrame frame = frames()[0];
+  ASSERT_TRUE(mapper.integrate(frame));
+  const auto before = mapper.snapshot();
+  const Eigen::Vector3d start = frame.map_from_camera.origin().xyz;
+  EXPECT_EQ(before->topological_map.walk()->position_in_map, start);
+  const std::size_t num_vertices = before->topological_map.vertices().size();
+  // 2.5 m on: beyond the longest edge of 0.95 m, so two more places of the way are needed.
+  Eigen::Isometry3d moved = frame.map_from_camera.isometry();
+  moved.translation().x() += 2.5;
+  frame.map_from_camera = Transform<frame::Map, frame::Camera>(moved);
+  ASSERT_TRUE(mapper.integrate(frame));
+  EXPECT_GE(mapper.snapshot()->topological_map.vertices().size(), num_vertices + 2);
+  EXPECT_EQ(before->topological_map.vertices().size(), num_vertices);
+  EXPECT_EQ(before->topological_map.walk()->position_in_map, start);
+  TopologicalMap mine = before->topological_map;
+  mine.cover(start + Eigen::Vector3d(0.0, 0.0, 50.0));
+  EXPECT_EQ(before->topological_map.vertices().size(), num_vertices);
+  EXPECT_GT(mine.vertices().size(), num_vertices);
+}
+
 TEST(MapSnapshot, ARefusedFrameIsInNone) {
   SemanticMapper mapper = publishing_every(1);
   ASSERT_TRUE(mapper.integrate(frames()[0]));
@@ -132,9 +157,12 @@ TEST(MapSnapshot, TheFirstOfAResumedMapIsWhatItGoesOnFrom) {
   SemanticMapperOptions options;
   options.publish_every_n_frames = 5;
   const Moment& before = moments()[4];
-  const auto mapper = SemanticMapper::resume(options, before.octree, before.objects).value();
+  const auto mapper =
+      SemanticMapper::resume(options, before.octree, before.objects, {}, before.topological_map)
+          .value();
   EXPECT_TRUE(mapper.snapshot()->octree == before.octree);
   EXPECT_TRUE(mapper.snapshot()->objects == before.objects);
+  EXPECT_TRUE(mapper.snapshot()->topological_map == before.topological_map);
   options.publish_every_n_frames = -1;
   EXPECT_EQ(SemanticMapper::create(options).error().field, "publish_every_n_frames");
 }

@@ -160,7 +160,8 @@ Result<ObservationLog> parse_observation_log(const JsonNode& node) {
 /// Reads objects; knows the limit on vertices.
 class ObjectReader {
  public:
-  explicit ObjectReader(const ObjectFileLimits& limits) : limits_(limits) {}
+  ObjectReader(const std::optional<JsonNode>& cells, const ObjectFileLimits& limits)
+      : cells_(cells), limits_(limits) {}
 
   [[nodiscard]] Result<Object> parse(const JsonNode& node) const {
     HYPERMAP_TRY(expect_keys(node,
@@ -193,7 +194,9 @@ class ObjectReader {
     HYPERMAP_ASSIGN_OR_RETURN(object.shapes, part(node, "shapes", [this](const JsonNode& shapes) {
                                 return parse_shapes(shapes);
                               }));
-    HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", voted_points_from_json));
+    HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", [this](const JsonNode& points) {
+                                return voted_points_from_json(points, cells_);
+                              }));
     HYPERMAP_ASSIGN_OR_RETURN(object.observation_log, part(node, "ledger", parse_observation_log));
     HYPERMAP_ASSIGN_OR_RETURN(object.first_seen.ns,
                               integer_at<std::int64_t>(node, "first_seen_ns"));
@@ -254,13 +257,16 @@ class ObjectReader {
     return validated(node, ShapeEvidence::from_state(std::move(state)));
   }
 
+  const std::optional<JsonNode>& cells_;
   const ObjectFileLimits& limits_;
 };
 
 }  // namespace
 
-Result<Object> object_from_json(const JsonNode& node, const ObjectFileLimits& limits) {
-  return ObjectReader(limits).parse(node);
+Result<Object> object_from_json(const JsonNode& node,
+                                const std::optional<JsonNode>& cells,
+                                const ObjectFileLimits& limits) {
+  return ObjectReader(cells, limits).parse(node);
 }
 
 }  // namespace hypermap

@@ -8,9 +8,14 @@
 #include "hypermap/io/archive/object_json.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 
+#include <optional>
+
 namespace hypermap {
 
-/// Errors: those of parse_objects, naming line and path.
-[[nodiscard]] Result<Object> object_from_json(const JsonNode& node, const ObjectFileLimits& limits);
+/// `cells`: the line of its voted cells, which a file of version 3 has. Errors: those of
+/// parse_objects, naming line and path.
+[[nodiscard]] Result<Object> object_from_json(const JsonNode& node,
+                                              const std::optional<JsonNode>& cells,
+                                              const ObjectFileLimits& limits);
 
 }  // namespace hypermap

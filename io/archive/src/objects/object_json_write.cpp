@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/object_json.hpp"
+#include "hypermap/io/codec/base64.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/json_text.hpp"
-#include "voted_cells_text.hpp"
+#include "object_chunks.hpp"
+#include "voted_cells_code.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,16 +14,30 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
+
+/// The two lines of an object, with their ends.
+struct ObjectLines {
+  std::string state;
+  std::string cells;
+};
 
 /// Writes one object and remembers whether everything in it can be written.
 class ObjectWriter {
  public:
   [[nodiscard]] bool ok() const { return ok_; }
 
-  std::string json_of(const Object& object) {
+  ObjectLines lines_of(const Object& object) {
+    const VotedCellsCode cells = voted_cells_code(object.points.state().votes);
+    return {.state = json_of(object, cells) + "\n",
+            .cells = json_quoted(encode_base64(cells.bytes)) + "\n"};
+  }
+
+ private:
+  std::string json_of(const Object& object, const VotedCellsCode& cells) {
     std::string text = json_object({{"id", count(object.id.value)},
                                     {"belief", json_of(object.belief)},
                                     {"existence", number(object.existence)},
@@ -30,7 +46,7 @@ class ObjectWriter {
                                     {"centroid", vector(object.centroid_in_map)},
                                     {"histogram", json_of(object.histogram)},
                                     {"shapes", json_of(object.shapes)},
-                                    {"points", json_of(object.points)},
+                                    {"points", json_of(object.points, cells)},
                                     {"ledger", json_of(object.observation_log)},
                                     {"first_seen_ns", std::to_string(object.first_seen.ns)},
                                     {"last_seen_ns", std::to_string(object.last_seen.ns)},
@@ -41,7 +57,6 @@ class ObjectWriter {
     return text + ",\"prior\":" + json_of(object.prior.log_factors()) + "}";
   }
 
- private:
   std::string number(double value) {
     if (!std::isfinite(value)) {
       ok_ = false;
@@ -116,10 +131,9 @@ class ObjectWriter {
          {"kept", json_array(state.shapes, [this](const Polygon& p) { return json_of(p); })}});
   }
 
-  std::string json_of(const OccupancyVotes& evidence) {
+  std::string json_of(const OccupancyVotes& evidence, const VotedCellsCode& cells) {
     const OccupancyVotesOptions& options = evidence.options();
     const OccupancyVotesState& state = evidence.state();
-    const VotedCellsText cells = voted_cells_text(state.votes);
     return json_object({{"first_edge_m", number(options.edge_m)},
                         {"max_cells", count(options.max_cells)},
                         {"min_vote_share", number(options.min_vote_share)},
@@ -130,8 +144,7 @@ class ObjectWriter {
                          json_array(std::array{cells.origin.x, cells.origin.y, cells.origin.z},
                                     [](std::int32_t c) { return std::to_string(c); })},
                         {"levels", std::to_string(cells.levels)},
-                        {"cells", json_quoted(cells.masks)},
-                        {"votes", json_quoted(cells.votes)}});
+                        {"num_cells", std::to_string(cells.num_cells)}});
   }
 
   /// Kind, visibility and the rest in the order of ObservationLogEntry's fields.
@@ -163,6 +176,15 @@ class ObjectWriter {
   bool ok_ = true;
 };
 
+Result<ObjectLines> lines_of(const Object& object) {
+  ObjectWriter writer;
+  ObjectLines lines = writer.lines_of(object);
+  if (writer.ok()) return lines;
+  return fail(ErrorCode::kInvalidArgument,
+              "has a number that is not finite or a count beyond 2^63",
+              "object " + std::to_string(object.id.value));
+}
+
 }  // namespace
 
 Result<std::string> write_objects(const ObjectMap& objects) try {
@@ -171,14 +193,19 @@ Result<std::string> write_objects(const ObjectMap& objects) try {
                                   {"num_objects", std::to_string(objects.size())},
                                   {"next_id", std::to_string(objects.next_id().value)}}) +
                      "\n";
-  for (const Object& object : objects.objects()) {
-    ObjectWriter writer;
-    text += writer.json_of(object) + "\n";
-    if (!writer.ok())
-      return fail(ErrorCode::kInvalidArgument,
-                  "has a number that is not finite or a count beyond 2^63",
-                  "object " + std::to_string(object.id.value));
-  }
+  std::vector<const Object*> all;
+  all.reserve(objects.size());
+  for (const Object& object : objects.objects()) all.push_back(&object);
+  std::string cells;
+  HYPERMAP_TRY(for_each_in_order<ObjectLines>(
+      all.size(),
+      [&all](std::size_t i) { return lines_of(*all[i]); },
+      [&](const ObjectLines& lines) -> Result<void> {
+        text += lines.state;
+        cells += lines.cells;
+        return {};
+      }));
+  text += cells;
   return text;
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kInvalidArgument, "the objects");

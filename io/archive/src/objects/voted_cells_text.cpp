@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,60 +35,6 @@ std::uint8_t value_at(std::string_view text, std::size_t index, const DigitValue
 constexpr unsigned kBitsOfVoteDigit = 5;
 constexpr std::uint32_t kMoreDigits = 1U << kBitsOfVoteDigit;
 constexpr int kMaxLevels = 32;
-
-/// A cell relative to the origin.
-struct RelativeVote {
-  std::array<std::uint32_t, 3> at;
-  std::uint32_t votes;
-};
-
-/// Of differences of two 32-bit integers, which a 32-bit one holds when they are not negative.
-std::uint32_t offset(std::int32_t value, std::int32_t origin) {
-  return static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(origin);
-}
-
-class CellWriter {
- public:
-  explicit CellWriter(VotedCellsText& text) : text_(text) {}
-
-  void write(std::span<RelativeVote> cells, int level) {
-    if (level == 0) return put_votes(cells.front().votes);
-    const auto children = split(cells, level - 1);
-    std::uint32_t mask = 0;
-    for (std::size_t k = 0; k < children.size(); ++k) {
-      if (!children[k].empty()) mask |= 1U << k;
-    }
-    text_.masks += {kHexDigits[mask >> 4U], kHexDigits[mask & 15U]};
-    for (const std::span<RelativeVote> child : children) {
-      if (!child.empty()) write(child, level - 1);
-    }
-  }
-
- private:
-  static std::array<std::span<RelativeVote>, 8> split(std::span<RelativeVote> cells, int bit) {
-    std::array<std::span<RelativeVote>, 8> parts{cells};
-    for (std::size_t axis = 0, stride = 4; axis < 3; ++axis, stride /= 2) {
-      for (std::size_t k = 0; k < parts.size(); k += 2 * stride) {
-        const auto is_low = [&](const RelativeVote& cell) {
-          return (cell.at.at(axis) >> static_cast<unsigned>(bit) & 1U) == 0;
-        };
-        const auto middle = std::partition(parts.at(k).begin(), parts.at(k).end(), is_low);
-        const auto num_low = static_cast<std::size_t>(middle - parts.at(k).begin());
-        parts.at(k + stride) = parts.at(k).subspan(num_low);
-        parts.at(k) = parts.at(k).first(num_low);
-      }
-    }
-    return parts;
-  }
-
-  void put_votes(std::uint32_t votes) {
-    for (; votes >= kMoreDigits; votes >>= kBitsOfVoteDigit)
-      text_.votes += kVoteDigits[votes % kMoreDigits + kMoreDigits];
-    text_.votes += kVoteDigits[votes];
-  }
-
-  VotedCellsText& text_;
-};
 
 class CellReader {
  public:
@@ -182,31 +127,6 @@ class CellReader {
 };
 
 }  // namespace
-
-VotedCellsText voted_cells_text(std::span<const PointVote> votes) {
-  VotedCellsText text;
-  if (votes.empty()) return text;
-  text.origin = votes.front().cell;
-  for (const PointVote& vote : votes) {
-    text.origin = {std::min(text.origin.x, vote.cell.x),
-                   std::min(text.origin.y, vote.cell.y),
-                   std::min(text.origin.z, vote.cell.z)};
-  }
-  std::vector<RelativeVote> cells;
-  cells.reserve(votes.size());
-  std::uint32_t bits = 0;
-  for (const PointVote& vote : votes) {
-    cells.push_back({{offset(vote.cell.x, text.origin.x),
-                      offset(vote.cell.y, text.origin.y),
-                      offset(vote.cell.z, text.origin.z)},
-                     vote.votes});
-    bits |= cells.back().at[0] | cells.back().at[1] | cells.back().at[2];
-  }
-  text.levels = static_cast<int>(std::bit_width(bits));
-  text.votes.reserve(votes.size());
-  CellWriter(text).write(cells, text.levels);
-  return text;
-}
 
 Result<std::vector<PointVote>> voted_cells(const VotedCellsText& text, std::uint32_t max_cells) {
   return CellReader(text, max_cells).read();

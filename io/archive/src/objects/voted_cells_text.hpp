@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The voted cells of an object as two short texts: some 23 bits of a file a cell become six.
+/// The voted cells of an object as two texts, as files of version 2 have them.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
 #include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -26,13 +24,10 @@ struct VotedCellsText {
   std::string votes;
 };
 
-/// `votes`: of different cells. Boundary: nothing for no cells. Cost: O(cells times levels).
-[[nodiscard]] VotedCellsText voted_cells_text(std::span<const PointVote> votes);
-
-/// The cells again, ascending.
-/// Errors: kMalformedFile for texts that `voted_cells_text` never makes and for more than
-/// `max_cells` cells, with the reason and the field, "levels", "cells" (the masks) or "votes".
-/// Cost: O(text), memory of at most `max_cells` cells.
+/// The cells, ascending. Boundary: none for empty texts.
+/// Errors: kMalformedFile for texts that no writer made and for more than `max_cells` cells, with
+/// the reason and the field, "levels", "cells" (the masks) or "votes". Cost: O(text), memory of at
+/// most `max_cells` cells.
 [[nodiscard]] Result<std::vector<PointVote>> voted_cells(const VotedCellsText& text,
                                                          std::uint32_t max_cells);
 

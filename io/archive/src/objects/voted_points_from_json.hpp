@@ -7,9 +7,13 @@
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 
+#include <optional>
+
 namespace hypermap {
 
-/// Of either version. Errors: those of parse_objects, naming line and path.
-[[nodiscard]] Result<OccupancyVotes> voted_points_from_json(const JsonNode& node);
+/// `cells`: in a file of version 3 the line of its voted cells. Errors: those of parse_objects,
+/// naming line and path.
+[[nodiscard]] Result<OccupancyVotes> voted_points_from_json(const JsonNode& node,
+                                                            const std::optional<JsonNode>& cells);
 
 }  // namespace hypermap

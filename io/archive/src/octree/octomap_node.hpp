@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
+#include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/octree_semantic/octree/voxel_key.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 
@@ -63,6 +64,8 @@ static_assert(sizeof(StoredLabel) == 20 && sizeof(ClassWeight) == 4);
           .classes = label->classes};
 }
 [[nodiscard]] inline std::optional<VoxelLabel> label_of(const StoredLabel& stored) {
+  static const StoredLabel kBlank{};
+  if (std::memcmp(&stored, &kBlank, sizeof(stored)) == 0) return std::nullopt;
   VoxelLabel label;
   label.classes = stored.classes;
   label.rest = stored.rest;
@@ -70,6 +73,14 @@ static_assert(sizeof(StoredLabel) == 20 && sizeof(ClassWeight) == 4);
   label.object = ObjectId{stored.object};
   if (label == VoxelLabel{}) return std::nullopt;
   return label;
+}
+
+/// Log-odds, what the kind of tree keeps besides, the byte of children.
+[[nodiscard]] inline std::size_t node_bytes(OctomapKind kind) {
+  std::size_t payload = 0;
+  if (kind == OctomapKind::kColor) payload = sizeof(Rgb8);
+  if (kind == OctomapKind::kSemantic) payload = sizeof(StoredLabel);
+  return sizeof(float) + payload + sizeof(std::uint8_t);
 }
 
 /// A cube of the tree: its depth and the Morton code of the voxel at its lower corner.

@@ -45,6 +45,13 @@ class NodeCursor {
     return value;
   }
 
+  /// The next bytes, all there.
+  Result<std::string_view> take_bytes(std::size_t count) {
+    if (bytes_.size() - at_ < count) return error("unexpected end of data");
+    at_ += count;
+    return bytes_.substr(at_ - count, count);
+  }
+
   [[nodiscard]] Result<void> finish() const {
     if (num_counted_ != num_nodes_)
       return fail(ErrorCode::kMalformedFile,
@@ -105,12 +112,15 @@ class FullReader {
 
  private:
   Result<void> take_node(const OctomapCube& cube) {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto log_odds, cursor_.take<float>());
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string_view node, cursor_.take_bytes(node_bytes(kind_)));
+    const auto log_odds = load<float>(node, 0);
     if (!(std::abs(log_odds) <= kMaxLogOdds))
       return cursor_.error("log-odds are " + std::to_string(log_odds) +
                            ", expected within +-32.767");
-    HYPERMAP_TRY(take_payload());
-    HYPERMAP_ASSIGN_OR_RETURN(const auto children, cursor_.take<std::uint8_t>());
+    if (kind_ == OctomapKind::kColor) color_ = load<Rgb8>(node, sizeof(float));
+    if (kind_ == OctomapKind::kSemantic)
+      HYPERMAP_TRY(set_label(load<StoredLabel>(node, sizeof(float))));
+    const auto children = load<std::uint8_t>(node, node.size() - 1);
     HYPERMAP_TRY(cursor_.count_node());
     if (children == 0) {
       add_leaf(cube, log_odds);
@@ -121,17 +131,7 @@ class FullReader {
     return {};
   }
 
-  /// What the kind of tree keeps besides log-odds, into `color_` or `label_`.
-  Result<void> take_payload() {
-    if (kind_ == OctomapKind::kColor) {
-      HYPERMAP_ASSIGN_OR_RETURN(color_, cursor_.take<Rgb8>());
-    }
-    if (kind_ == OctomapKind::kSemantic) return take_label();
-    return {};
-  }
-
-  Result<void> take_label() {
-    HYPERMAP_ASSIGN_OR_RETURN(const auto stored, cursor_.take<StoredLabel>());
+  Result<void> set_label(const StoredLabel& stored) {
     label_ = label_of(stored);
     if (!label_) return {};
     if (const auto valid = validate(*label_, std::numeric_limits<MilliLogOdds>::max()); !valid)

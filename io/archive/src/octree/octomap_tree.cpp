@@ -32,6 +32,8 @@ bool last_eight_are_one(const OctomapTree& tree) {
   if (tree.leaves.size() < 8) return false;
   const std::size_t first = tree.leaves.size() - 8;
   const OctomapLeaf& corner = tree.leaves[first];
+  const OctomapLeaf& last = tree.leaves.back();
+  if ((last.key.x & last.key.y & last.key.z & last.edge_voxels()) == 0) return false;  // no eighth
   if (corner.depth == 0 || corner.key.morton() % (8 * corner.num_voxels()) != 0) return false;
   for (std::size_t i = 1; i < 8; ++i) {
     const OctomapLeaf& leaf = tree.leaves[first + i];
@@ -64,22 +66,25 @@ std::string name_of(std::size_t index) {
   return "leaf " + std::to_string(index);
 }
 
-Result<void> check_leaf(const OctomapTree& tree, std::size_t index) {
+/// Where the leaf ends in Morton order. `end_before`: where the one before it does.
+Result<std::uint64_t> checked_end(const OctomapTree& tree,
+                                  std::size_t index,
+                                  std::uint64_t end_before) {
   const OctomapLeaf& leaf = tree.leaves[index];
   const auto wrong = [&](std::string what) {
     return fail(ErrorCode::kInvalidArgument, std::move(what), name_of(index));
   };
   if (leaf.depth > OctomapLeaf::kVoxelDepth) return wrong("deeper than 16");
-  if (leaf.key.morton() % leaf.num_voxels() != 0) return wrong("not aligned to its own edge");
+  if (((leaf.key.x | leaf.key.y | leaf.key.z) & (leaf.edge_voxels() - 1U)) != 0)
+    return wrong("not aligned to its own edge");
   if (!(std::abs(leaf.log_odds) <= kMaxLogOdds))
     return wrong("log-odds are " + std::to_string(leaf.log_odds) + ", expected within +-32.767");
   if (leaf.label != OctomapLeaf::kNoLabel && leaf.label >= tree.labels.size())
     return wrong("points to a label that is not there");
-  if (index == 0) return {};
-  const OctomapLeaf& before = tree.leaves[index - 1];
-  if (before.key.morton() + before.num_voxels() > leaf.key.morton())
+  const std::uint64_t begin = leaf.key.morton();
+  if (begin < end_before)
     return wrong("overlaps the one before or stands before it in Morton order");
-  return {};
+  return begin + leaf.num_voxels();
 }
 
 /// Counts what a conversion changed.
@@ -129,7 +134,10 @@ Result<void> validate(const OctomapTree& tree) {
     return fail(ErrorCode::kInvalidArgument,
                 "is " + std::to_string(tree.resolution_m) + ", expected 1e-6 to 1000",
                 "resolution_m");
-  for (std::size_t i = 0; i < tree.leaves.size(); ++i) HYPERMAP_TRY(check_leaf(tree, i));
+  std::uint64_t end = 0;
+  for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(end, checked_end(tree, i, end));
+  }
   return {};
 }
 
@@ -235,7 +243,7 @@ Result<Loaded<SemanticOctree>> to_semantic_octree(const OctomapTree& tree,
     for (std::uint64_t i = 0; i < leaf.num_voxels(); ++i) {
       constexpr std::size_t kVoxelsAtOnce = 4096;
       if (voxels_to_set.size() == kVoxelsAtOnce) HYPERMAP_TRY(set_voxels());
-      stored.key = VoxelKey::from_morton(leaf.key.morton() + i);
+      stored.key = i == 0 ? leaf.key : VoxelKey::from_morton(leaf.key.morton() + i);
       voxels_to_set.push_back(stored);
     }
   }

@@ -4,6 +4,8 @@
 #include "octomap_node.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -11,14 +13,20 @@
 namespace hypermap {
 namespace {
 
-bool contains(const OctomapCube& cube, const OctomapLeaf& leaf) {
+/// Where a leaf lies. (Its key's code takes time and is asked for at every level.)
+OctomapCube cube_of(const OctomapLeaf& leaf) {
+  return {.code = leaf.key.morton(), .depth = leaf.depth};
+}
+
+bool contains(const OctomapCube& cube, const OctomapCube& leaf) {
   const unsigned shift = 3U * static_cast<unsigned>(kOctomapDepth - cube.depth);
-  return cube.depth < leaf.depth && cube.code >> shift == leaf.key.morton() >> shift;
+  return cube.depth < leaf.depth && cube.code >> shift == leaf.code >> shift;
 }
 
 /// The child of `cube` in which the leaf lies.
-unsigned child_towards(const OctomapCube& cube, const OctomapLeaf& leaf) {
-  return static_cast<unsigned>(leaf.key.morton() / cube.child_stride() % 8);
+unsigned child_towards(const OctomapCube& cube, const OctomapCube& leaf) {
+  const unsigned shift = 3U * static_cast<unsigned>(kOctomapDepth - 1 - cube.depth);
+  return static_cast<unsigned>(leaf.code >> shift & 7U);
 }
 
 /// Sums of the children's colours, as OctoMap averages them: white ones do not count.
@@ -52,7 +60,7 @@ class FullWriter {
   OctomapNodeBytes write() {
     reserve();
     for (std::size_t i = 0; i < tree_.leaves.size(); ++i) {
-      const OctomapLeaf& leaf = tree_.leaves[i];
+      const OctomapCube leaf = cube_of(tree_.leaves[i]);
       while (!open_.empty() && !contains(open_.back().cube, leaf)) close();
       if (open_.empty() && leaf.depth > 0) open({});
       while (!open_.empty() && open_.back().cube.depth + 1 < leaf.depth) open(child_of_last(leaf));
@@ -75,15 +83,12 @@ class FullWriter {
 
   /// Where siblings lie together, a fifth of the nodes are inner ones at most.
   void reserve() {
-    std::size_t payload = 0;
-    if (tree_.kind == OctomapKind::kColor) payload = sizeof(Rgb8);
-    if (tree_.kind == OctomapKind::kSemantic) payload = sizeof(StoredLabel);
-    const std::size_t node = sizeof(float) + payload + sizeof(std::uint8_t);
+    const std::size_t node = node_bytes(tree_.kind);
     out_.bytes.reserve(node * (tree_.leaves.size() + tree_.leaves.size() / 4));
   }
 
   /// Notes the child of the last open node in which the leaf lies.
-  OctomapCube child_of_last(const OctomapLeaf& leaf) {
+  OctomapCube child_of_last(const OctomapCube& leaf) {
     Open& last = open_.back();
     const unsigned i = child_towards(last.cube, leaf);
     last.children = static_cast<std::uint8_t>(last.children | 1U << i);
@@ -92,11 +97,8 @@ class FullWriter {
 
   void open(const OctomapCube& cube) {
     Open node{.cube = cube, .at = out_.bytes.size()};
-    append(out_.bytes, 0.0F);
-    append_payload(kNoColor, nullptr);
-    node.children_at = out_.bytes.size();
-    append(out_.bytes, std::uint8_t{0});
-    ++out_.num_nodes;
+    append_node(0.0F, kNoColor, nullptr);
+    node.children_at = out_.bytes.size() - sizeof(std::uint8_t);
     open_.push_back(node);
   }
 
@@ -113,17 +115,26 @@ class FullWriter {
   void write_leaf(std::size_t index) {
     const OctomapLeaf& leaf = tree_.leaves[index];
     const Rgb8 color = tree_.colors.empty() ? kNoColor : tree_.colors[index];
-    append(out_.bytes, leaf.log_odds);
-    append_payload(color,
-                   leaf.label == OctomapLeaf::kNoLabel ? nullptr : &tree_.labels[leaf.label]);
-    append(out_.bytes, std::uint8_t{0});
-    ++out_.num_nodes;
+    append_node(leaf.log_odds,
+                color,
+                leaf.label == OctomapLeaf::kNoLabel ? nullptr : &tree_.labels[leaf.label]);
     update_parent(leaf.log_odds, color);
   }
 
-  void append_payload(Rgb8 color, const VoxelLabel* label) {
-    if (tree_.kind == OctomapKind::kColor) append(out_.bytes, color);
-    if (tree_.kind == OctomapKind::kSemantic) append(out_.bytes, stored_label(label));
+  /// Without children. All at once: there are millions of nodes.
+  void append_node(float log_odds, Rgb8 color, const VoxelLabel* label) {
+    std::array<char, sizeof(float) + sizeof(StoredLabel) + 1> node{};
+    std::size_t size = 0;
+    const auto add = [&](const auto& value) {
+      std::memcpy(node.data() + size, &value, sizeof(value));
+      size += sizeof(value);
+    };
+    add(log_odds);
+    if (tree_.kind == OctomapKind::kColor) add(color);
+    if (tree_.kind == OctomapKind::kSemantic) add(stored_label(label));
+    add(std::uint8_t{0});
+    out_.bytes.append(node.data(), size);
+    ++out_.num_nodes;
   }
 
   void update_parent(float log_odds, Rgb8 color) {
@@ -144,11 +155,12 @@ class BinaryWriter {
   explicit BinaryWriter(const OctomapTree& tree) : tree_(tree) {}
 
   OctomapNodeBytes write() {
-    for (const OctomapLeaf& leaf : tree_.leaves) {
+    for (const OctomapLeaf& stored : tree_.leaves) {
+      const OctomapCube leaf = cube_of(stored);
       while (!open_.empty() && !contains(open_.back().cube, leaf)) open_.pop_back();
       if (open_.empty()) open({});
       while (open_.back().cube.depth + 1 < leaf.depth) open(child_of_last(leaf, kInner));
-      child_of_last(leaf, leaf.log_odds >= 0.0F ? kOccupied : kFree);
+      child_of_last(leaf, stored.log_odds >= 0.0F ? kOccupied : kFree);
       ++out_.num_nodes;
     }
     return std::move(out_);
@@ -163,7 +175,7 @@ class BinaryWriter {
     std::size_t at = 0;
   };
 
-  OctomapCube child_of_last(const OctomapLeaf& leaf, unsigned what) {
+  OctomapCube child_of_last(const OctomapCube& leaf, unsigned what) {
     const Open& last = open_.back();
     const unsigned i = child_towards(last.cube, leaf);
     const unsigned codes = load<std::uint16_t>(out_.bytes, last.at) | what << 2U * i;

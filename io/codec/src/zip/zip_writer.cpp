@@ -87,14 +87,32 @@ Result<std::optional<std::string>> pack_member(ZipMember member,
 
 }  // namespace
 
-Result<void> ZipWriter::add(std::string_view name, std::string_view content) try {
+Result<PackedMember> packed_member(std::string_view name,
+                                   std::string_view content,
+                                   const ZipLimits& limits) try {
   HYPERMAP_TRY(check_member_name(name));
   ZipMember member{.name = std::string(name),
                    .num_bytes = content.size(),
                    .num_packed_bytes = content.size(),
                    .crc32 = crc32_of(content)};
-  HYPERMAP_TRY(zip::check_size(member, limits_));
-  total_bytes_ += content.size();
+  HYPERMAP_TRY(zip::check_size(member, limits));
+  HYPERMAP_ASSIGN_OR_RETURN(std::optional<std::string> packed,
+                            pack_member(member, content, limits));
+  member.deflated = packed.has_value();
+  std::string bytes = packed ? *std::move(packed) : std::string(content);
+  member.num_packed_bytes = bytes.size();
+  return PackedMember{.member = std::move(member), .bytes = std::move(bytes)};
+} catch (const std::exception& exception) {
+  return caught(exception, ErrorCode::kInvalidArgument, "the archive");
+}
+
+Result<void> ZipWriter::add(std::string_view name, std::string_view content) {
+  HYPERMAP_ASSIGN_OR_RETURN(PackedMember packed, packed_member(name, content, limits_));
+  return add(std::move(packed));
+}
+
+Result<void> ZipWriter::add(PackedMember packed) try {
+  total_bytes_ += packed.member.num_bytes;
   if (total_bytes_ > limits_.max_total_bytes)
     return fail(ErrorCode::kLimit,
                 "members of together " + std::to_string(total_bytes_) + " bytes, the limit is " +
@@ -102,18 +120,12 @@ Result<void> ZipWriter::add(std::string_view name, std::string_view content) try
   if (members_.size() >= limits_.max_entries)
     return fail(ErrorCode::kLimit,
                 "more members than the limit of " + std::to_string(limits_.max_entries));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::optional<std::string> packed,
-                            pack_member(member, content, limits_));
-  member.deflated = packed.has_value();
-  const std::string_view data = packed ? std::string_view(*packed) : content;
-  member.num_packed_bytes = data.size();
-
   zip::put32(archive_, zip::kLocalSignature);
-  put_common(archive_, member);
-  archive_ += member.name;
-  member.data_offset = archive_.size();
-  archive_ += data;
-  members_.push_back(std::move(member));
+  put_common(archive_, packed.member);
+  archive_ += packed.member.name;
+  packed.member.data_offset = archive_.size();
+  archive_ += packed.bytes;
+  members_.push_back(std::move(packed.member));
   return {};
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kInvalidArgument, "the archive");

@@ -6,6 +6,7 @@
 /// in the vertices, but derived from objects and rooms, so that it is never older than they are.
 #pragma once
 
+#include "hypermap/core/base/cow_ref.hpp"
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/result.hpp"
 
@@ -20,6 +21,7 @@
 #include <span>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -81,10 +83,19 @@ using IsWayFree = std::function<bool(const Eigen::Vector3d& from, const Eigen::V
 /// A value. Deterministic in the order of the calls. Frame: Map. When memory ends in a call,
 /// std::bad_alloc is thrown, and what was done of it by then obeys rules 1 and 3.
 /// Cost: a position or an object looks at the vertices of the cells around it, not at all of them.
+/// A copy shares the graph, and whichever of both makes the next vertex or edge copies it first.
 class TopologicalMap {
  public:
   /// Requires: validate(options).
   explicit TopologicalMap(const TopologicalMapOptions& options = {});
+  TopologicalMap(const TopologicalMap&) noexcept = default;
+  TopologicalMap& operator=(const TopologicalMap&) noexcept = default;
+  /// What is moved from stays as it was.
+  TopologicalMap(TopologicalMap&& other) noexcept : TopologicalMap(std::as_const(other)) {}
+  TopologicalMap& operator=(TopologicalMap&& other) noexcept {
+    return *this = std::as_const(other);
+  }
+  ~TopologicalMap() = default;
 
   /// The map of such parts, as accessors give them. Errors: kInvalidArgument, naming the field: a
   /// coordinate that is not finite or beyond `kMaxCoordinateM`, an edge whose ends are not vertices
@@ -122,7 +133,7 @@ class TopologicalMap {
 
   [[nodiscard]] const TopologicalMapOptions& options() const noexcept { return options_; }
   [[nodiscard]] const std::vector<TopologicalVertex>& vertices() const noexcept {
-    return vertices_;
+    return graph_->vertices;
   }
   /// Ascending. Cost: O(edges).
   [[nodiscard]] std::vector<TopologicalEdge> edges() const;
@@ -140,14 +151,22 @@ class TopologicalMap {
   static constexpr double kRoundingM = 1e-9;  ///< Lengths of edges are exact to this.
 
   friend bool operator==(const TopologicalMap& a, const TopologicalMap& b) {
-    return a.options_ == b.options_ && a.vertices_ == b.vertices_ && a.joined_ == b.joined_ &&
-           a.walk_ == b.walk_;
+    return a.options_ == b.options_ && a.walk_ == b.walk_ &&
+           (a.graph_.shares(b.graph_) ||
+            (a.graph_->vertices == b.graph_->vertices && a.graph_->joined == b.graph_->joined));
   }
 
  private:
   using Cell = std::array<std::int32_t, 3>;
   struct CellHash {
     std::size_t operator()(const Cell& cell) const noexcept;
+  };
+  struct Graph {
+    std::vector<TopologicalVertex> vertices;
+    std::vector<std::vector<VertexId>> joined;
+    /// Vertices by cubes with an edge of V_d.
+    std::unordered_map<Cell, std::vector<VertexId>, CellHash> cells;
+    OwnerCount owners;
   };
 
   [[nodiscard]] Cell cell_of(const Eigen::Vector3d& position) const;
@@ -157,7 +176,7 @@ class TopologicalMap {
                                                        double within_m,
                                                        const Condition& condition) const;
   [[nodiscard]] const Eigen::Vector3d& position_of(VertexId id) const {
-    return vertices_[id.value].position_in_map;
+    return graph_->vertices[id.value].position_in_map;
   }
   VertexId add(const Eigen::Vector3d& position, VertexKind kind);
   void join(VertexId a, VertexId b);
@@ -165,10 +184,7 @@ class TopologicalMap {
   VertexId leave(VertexId left, const Eigen::Vector3d& position, const IsWayFree& is_free);
 
   TopologicalMapOptions options_;
-  std::vector<TopologicalVertex> vertices_;
-  std::vector<std::vector<VertexId>> joined_;
-  /// Vertices by cubes with an edge of V_d.
-  std::unordered_map<Cell, std::vector<VertexId>, CellHash> cells_;
+  CowRef<Graph> graph_;  ///< Never null.
   std::optional<TopologicalWalk> walk_;
 };
 

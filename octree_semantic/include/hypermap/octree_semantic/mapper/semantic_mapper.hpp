@@ -203,8 +203,8 @@ class SemanticMapper {
   /// Threads: as `integrate`.
   [[nodiscard]] Result<void> set_classes(const ClassRegistry& classes);
 
-  /// The newest snapshot that was published: octree, objects and classes between two frames. Never
-  /// null; an empty map before the first.
+  /// The newest snapshot that was published: octree, objects, topological map and classes between
+  /// two frames. Never null; an empty map before the first.
   ///
   /// Cost: a pointer is copied, at any size of the map; no wait for a frame.
   /// Threads: from any thread, also while `integrate` runs, but not while the mapper is moved from

@@ -26,13 +26,16 @@ struct PartSize {
   friend bool operator==(const PartSize&, const PartSize&) = default;
 };
 
-/// One key of the objects' lines, of all objects together.
+/// One key of the objects' lines, or "cells", their lines of voted cells; of all objects together.
 struct ObjectFieldSize {
   std::string key = {};
   std::uint64_t num_bytes = 0;
   std::uint64_t num_packed_bytes = 0;  ///< Packed by itself.
   friend bool operator==(const ObjectFieldSize&, const ObjectFieldSize&) = default;
 };
+
+/// An object that takes more, packed by itself, is large.
+inline constexpr std::uint64_t kLargeObjectBytes = 4096;
 
 /// What the tracked objects cost, the tentative ones too. Unit: byte, packed.
 struct ObjectSizes {
@@ -41,6 +44,7 @@ struct ObjectSizes {
   std::uint64_t median_alone = 0;  ///< Of objects that are packed one by one.
   std::uint64_t largest_alone = 0;
   ObjectId largest = {};
+  std::size_t num_large = 0;                 ///< Of those packed one by one.
   std::vector<ObjectFieldSize> fields = {};  ///< The dearest first.
 };
 
@@ -65,8 +69,8 @@ struct ArchiveSizes {
 [[nodiscard]] Result<ArchiveSizes> archive_sizes(const MapArchive& archive);
 
 /// One JSON document: `bytes`, `parts` [{`name`, `kind`, `bytes`, `packed_bytes`}], `objects`
-/// {`count`, `mean_packed_bytes`, `median_alone`, `largest_alone`, `largest`, `fields` [{`key`,
-/// `bytes`, `packed_bytes`}]} or null, `as_grids` {`classes`, `cell_edge_m`, `flat_bytes`,
+/// {`count`, `mean_packed_bytes`, `median_alone`, `largest_alone`, `largest`, `num_large`, `fields`
+/// [{`key`, `bytes`, `packed_bytes`}]} or null, `as_grids` {`classes`, `cell_edge_m`, `flat_bytes`,
 /// `volume_bytes`} or null.
 [[nodiscard]] std::string to_json(const ArchiveSizes& sizes);
 

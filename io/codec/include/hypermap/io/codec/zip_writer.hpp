@@ -14,6 +14,18 @@
 
 namespace hypermap {
 
+/// A member as it will lie in the file.
+struct PackedMember {
+  ZipMember member;   ///< Without its place.
+  std::string bytes;  ///< As `member` says, deflated or not.
+};
+
+/// What ZipWriter::add does of it by itself, so that several members can be packed at a time.
+/// Errors: those of ZipWriter::add but the limits on all members together. Threads: from any.
+[[nodiscard]] Result<PackedMember> packed_member(std::string_view name,
+                                                 std::string_view content,
+                                                 const ZipLimits& limits);
+
 /// Collects members in the order in which they are added. Every stamp is 1980-01-01 00:00, every
 /// mode rw-r--r--; members are deflated unless storing them is smaller.
 class ZipWriter {
@@ -24,6 +36,9 @@ class ZipWriter {
   /// kLimit; kOutOfMemory. Boundary: a member that would deflate beyond the reader's limit on
   /// ratios is packed by Huffman codes alone (at most 8:1), so that the reader lets it pass.
   [[nodiscard]] Result<void> add(std::string_view name, std::string_view content);
+  /// Errors: kLimit for the limits on all members together; kOutOfMemory.
+  /// Requires: packed within this writer's limits.
+  [[nodiscard]] Result<void> add(PackedMember packed);
 
   /// The archive. Leaves the writer empty.
   /// Errors: kMalformedFile when two names are equal but for the case of their letters, or one is
