@@ -44,6 +44,7 @@ void count(const FrameReport& frame, MappingReport& report) {
   report.points.num_not_measured += frame.integration.num_not_measured;
   report.points.num_not_finite += frame.integration.num_not_finite;
   report.points.num_outside_volume += frame.integration.num_outside_volume;
+  report.seconds.smooth += frame.seconds.smooth;
   report.seconds.segment += frame.seconds.segment;
   report.seconds.associate += frame.seconds.associate;
   report.seconds.integrate += frame.seconds.integrate;

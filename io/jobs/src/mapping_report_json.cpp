@@ -54,6 +54,7 @@ std::string to_json(const MappingReport& report) {
   json["stages_s"] = {{"read", seconds.read},
                       {"detect", seconds.detect},
                       {"wait", seconds.wait},
+                      {"smooth", seconds.smooth},
                       {"refine", seconds.refine},
                       {"segment", seconds.segment},
                       {"integrate", seconds.integrate},

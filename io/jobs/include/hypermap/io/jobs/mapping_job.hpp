@@ -90,6 +90,7 @@ struct MappingSeconds {
   double read = 0.0;    ///< Of frames in the map; beside the work on others with several threads,
   double detect = 0.0;  ///< as is this.
   double wait = 0.0;    ///< For the next frame: what of these two was not beside other work.
+  double smooth = 0.0;
   double refine = 0.0;
   double segment = 0.0;
   double integrate = 0.0;
