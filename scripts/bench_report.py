@@ -139,8 +139,8 @@ def octree_tables(figures):
 def frame_table(figures):
     return table(figures["pipeline"],
                  {"CPU ms": ("frame_ms", ".1f"), "wall ms": ("frame_wall_ms", ".1f"),
-                  "segment": ("segment_ms", ".1f"), "associate": ("associate_ms", ".1f"),
-                  "integrate": ("integrate_ms", ".1f"), "visibility": ("visibility_ms", ".2f"),
+                  "smooth": ("smooth_ms", ".1f"), "segment": ("segment_ms", ".1f"),
+                  "associate": ("associate_ms", ".1f"), "integrate": ("integrate_ms", ".1f"), "visibility": ("visibility_ms", ".2f"),
                   "detections": ("detections", ".1f")})
 
 

@@ -78,6 +78,7 @@ std::size_t num_frames_wanted() {
 }
 
 void add(StageSeconds& sum, const StageSeconds& frame) {
+  sum.smooth += frame.smooth;
   sum.segment += frame.segment;
   sum.associate += frame.associate;
   sum.integrate += frame.integrate;
@@ -89,6 +90,7 @@ void report_stages(benchmark::State& state,
                    const StageSeconds& sum,
                    const std::string& tenth,
                    double num_frames) {
+  state.counters["smooth_ms_tenth" + tenth] = 1e3 * sum.smooth / num_frames;
   state.counters["segment_ms_tenth" + tenth] = 1e3 * sum.segment / num_frames;
   state.counters["associate_ms_tenth" + tenth] = 1e3 * sum.associate / num_frames;
   state.counters["integrate_ms_tenth" + tenth] = 1e3 * sum.integrate / num_frames;

@@ -6,6 +6,7 @@
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
+#include "hypermap/io/dataset/smoothed_depth.hpp"
 #include "hypermap/viewer_offscreen/figures/segmentation_figures.hpp"
 #include "outputs.hpp"
 #include "tables.hpp"
@@ -145,13 +146,14 @@ Result<void> align_world(DatasetReader& dataset, const std::optional<std::string
 }
 
 Result<std::unique_ptr<DatasetReader>> open_aligned(const TuneArguments& arguments,
+                                                    const DepthSmoothingOptions& smoothing,
                                                     ClassRegistry& classes) {
   HYPERMAP_ASSIGN_OR_RETURN(DatasetOptions dataset_options, arguments.dataset.options());
   dataset_options.detections.assign(arguments.detections.begin(), arguments.detections.end());
   HYPERMAP_ASSIGN_OR_RETURN(auto dataset,
                             open_dataset(arguments.dataset.input, dataset_options, classes));
   HYPERMAP_TRY(align_world(*dataset, arguments.up_axis));
-  return dataset;
+  return with_smoothed_depth(std::move(dataset), smoothing);
 }
 
 Result<RgbdFrame> read_asked_frame(const TuneArguments& arguments, const DatasetReader& dataset) {
@@ -195,7 +197,8 @@ Result<void> tune(const TuneArguments& arguments,
                   const MapOptions& options,
                   const std::string& progress_when) {
   ClassRegistry classes;
-  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset, open_aligned(arguments, classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto dataset,
+                            open_aligned(arguments, options.mapper.smoothing, classes));
   const ObjectPipelineOptions objects = with_ranges(options.mapper).objects;
   if (!arguments.times) return show_frame(arguments, *dataset, classes, objects);
   return tell_times(

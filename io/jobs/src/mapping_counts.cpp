@@ -43,11 +43,13 @@ void count(const FrameReport& frame, MappingReport& report) {
   report.points.num_not_measured += frame.integration.num_not_measured;
   report.points.num_not_finite += frame.integration.num_not_finite;
   report.points.num_outside_volume += frame.integration.num_outside_volume;
+  report.seconds.smooth += frame.seconds.smooth;
   report.seconds.refine += frame.seconds.refine;
   report.seconds.segment += frame.seconds.segment;
   report.seconds.associate += frame.seconds.associate;
   report.seconds.integrate += frame.seconds.integrate;
   report.seconds.visibility += frame.seconds.visibility;
+  report.frame_times.add(FrameStage::kSmooth, frame.seconds.smooth);
   report.frame_times.add(FrameStage::kRefine, frame.seconds.refine);
   report.frame_times.add(FrameStage::kSegment, frame.seconds.segment);
   report.frame_times.add(FrameStage::kAssociate, frame.seconds.associate);

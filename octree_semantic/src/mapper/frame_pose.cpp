@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pose at which a frame stands in the map.
+// A frame's depth, and the pose at which it stands in the map.
 #include "hypermap/core/segmentation/depth_cloud.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/borrowed_frames.hpp"
 
 #include <algorithm>
 #include <new>
-#include <type_traits>
 #include <utility>
 
 namespace hypermap {
 namespace {
-
-/// The frame at another pose, with borrowed images and without its detections.
-RgbdFrame at_pose(const RgbdFrame& frame, const MapFromCamera& map_from_camera) {
-  const auto borrow = [](const auto& image) {
-    return std::remove_cvref_t<decltype(image)>::borrowed(
-        image.width_px(), image.height_px(), image.pixels().data());
-  };
-  return {.index = frame.index,
-          .name = frame.name,
-          .stamp = frame.stamp,
-          .camera = frame.camera,
-          .map_from_camera = map_from_camera,
-          .depth_m = borrow(frame.depth_m),
-          .color = borrow(frame.color),
-          .detections = {}};
-}
 
 /// Marks the pixels of the detection: of its mask, else of its box.
 void mark(const Detection& detection, MaskImage& marks) {
@@ -45,29 +29,36 @@ bool SemanticMapper::ClassFilter::is_transient(std::span<const ClassEvidence> cl
   return best && std::ranges::binary_search(transient, best->id);
 }
 
-/// What moves is no surface to go by.
-RefinedPose SemanticMapper::refine(const RgbdFrame& given) const {
-  MaskImage transient;
-  for (const Detection& detection : given.detections) {
-    if (!class_filter_.is_transient(detection.class_scores)) continue;
-    if (transient.empty()) transient = MaskImage(given.camera.width_px, given.camera.height_px);
-    mark(detection, transient);
-  }
-  return refiner_.refine(given, transient);
+DepthImage SemanticMapper::smoothed_depth(const RgbdFrame& given) {
+  if (options_.smoothing.rule == DepthSmoothingRule::kNone) return borrowed(given.depth_m);
+  return smoother_.smoothed(given.depth_m, options_.num_threads);
 }
 
-Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& given,
+/// What moves is no surface to go by.
+RefinedPose SemanticMapper::refine(const RgbdFrame& frame,
+                                   std::span<const Detection> given_detections) const {
+  MaskImage transient;
+  for (const Detection& detection : given_detections) {
+    if (!class_filter_.is_transient(detection.class_scores)) continue;
+    if (transient.empty()) transient = MaskImage(frame.camera.width_px, frame.camera.height_px);
+    mark(detection, transient);
+  }
+  return refiner_.refine(frame, transient);
+}
+
+Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& frame,
+                                                      std::span<const Detection> given_detections,
                                                       DetectorLook look,
                                                       StopWatch& watch) {
-  const RefinedPose refined = refine(given);
+  const RefinedPose refined = refine(frame, given_detections);
   HYPERMAP_TRY(check_sensor(octree_.grid(), refined.map_from_camera.origin(), "map_from_camera"));
   const double refine_s = watch.lap();
-  const RgbdFrame frame = at_pose(given, refined.map_from_camera);
-  HYPERMAP_ASSIGN_OR_RETURN(FrameReport report,
-                            integrate_at_pose(frame, given.detections, look, watch));
+  HYPERMAP_ASSIGN_OR_RETURN(
+      FrameReport report,
+      integrate_at_pose(at_pose(frame, refined.map_from_camera), given_detections, look, watch));
   report.pose = refined.correction;
   try {
-    refiner_.add(given, refined);
+    refiner_.add(frame, refined);
   } catch (const std::bad_alloc&) {
     report.pose.is_added = false;  // the frame is in the map
   }
@@ -79,8 +70,9 @@ Result<PoseCorrection> SemanticMapper::add_surfaces(const RgbdFrame& frame) {
   if (options_.refinement.rule == PoseRefinementRule::kNone) return PoseCorrection{};
   HYPERMAP_TRY(check(frame));
   try {
-    const RefinedPose refined = refine(frame);
-    refiner_.add(frame, refined);
+    const RgbdFrame smooth = with_depth(frame, smoothed_depth(frame));
+    const RefinedPose refined = refine(smooth, frame.detections);
+    refiner_.add(smooth, refined);
     return refined.correction;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "out of memory");

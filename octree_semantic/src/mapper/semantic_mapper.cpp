@@ -6,6 +6,7 @@
 #include "hypermap/core/segmentation/stacking.hpp"
 #include "hypermap/core/vocabulary/asked_names.hpp"
 #include "integration/frame_checks.hpp"
+#include "mapper/borrowed_frames.hpp"
 #include "mapper/object_scopes.hpp"
 #include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
@@ -116,6 +117,7 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
       objects_(std::move(objects)),
       topological_map_(std::move(topological_map)),
       occlusion_(std::move(occlusion)),
+      smoother_(options_.smoothing),
       refiner_(options_.refinement),
       classes_(std::move(classes)),
       snapshots_(std::move(snapshots)) {
@@ -144,9 +146,13 @@ Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame, DetectorLo
 Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& given, DetectorLook look) {
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(given));
-  if (options_.refinement.rule != PoseRefinementRule::kNone)
-    return integrate_refined(given, look, watch);
-  return integrate_at_pose(given, given.detections, look, watch);
+  const RgbdFrame frame = with_depth(given, smoothed_depth(given));
+  const double smooth_s = watch.lap();
+  auto report = options_.refinement.rule == PoseRefinementRule::kNone
+                    ? integrate_at_pose(frame, given.detections, look, watch)
+                    : integrate_refined(frame, given.detections, look, watch);
+  if (report) report->seconds.smooth = smooth_s;
+  return report;
 }
 
 Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,

@@ -14,6 +14,7 @@ constexpr OptionRow kMapperRows[] = {
     option::section<&SemanticMapperOptions::integration>("integration"),
     option::section<&SemanticMapperOptions::cloud>("cloud"),
     option::section<&SemanticMapperOptions::deadline>("deadline"),
+    option::section<&SemanticMapperOptions::smoothing>("smoothing"),
     option::section<&SemanticMapperOptions::refinement>("refinement"),
     option::section<&SemanticMapperOptions::visibility>("visibility"),
     option::section<&SemanticMapperOptions::places>("places"),

@@ -19,6 +19,7 @@
 #include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/registration/pose_refinement.hpp"
 #include "hypermap/core/registration/pose_refiner.hpp"
+#include "hypermap/core/segmentation/depth_smoothing.hpp"
 #include "hypermap/core/segmentation/labelled_cloud.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
@@ -51,6 +52,8 @@ struct SemanticMapperOptions {
   VisibilityOptions visibility = {};
   /// Bounds the work on a frame, for live use; off to begin with.
   DeadlineOptions deadline = {};
+  /// Takes noise out of the depth of frames before anything else looks at it.
+  DepthSmoothingOptions smoothing = {};
   /// Mends given poses of frames by the surfaces that earlier frames showed; off to begin with.
   PoseRefinementOptions refinement = {};
   /// Of the topological map, which grows with the sensor's way and toward objects.
@@ -76,6 +79,7 @@ struct SemanticMapperOptions {
 
 /// Time of one frame's stages, by the mapper's clock. For reports only: no result depends on it.
 struct StageSeconds {
+  double smooth = 0.0;
   double refine = 0.0;
   double segment = 0.0;
   double associate = 0.0;
@@ -246,14 +250,18 @@ class SemanticMapper {
   [[nodiscard]] bool publish_if_due();
   void publish();
   [[nodiscard]] Result<FrameReport> integrate_or_throw(const RgbdFrame& given, DetectorLook look);
-  [[nodiscard]] Result<FrameReport> integrate_refined(const RgbdFrame& given,
+  /// The frame's depth without noise; the given one borrowed where that is not asked for.
+  [[nodiscard]] DepthImage smoothed_depth(const RgbdFrame& given);
+  [[nodiscard]] Result<FrameReport> integrate_refined(const RgbdFrame& frame,
+                                                      std::span<const Detection> given_detections,
                                                       DetectorLook look,
                                                       StopWatch& watch);
   [[nodiscard]] Result<FrameReport> integrate_at_pose(const RgbdFrame& frame,
                                                       std::span<const Detection> given_detections,
                                                       DetectorLook look,
                                                       StopWatch& watch);
-  [[nodiscard]] RefinedPose refine(const RgbdFrame& given) const;
+  [[nodiscard]] RefinedPose refine(const RgbdFrame& frame,
+                                   std::span<const Detection> given_detections) const;
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
   [[nodiscard]] Result<FrameReport> integrate_cloud_or_throw(const LabelledCloud& cloud);
   /// Makes room for what `adopt` notes. Throws std::bad_alloc.
@@ -290,6 +298,7 @@ class SemanticMapper {
   std::shared_ptr<const ClassPriorSource> prior_source_;
   OcclusionScene occlusion_;
   FrameIntegrator integrator_;
+  DepthSmoother smoother_;
   PoseRefiner refiner_;
   EmbeddingDimensions embedding_dimensions_;  ///< Of all frames and objects in the map.
   Clock clock_ = wall_clock_s;

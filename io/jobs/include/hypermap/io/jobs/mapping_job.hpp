@@ -97,6 +97,7 @@ struct MappingSeconds {
   double read = 0.0;    ///< Of frames in the map; beside the work on others with several threads,
   double detect = 0.0;  ///< as is this.
   double wait = 0.0;    ///< For the next frame: what of these two was not beside other work.
+  double smooth = 0.0;
   double refine = 0.0;
   double segment = 0.0;
   double integrate = 0.0;
@@ -113,6 +114,7 @@ enum class FrameStage : std::uint8_t {
   kRead,
   kDetect,
   kWait,
+  kSmooth,
   kRefine,
   kSegment,
   kIntegrate,
@@ -120,15 +122,16 @@ enum class FrameStage : std::uint8_t {
   kVisibility,
   kFrame,
 };
-inline constexpr std::array<FrameStage, 9> kFrameStages{FrameStage::kRead,
-                                                        FrameStage::kDetect,
-                                                        FrameStage::kWait,
-                                                        FrameStage::kRefine,
-                                                        FrameStage::kSegment,
-                                                        FrameStage::kIntegrate,
-                                                        FrameStage::kAssociate,
-                                                        FrameStage::kVisibility,
-                                                        FrameStage::kFrame};
+inline constexpr std::array<FrameStage, 10> kFrameStages{FrameStage::kRead,
+                                                         FrameStage::kDetect,
+                                                         FrameStage::kWait,
+                                                         FrameStage::kSmooth,
+                                                         FrameStage::kRefine,
+                                                         FrameStage::kSegment,
+                                                         FrameStage::kIntegrate,
+                                                         FrameStage::kAssociate,
+                                                         FrameStage::kVisibility,
+                                                         FrameStage::kFrame};
 
 /// One word each, for output: "read" ...
 [[nodiscard]] std::string_view name_of(FrameStage stage);
