@@ -165,7 +165,7 @@ class Rates(unittest.TestCase):
 
     def test_times_of_frames(self):
         times = json.loads(self.stats.read_text())["frame_times"]
-        self.assertEqual(list(times), ["read", "detect", "wait", "refine", "segment", "integrate", "associate",
+        self.assertEqual(list(times), ["read", "detect", "wait", "smooth", "refine", "segment", "integrate", "associate",
                                        "visibility", "frame"])
         self.assertIsNone(times["detect"])
         self.assertIsNone(times["refine"])

@@ -242,7 +242,7 @@ std::optional<VertexId> TopologicalMap::nearest_within(const Eigen::Vector3d& po
 std::optional<VertexId> TopologicalMap::nearest_path_vertex(const Eigen::Vector3d& position_in_map,
                                                             double within_m) const {
   return nearest_within(position_in_map, within_m, [&](VertexId id) {
-    return vertices_[id.value].kind == VertexKind::kPath &&
+    return vertices()[id.value].kind == VertexKind::kPath &&
            (position_of(id) - position_in_map).norm() < within_m;
   });
 }
