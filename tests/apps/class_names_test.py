@@ -19,13 +19,13 @@ aliases:
   tv: [screen]
 super_classes:
   seat: [chair, sofa]
-  furniture: [seat, dining table]
+  household: [seat, cup]
   tool: [saw]
 """
 
 
 class ClassNames(unittest.TestCase):
-    """A laboratory with chairs, a dining table and more."""
+    """A laboratory with chairs, a sofa, cups and more."""
 
     @classmethod
     def setUpClass(cls):
@@ -77,15 +77,15 @@ class ClassNames(unittest.TestCase):
     def test_all_layers_agree(self):
         every = self.names(self.map, "--layer", "objects")
         seats = [name for name in every if name in ("chair", "sofa")]
-        furniture = [name for name in every if name in ("chair", "sofa", "dining table", "diningtable")]
+        household = [name for name in every if name in ("chair", "cup", "sofa")]
         self.assertIn("chair", seats)
-        self.assertGreater(len(furniture), len(seats))
+        self.assertGreater(len(household), len(seats))
         for layer in ("objects", "semantic", "octree", "evidence"):
             with self.subTest(layer):
                 names = self.names(self.map, "--layer", layer, "--string", "stool")
                 self.assertEqual(names, ["chair"])
                 self.assertEqual(self.names(self.map, "--layer", layer, "--string", "seat"), seats)
-                self.assertEqual(self.names(self.map, "--layer", layer, "--string", "FURNITURE"), furniture)
+                self.assertEqual(self.names(self.map, "--layer", layer, "--string", "HOUSEHOLD"), household)
                 self.assertEqual(self.names(self.map, "--layer", layer, "--string", "ch*"), ["chair"])
                 self.assertEqual(self.names(self.map, "--layer", layer, "--string", "/ch.+|no/"), ["chair"])
         by_alias = self.found(self.map, "--layer", "stool", "--string", "Occupied")
@@ -104,13 +104,13 @@ class ClassNames(unittest.TestCase):
         for name in self.names(self.map, "--layer", "objects", "--string", "seat"):
             either |= set(self.ids(self.map, "--beside", name))
         self.assertEqual(beside, sorted(either))
-        nearest = self.found(self.map, "--nearest", "furniture", "--at", "0,0")
+        nearest = self.found(self.map, "--nearest", "household", "--at", "0,0")
         self.assertEqual(len(nearest), 1)
-        self.assertIn(nearest[0]["id"], self.ids(self.map, "--layer", "objects", "--string", "furniture"))
+        self.assertIn(nearest[0]["id"], self.ids(self.map, "--layer", "objects", "--string", "household"))
         placed = json.loads(self.done("query", self.map, "--place", "stool", "--json").stdout)["results"]
         self.assertEqual({one["name"] for one in placed}, {"chair"})
-        by_class = run("query", self.map, "--route", "chair,dining table")
-        by_words = run("query", self.map, "--route", "stool,dining table")
+        by_class = run("query", self.map, "--route", "chair,cup")
+        by_words = run("query", self.map, "--route", "stool,cup")
         self.assertEqual((by_words.returncode, by_words.stdout), (by_class.returncode, by_class.stdout))
 
     def test_exports(self):
@@ -162,7 +162,8 @@ class ClassNames(unittest.TestCase):
         renamed = self.folder / "renamed.yaml"
         renamed.write_text("aliases: {throne: [chair]}\n")
         same = report(self.plain, "--class-names", renamed)
-        self.assertEqual(same["one_to_one"], plain["one_to_one"])
+        for key, value in plain["one_to_one"].items():  # summed in another order
+            self.assertAlmostEqual(same["one_to_one"][key], value, places=9, msg=key)
         self.assertIn("throne", same["classes"])
         self.assertNotIn("chair", same["classes"])
         self.assertEqual(same["voxels"]["precision"], plain["voxels"]["precision"])
@@ -170,13 +171,13 @@ class ClassNames(unittest.TestCase):
         self.assertEqual(list(chairs["classes"]), ["chair"])
         seats = report(self.map, "--classes", "seat")
         self.assertIn("chair", seats["classes"])
-        self.assertNotIn("diningtable", seats["classes"])
+        self.assertNotIn("cup", seats["classes"])
 
     def test_a_map_is_told_new_ones_without_mapping(self):
         before = self.found(self.copy, "--layer", "objects")
         table = self.done("classes", self.copy, "--set", self.words).stdout
         self.assertIn("2 aliases, 3 super-classes", table)
-        self.assertRegex(table, r"chair +- +seat, furniture")
+        self.assertRegex(table, r"chair +- +\d+ +seat, household")
         self.assertEqual(digest(self.copy), digest(self.map))
         self.assertEqual(self.found(self.copy, "--layer", "objects"), before)
         written = self.folder / "written.yaml"
@@ -186,9 +187,9 @@ class ClassNames(unittest.TestCase):
         self.done("classes", self.copy, "--set", written)
         self.assertEqual(digest(self.copy), digest(self.map))
         told = json.loads(self.done("classes", self.copy, "--json").stdout)
-        self.assertEqual(told["super_classes"]["furniture"], ["seat", "dining table"])
+        self.assertEqual(told["super_classes"]["household"], ["seat", "cup"])
         chair = next(one for one in told["classes"] if one["name"] == "chair")
-        self.assertEqual(chair["super_classes"], ["seat", "furniture"])
+        self.assertEqual(chair["super_classes"], ["seat", "household"])
         self.assertGreater(chair["shapes"], 0)
 
     def test_the_shipped_words_say_furniture(self):
@@ -198,7 +199,7 @@ class ClassNames(unittest.TestCase):
     def test_a_run_that_goes_on_keeps_them(self):
         shutil.copy(self.map, self.copy)
         result = run("map", "--input", self.dataset, "--output", self.copy, "--append", "--same-world", "--force",
-                     "--max-frames", 2)
+                     "--max-frames", 2, "--resolution", 0.1)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         self.assertIn("2 aliases, 3 super-classes", self.done("info", self.copy).stdout)
 

@@ -92,13 +92,13 @@ std::string vocabulary_text(const ClassVocabulary& vocabulary) {
 }
 
 void print_classes(const MapArchive& archive) {
-  Table table({"name", "class", "super-classes", "shapes"});
+  Table table({"name", "class", "shapes", "super-classes"}, LastColumn::kText);
   for (const ClassRow& row : rows_of(archive)) {
     const bool is_alias = !is_spelling_of(row.name, row.class_name);
     table.add({printable(row.name),
                is_alias ? printable(row.class_name) : "-",
-               comma_list_of(row.super_classes),
-               std::to_string(row.num_shapes)});
+               std::to_string(row.num_shapes),
+               comma_list_of(row.super_classes)});
   }
   std::printf("%s%s\n", table.text().c_str(), vocabulary_text(archive.vocabulary).c_str());
 }
