@@ -76,7 +76,7 @@ class RatesJobTest : public testing::Test {
       std::vector<ValueTree::Entry> extra;
       if (has_boxes) extra.emplace_back("box", box_tree(x));
       if (!counts) extra.emplace_back("excluded", make_bool(true));
-      object.extra = make_map(std::move(extra));
+      if (!extra.empty()) object.extra = make_map(std::move(extra));
       EXPECT_TRUE(layer.add(std::move(object)));
     };
     for (const double x : places) add(x, true);
@@ -201,7 +201,7 @@ TEST_F(RatesJobTest, JobsThatDoNotFitAreRefused) {
             "taken");
   const auto absent = run_rates_job({.maps = {dir / "absent.hmap"}, .truths = {truth}});
   ASSERT_FALSE(absent);
-  EXPECT_EQ(absent.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(absent.error().file, (dir / "absent.hmap").string());
 }
 
 }  // namespace
