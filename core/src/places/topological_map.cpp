@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/places/topological_map.hpp"
 
-#include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/base/random_numbers.hpp"
 
 #include <algorithm>
@@ -16,20 +15,6 @@ namespace {
 /// A vertex is come to when it is nearer than the longest edge by so much: on a way that leaves
 /// several spheres at one point this is what each further vertex brings it ahead.
 constexpr double kApproachM = 1e-6;
-
-constexpr OptionRow kTopologicalMapRows[] = {
-    option::number<&TopologicalMapOptions::vertex_distance_m>(
-        "vertex_distance_m",
-        {0.1, 100},
-        {.unit = "m",
-         .source = "[smap] 3.5.1, V_d",
-         .effect = "Every object is nearer to a vertex of the topological map."}),
-    option::number<&TopologicalMapOptions::edge_factor>(
-        "edge_factor",
-        {0.1, 0.99},
-        {.source = "[smap] 3.5.1, E_f",
-         .effect = "Longest edge of the topological map over vertex_distance_m."}),
-};
 
 /// Where the straight way from `from` to `to` leaves the sphere around `centre`; none if it ends
 /// inside. Requires: `from` is inside or on it.
@@ -64,15 +49,6 @@ void make_room(std::vector<T>& list) {
 }
 
 }  // namespace
-
-const OptionTable& option_table(const TopologicalMapOptions&) {
-  static constexpr OptionTable kTable{kTopologicalMapRows};
-  return kTable;
-}
-
-Result<void> validate(const TopologicalMapOptions& options) {
-  return check_options(options);
-}
 
 std::string_view name_of(VertexKind kind) noexcept {
   return kind == VertexKind::kPath ? "path" : "support";
