@@ -199,7 +199,8 @@ class Pipeline(unittest.TestCase):
         lines = [json.loads(line) for line in self.members(self.archive)["objects.jsonl"].splitlines()]
         found = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"]
         shown = [thing["id"] for thing in found]
-        withheld = [line["id"] for line in lines if "id" in line and line["id"] not in shown]
+        withheld = [line["id"] for line in lines
+                    if isinstance(line, dict) and "id" in line and line["id"] not in shown]
         self.assertTrue(withheld, "some object of the map is withheld")
         for thing in shown[:3] + withheld[:3]:
             why = json.loads(run("query", self.archive, "--why", thing, "--json").stdout)

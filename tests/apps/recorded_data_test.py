@@ -65,7 +65,9 @@ class RealData(unittest.TestCase):
         """The squares that docs/EVALUATION.md, "Calibration", shares out among the classes of a map's only object."""
         with zipfile.ZipFile(archive) as members:
             names = re.findall(r"[^\[\],]+", members.read("classes.yaml").decode().strip())
-            (entry,) = members.read("objects.jsonl").decode().splitlines()[1:]
+            head, *lines = members.read("objects.jsonl").decode().splitlines()
+        self.assertEqual(json.loads(head)["num_objects"], 1)
+        entry = lines[0]  # codes of cells follow
         detections = [row for row in json.loads(entry)["ledger"]["summaries"] if row[0] == 0]
         of_view = collections.Counter()
         for _, _, _, view, count, *_ in detections:

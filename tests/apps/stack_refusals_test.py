@@ -87,7 +87,7 @@ class Refusals(StackLab):
                                         (["stack", "--from", "semantic"], 2, "no stack"),
                                         (["stack", "--from", "stakc"], 2, "--from: no layer is named \"stakc\""),
                                         (["stack", "--from", "stack", "--class", "chair"], 4, "--class"),
-                                        (["stack", "--class", "table"], 2, "did you mean \"diningtable\"? (tvmonitor, person, "),
+                                        (["stack", "--class", "table"], 2, "did you mean \"diningtable\"? (80 are known: tvmonitor, person, "),
                                         (["stack", "--fuse", "semantic"], 2,
                                          "--fuse: layer semantic is a SemanticLayer, no occupancy grid"),
                                         (["stack", "--fuse", "occupancy=0"], 4, "is 'occupancy=0'"),

@@ -101,7 +101,7 @@ std::vector<RunName> run_names(const RatesJob& job) {
 
 std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>& names) {
   const RunTables& tables = outcome.tables;
-  RatesJson json{{"all", json_of(tables.all, "map")},
+  RatesJson json{{"all", json_of(tables.all, "mean_ap")},
                  {"classification", json_of(tables.classifications)},
                  {"classes", RatesJson::object()},
                  {"runs", RatesJson::array()},
@@ -115,7 +115,7 @@ std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>
   }
   for (std::size_t i = 0; i < tables.runs.size(); ++i) {
     RatesJson run{{"map", names[i].map}, {"truth", names[i].truth}};
-    run.update(json_of(tables.runs[i], "map"));
+    run.update(json_of(tables.runs[i], "mean_ap"));
     run["classification"] = json_of(tables.run_classifications[i]);
     run["things_found"] = RatesJson::array();
     for (const TruthRun& instance : outcome.runs[i].truths)

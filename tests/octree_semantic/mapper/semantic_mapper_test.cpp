@@ -137,8 +137,8 @@ TEST(SemanticMapper, WithoutADeadlineNoClockMatters) {
   EXPECT_TRUE(usual.objects() == slow.objects());
 }
 
-/// A clock that is one second later each time it is asked: the first time when the frame starts,
-/// and once before each detection.
+/// A clock that is one second later each time it is asked: when the frame starts, when its depth is
+/// smooth, and once before each detection.
 Clock ticking() {
   return [now = 0.0]() mutable { return now += 1.0; };
 }
@@ -150,10 +150,10 @@ TEST(SemanticMapper, ADeadlineDropsTheLeastSureDetections) {
       });
   ASSERT_GE(frame.detections.size(), 4U);
   SemanticMapper all = mapper_with();
-  SemanticMapper hurried = mapper_with({.rule = DeadlineRule::kFixed, .frame_s = 2.5});
+  SemanticMapper hurried = mapper_with({.rule = DeadlineRule::kFixed, .frame_s = 3.5});
   hurried.set_clock(ticking());
   const FrameReport report = hurried.integrate(frame).value();
-  // Asked 1 and 2 s after the start, which is in time; after 3 s it is not.
+  // Asked 2 and 3 s after the start, which is in time; after 4 s it is not.
   EXPECT_EQ(report.num_deadline_dropped, frame.detections.size() - 2);
   EXPECT_EQ(report.num_detections, frame.detections.size());
   EXPECT_FALSE(report.visibility_evaluated) << "not to be seen means nothing now";
