@@ -263,8 +263,7 @@ void add_query_command(CLI::App& program, Action& action) {
                 {"hypermap query lab.hmap --layer objects --string chair",
                  "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
                  "hypermap query lab.hmap --nearest sofa --at 1.5,2",
-                 "hypermap query lab.hmap --layer objects --string furniture --class-names "
-                 "data/vocabulary.yaml",
+                 "hypermap query lab.hmap --layer objects --string seat --class-names names.yaml",
                  "hypermap query lab.hmap --beside chair",
                  "hypermap query flat.hmap --place cup",
                  "hypermap query flat.hmap --route kitchen,bed",
