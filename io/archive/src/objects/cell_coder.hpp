@@ -99,7 +99,7 @@ inline std::size_t child_kind(std::uint64_t around, std::uint32_t above, const C
 inline std::size_t average_kind(std::uint64_t sum, std::uint64_t count) {
   if (count == 0) return 0;
   const std::uint64_t quarters = 4 * sum / count;
-  const auto width = static_cast<unsigned>(std::bit_width(quarters));
+  const auto width = static_cast<std::size_t>(std::bit_width(quarters));
   const std::size_t half = quarters >> (width - 2) & 1U;
   return std::min(kNumAverages - 1, 2 * (width - 3) + half + 1);
 }
