@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 /// A truth that was found `error_m` off, or missed.
-TruthRun tabled_truth(const std::string& reference, std::optional<Eigen::Vector3d> error_m) {
+TruthRun tabled_truth(const std::string& reference, const std::optional<Eigen::Vector3d>& error_m) {
   TruthRun truth{.reference = reference, .class_name = "tv", .error_m = error_m};
   if (error_m) truth.object_id = 1;
   return truth;
