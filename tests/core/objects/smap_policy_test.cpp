@@ -203,13 +203,13 @@ class PrintedMap {
 };
 
 /// What stands in the way of the robot, some of it beside each other.
-struct TrueObject {
+struct SimulatedObject {
   Box box;
   ClassId label;
 };
 
-std::vector<TrueObject> true_objects(CounterRng& random) {
-  std::vector<TrueObject> truth;
+std::vector<SimulatedObject> true_objects(CounterRng& random) {
+  std::vector<SimulatedObject> truth;
   for (std::uint32_t i = 0; i < 40; ++i) {
     const Eigen::Vector3d at(random.uniform(-1, 7), random.uniform(-2, 2), random.uniform(0, 1.6));
     const double size_m = random.uniform(0.1, 0.5);
@@ -220,7 +220,7 @@ std::vector<TrueObject> true_objects(CounterRng& random) {
 
 /// What a camera that turns round shows of things around it: each a few centimetres off, and now
 /// and then of another class.
-std::vector<Observation> seen_of(const std::vector<TrueObject>& truth,
+std::vector<Observation> seen_of(const std::vector<SimulatedObject>& truth,
                                  const RgbdFrame& frame,
                                  CounterRng& random) {
   const Eigen::Vector3d camera = frame.map_from_camera.origin().xyz;
@@ -255,7 +255,7 @@ TEST(PositiveObservationsOfSmap, AreTheFlowchartOverRandomWalks) {
   const AssociationOptions options = preset(PresetName::kSmap).association;
   for (std::uint64_t trial = 0; trial < test::repetitions(8U); ++trial) {
     CounterRng random(322, trial);
-    const std::vector<TrueObject> truth = true_objects(random);
+    const std::vector<SimulatedObject> truth = true_objects(random);
     TopologicalMap places;
     PrintedMap printed;
     ObjectMap objects;

@@ -16,15 +16,8 @@ using testing::IsEmpty;
 
 /// What some map has.
 const std::vector<std::string>& names_of_a_map() {
-  static const std::vector<std::string> kNames{"chair",
-                                               "office chair",
-                                               "couch",
-                                               "dining table",
-                                               "tv",
-                                               "odd*",
-                                               "/ism/",
-                                               "K\xC3\xBC"
-                                               "che"};
+  static const std::vector<std::string> kNames{
+      "chair", "office chair", "couch", "dining table", "tv", "odd*", "/ism/", "K\u00FCche"};
   return kNames;
 }
 
