@@ -39,9 +39,11 @@ class DrawnSpace {
     return [this](const LeafVisitor& visit) {
       for (std::size_t i = 0; i < states_.size(); ++i) {
         if (states_[i] == 0) continue;
+        const std::size_t row = i / cols_;
+        const std::size_t level = row / rows_;
         const Eigen::Vector3d corner(static_cast<double>(i % cols_),
-                                     static_cast<double>(i / cols_ % rows_),
-                                     static_cast<double>(i / cols_ / rows_));
+                                     static_cast<double>(row % rows_),
+                                     static_cast<double>(level));
         visit({.centre_in_map = (corner.array() + 0.5) * kVoxelM,
                .edge_m = kVoxelM,
                .occupied = states_[i] == 2});
