@@ -263,7 +263,8 @@ std::vector<FramePlace> all_places(const MappingRun& run) {
 }
 
 MapArchive map_of(const MappingRun& run, const MappingJob& job) {
-  MapArchive archive = run.previous.value_or(MapArchive{});
+  MapArchive archive;
+  if (run.previous) archive = *run.previous;
   archive.checkpoint = {};
   archive.classes = run.classes;
   archive.detectors = run.detectors;
