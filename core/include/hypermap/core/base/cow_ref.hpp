@@ -79,6 +79,8 @@ class CowRef {
   void retain() noexcept {
     if (value_ != nullptr) value_->owners.num_.fetch_add(1, std::memory_order_relaxed);
   }
+  // The analyzer does not follow counts: to it any owner may be the last one, after another was.
+  // NOLINTBEGIN(clang-analyzer-cplusplus.NewDelete)
   void release() noexcept {
     if (value_ == nullptr) return;
     if (value_->owners.num_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
@@ -88,6 +90,7 @@ class CowRef {
       const std::unique_ptr<T> last(value_);
     }
   }
+  // NOLINTEND(clang-analyzer-cplusplus.NewDelete)
 
   T* value_ = nullptr;
 };
