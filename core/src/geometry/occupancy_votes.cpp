@@ -262,6 +262,14 @@ std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other,
   return lost.size();
 }
 
+void OccupancyVotes::deny(std::span<const std::size_t> positions) {
+  if (positions.empty()) return;
+  OccupancyVotesState state = *state_;
+  for (const std::size_t position : positions) --state.votes[position].votes;
+  std::erase_if(state.votes, [](const PointVote& vote) { return vote.votes == 0; });
+  if (!state.votes.empty()) adopt(std::move(state));
+}
+
 std::vector<Eigen::Vector3d> OccupancyVotes::points_from(CellStanding least) const {
   std::vector<Eigen::Vector3d> points;
   points.reserve(least == CellStanding::kAgreed ? agreement_.num_cells : state_->votes.size());

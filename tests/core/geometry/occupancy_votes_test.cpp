@@ -341,6 +341,30 @@ TEST(OccupancyVotes, NothingIsGivenUpToNobodyAndNotEverything) {
   EXPECT_EQ(one, same);
 }
 
+// Votes of cells 0 to 3: 3, 3, 1, 2.
+TEST(OccupancyVotes, DeniedCellsLoseAVoteAndGoWithTheLast) {
+  const auto at = [](int cell) {
+    return Eigen::Vector3f(0.01F * static_cast<float>(cell) + 0.005F, 0.005F, 0.005F);
+  };
+  OccupancyVotes votes;
+  votes.observe(std::vector{at(0), at(1), at(2), at(3)});
+  votes.observe(std::vector{at(0), at(1), at(3)});
+  votes.observe(std::vector{at(0), at(1)});
+  const OccupancyVotes before = votes;
+  votes.deny(std::vector<std::size_t>{1, 2});
+  EXPECT_EQ(votes.state().votes,
+            (std::vector<PointVote>{{{0, 0, 0}, 3}, {{1, 0, 0}, 2}, {{3, 0, 0}, 2}}));
+  EXPECT_EQ(votes.state().num_observations, 3U);
+  expect_agreement_of_points(votes);
+  EXPECT_EQ(before.state().votes.size(), 4U) << "a copy keeps its own";
+  votes.deny({});
+  votes.deny(std::vector<std::size_t>{0, 1, 2});
+  votes.deny(std::vector<std::size_t>{0, 1, 2});
+  EXPECT_EQ(votes.state().votes, (std::vector<PointVote>{{{0, 0, 0}, 1}}));
+  votes.deny(std::vector<std::size_t>{0});
+  EXPECT_EQ(votes.state().votes, (std::vector<PointVote>{{{0, 0, 0}, 1}})) << "the last one stays";
+}
+
 TEST(OccupancyVotes, PointsThatAreNoneAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   OccupancyVotes points;

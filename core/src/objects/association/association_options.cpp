@@ -9,6 +9,7 @@ namespace {
 
 using Assignment = AssignmentOptions;
 using Association = AssociationOptions;
+using Carving = BoxCarvingOptions;
 
 constexpr OptionRow kAssignmentRows[] = {
     option::number<&Assignment::near_m>(
@@ -63,6 +64,24 @@ constexpr OptionRow kAssignmentRows[] = {
         "contested_factor",
         {1, 1000},
         {.effect = "A cell goes to the object that agrees on it so many times more."}),
+};
+
+constexpr std::string_view kCarvingNames[] = {"none", "boxes"};
+
+constexpr OptionRow kCarvingRows[] = {
+    option::choice<&Carving::rule>(
+        "rule",
+        kCarvingNames,
+        {.effect = "Whether what is seen outside a detection's box is no part of the object.",
+         .smap = BoxCarvingRule::kNone,
+         .hypermap = BoxCarvingRule::kNone}),
+    option::number<&Carving::margin_share>(
+        "margin_share", {0, 1}, {.effect = "Boxes reach farther by this share of their sides."}),
+    option::number<&Carving::max_share>(
+        "max_share",
+        {0, 1},
+        {.effect =
+             "A box that leaves out more of what is seen shows a part, and counts for nothing."}),
 };
 
 constexpr std::string_view kAssociationNames[] = {"assignment", "overlap", "radius", "smap"};
@@ -145,12 +164,18 @@ constexpr OptionRow kAssociationRows[] = {
     option::section<&Association::belief>("belief"),
     option::section<&Association::histogram>("histogram"),
     option::section<&Association::points>("points"),
+    option::section<&Association::carving>("carving"),
 };
 
 }  // namespace
 
 const OptionTable& option_table(const AssignmentOptions&) {
   static constexpr OptionTable kTable{kAssignmentRows};
+  return kTable;
+}
+
+const OptionTable& option_table(const BoxCarvingOptions&) {
+  static constexpr OptionTable kTable{kCarvingRows};
   return kTable;
 }
 

@@ -116,6 +116,11 @@ class OccupancyVotes {
                        double factor,
                        ContestedPlace place = ContestedPlace::kCell);
 
+  /// Takes a vote from the cells at these positions of the state; a cell without votes goes.
+  /// Requires: positions ascend, each once, below the number of cells.
+  /// Boundary: nothing changes when no cell would be left. Cost: O(cells).
+  void deny(std::span<const std::size_t> positions);
+
   /// How many cells enough observations agree on, and where those lie.
   [[nodiscard]] const CellAgreement& agreement() const noexcept { return agreement_; }
   /// Of each cell of the state, in its order.

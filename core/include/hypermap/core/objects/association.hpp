@@ -111,6 +111,25 @@ struct AssignmentOptions {
 };
 [[nodiscard]] const OptionTable& option_table(const AssignmentOptions& options);
 
+enum class BoxCarvingRule : std::uint8_t {
+  kNone,   ///< Boxes only tell where to look for points.
+  kBoxes,  ///< A cell that is seen outside the box loses a vote.
+};
+
+/// What a frame shows outside a detection's box: `carve_by_boxes`, box_carving.hpp.
+struct BoxCarvingOptions {
+  BoxCarvingRule rule = BoxCarvingRule::kBoxes;
+  /// A box reaches farther by this share of its width or height on each side: detectors' boxes are
+  /// not exact.
+  double margin_share = 0.1;
+  /// A box that leaves out more than this share of what is seen of the object shows a part of it,
+  /// and speaks against nothing.
+  double max_share = 0.1;
+  friend bool operator==(const BoxCarvingOptions&, const BoxCarvingOptions&) = default;
+};
+
+[[nodiscard]] const OptionTable& option_table(const BoxCarvingOptions& options);
+
 struct AssociationOptions {
   AssociationPolicy policy = AssociationPolicy::kAssignment;
   AssignmentOptions assignment = {};
@@ -136,6 +155,7 @@ struct AssociationOptions {
   ClassBeliefOptions belief = {.max_log_odds = LogOdds{30.0}, .min_log_odds = LogOdds{-30.0}};
   VisibilityHistogramOptions histogram = {};
   OccupancyVotesOptions points = {};
+  BoxCarvingOptions carving = {};
   /// Their observations update no object (a person walks by).
   std::vector<ClassId> transient_classes = {};
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/objects/box_carving.hpp"
+
+#include "geometry/point_votes.hpp"
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+PixelBox widened(const PixelBox& box, double share) {
+  const double u_px = share * box.width_px();
+  const double v_px = share * box.height_px();
+  return {box.u_min_px - u_px, box.v_min_px - v_px, box.u_max_px + u_px, box.v_max_px + v_px};
+}
+
+bool is_in(const PixelBox& box, const PixelPoint& at) {
+  return at.u_px >= box.u_min_px && at.u_px <= box.u_max_px && at.v_px >= box.v_min_px &&
+         at.v_px <= box.v_max_px;
+}
+
+/// Cells of one object as a frame sees them.
+class CellsInFrame {
+ public:
+  CellsInFrame(const RgbdFrame& frame, const OccupancyVotes& points)
+      : frame_(frame), camera_from_map_(frame.map_from_camera.inverse()), points_(points) {}
+
+  /// Positions of the cells that are shown outside the box.
+  [[nodiscard]] std::vector<std::size_t> shown_outside(const PixelBox& box) const {
+    std::vector<std::size_t> outside;
+    for (std::size_t i = 0; i < points_.state().votes.size(); ++i) {
+      const PointInCamera cell = in_camera(i);
+      const auto at = frame_.camera.project(cell);
+      // Most lie in the box: depth is not asked for then.
+      if (at && !is_in(box, *at) && is_shown(cell, *at)) outside.push_back(i);
+    }
+    return outside;
+  }
+  [[nodiscard]] bool is_agreed(std::size_t position) const {
+    return points_.standings()[position] == CellStanding::kAgreed;
+  }
+  [[nodiscard]] std::size_t num_agreed_shown() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points_.state().votes.size(); ++i) {
+      if (!is_agreed(i)) continue;
+      const PointInCamera cell = in_camera(i);
+      const auto at = frame_.camera.project(cell);
+      count += at && is_shown(cell, *at) ? 1U : 0U;
+    }
+    return count;
+  }
+
+ private:
+  [[nodiscard]] PointInCamera in_camera(std::size_t position) const {
+    const OccupancyVotesState& state = points_.state();
+    return camera_from_map_ * PointInMap{centre_of(state.votes[position].cell, state.edge_m)};
+  }
+  /// Whether its depth is measured at the pixel.
+  [[nodiscard]] bool is_shown(const PointInCamera& cell, const PixelPoint& at) const {
+    const double u_px = std::floor(at.u_px + 0.5);
+    const double v_px = std::floor(at.v_px + 0.5);
+    const bool is_inside = u_px >= 0.0 && v_px >= 0.0 && u_px < frame_.depth_m.width_px() &&
+                           v_px < frame_.depth_m.height_px();
+    if (!is_inside) return false;
+    const auto depth_m =
+        static_cast<double>(frame_.depth_m.at(static_cast<int>(u_px), static_cast<int>(v_px)));
+    const double reach_m = 1.5 * points_.state().edge_m + 3.0 * axial_noise_m(cell.xyz.z());
+    return std::abs(depth_m - cell.xyz.z()) <= reach_m;  // false where it is no number
+  }
+
+  const RgbdFrame& frame_;
+  Transform<frame::Camera, frame::Map> camera_from_map_;
+  const OccupancyVotes& points_;
+};
+
+/// Positions of the cells that are shown outside the box; none where the box shows a part, or where
+/// no agreed cell is outside: strays alone change nothing that anybody asks for.
+std::vector<std::size_t> cells_outside(const CellsInFrame& cells,
+                                       const PixelBox& box,
+                                       double max_share) {
+  std::vector<std::size_t> outside = cells.shown_outside(box);
+  if (outside.empty()) return outside;
+  const auto num_outside = std::ranges::count_if(
+      outside, [&](std::size_t position) { return cells.is_agreed(position); });
+  const auto is_part = [&] {
+    const double most = max_share * static_cast<double>(cells.num_agreed_shown());
+    return static_cast<double>(num_outside) > most;
+  };
+  if (num_outside == 0 || is_part()) outside.clear();
+  return outside;
+}
+
+/// The only observation of the object in the frame.
+std::optional<std::size_t> only_observation_of(ObjectId id, const AssociationReport& association) {
+  const auto& ids = association.object_of_observation;
+  if (std::ranges::count(ids, id) != 1) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
+}
+
+void deny_cells(Object& object, std::span<const std::size_t> positions, bool box_from_points) {
+  object.points.deny(positions);
+  if (!box_from_points) return;
+  if (const auto box = object.points.agreed_box()) {
+    object.box = *box;
+    object.centroid_in_map = box->centre();
+  }
+}
+
+}  // namespace
+
+std::size_t carve_by_boxes(ObjectMap& objects,
+                           const RgbdFrame& frame,
+                           std::span<const Observation> observations,
+                           const AssociationReport& association,
+                           const AssociationOptions& options) {
+  const BoxCarvingOptions& carving = options.carving;
+  if (carving.rule == BoxCarvingRule::kNone) return 0;
+  std::size_t num_denied = 0;
+  for (const ObjectId id : association.matched) {
+    const auto observation = only_observation_of(id, association);
+    if (!observation) continue;
+    const PixelBox box = widened(observations[*observation].box_px, carving.margin_share);
+    const auto outside =
+        cells_outside(CellsInFrame(frame, objects.at(id).points), box, carving.max_share);
+    if (outside.empty()) continue;
+    objects.modify(id,
+                   [&](Object& object) { deny_cells(object, outside, options.box_from_points); });
+    num_denied += outside.size();
+  }
+  return num_denied;
+}
+
+}  // namespace hypermap
