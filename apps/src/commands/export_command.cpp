@@ -66,7 +66,7 @@ void add_export_command(CLI::App& program, Action& action) {
           "file; for ros-map the stem or .yaml (the image beside it is named after its "
           "content), for class-grids, tiles and views a folder, for geojson a name in "
           ".local.geojson, for relations such a name or one in .dot, for topological-map one in "
-          ".dot")
+          ".dot, for glb one in .glb")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -84,6 +84,9 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_flag("--complete",
                    arguments->request.complete,
                    "geojson: also a guess of the box of objects that were seen from few sides");
+  command.add_flag("--with-voxels",
+                   arguments->request.with_voxels,
+                   "glb: each object also has its voxels, which the surface then lacks");
   arguments->load.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--rules", arguments->rules, kRulesHelp);
@@ -92,7 +95,8 @@ void add_export_command(CLI::App& program, Action& action) {
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
                  "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
                  "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
-                 "hypermap export lab.hmap --format relations --output lab.dot"});
+                 "hypermap export lab.hmap --format relations --output lab.dot",
+                 "hypermap export lab.hmap --format glb --with-voxels --output lab.glb"});
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format).value();
     const auto& output = arguments->request.output;

@@ -12,12 +12,6 @@
 namespace hypermap {
 namespace {
 
-Result<double> resolution_of(const MapArchive& archive) {
-  if (archive.octree) return archive.octree->resolution_m();
-  if (!archive.octomaps.empty()) return archive.octomaps.front().tree.resolution_m;
-  return fail(ErrorCode::kNotFound, "the map has no octree");
-}
-
 /// Free space, and of the occupied voxels those of the wanted classes.
 LeafSource only(LeafSource leaves, const std::optional<std::set<ClassId>>& wanted) {
   if (!wanted) return leaves;
@@ -50,7 +44,7 @@ Result<void> require_suffix(const ExportRequest& request, std::string_view suffi
 Result<WrittenFiles> export_octomap(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(require_suffix(request, ".ot or .bt"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
-  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, resolution_of(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, octree_resolution_m(archive));
   const OctomapTree tree = occupancy_tree(only(shown_leaves(archive), wanted), resolution_m);
   if (is_empty(tree, wanted)) return WrittenFiles{};
   HYPERMAP_ASSIGN_OR_RETURN(
@@ -63,7 +57,7 @@ Result<WrittenFiles> export_octomap(const MapArchive& archive, const ExportReque
 Result<WrittenFiles> export_color_octomap(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(require_suffix(request, ".ot"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
-  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, resolution_of(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, octree_resolution_m(archive));
   const OctomapTree tree = class_color_tree(only(shown_leaves(archive), wanted),
                                             resolution_m,
                                             class_colors(archive.classes, request.palette));

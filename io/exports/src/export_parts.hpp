@@ -57,6 +57,10 @@ template <class Content>
   return no_layer_of_kind(archive, request, kind, nullptr);
 }
 
+/// Edge of a voxel of the octree, ours or else the first of another program.
+/// Errors: kNotFound when the map has neither.
+[[nodiscard]] Result<double> octree_resolution_m(const MapArchive& archive);
+
 [[nodiscard]] Result<WrittenFiles> export_ros_map(const MapArchive& archive,
                                                   const ExportRequest& request);
 [[nodiscard]] Result<WrittenFiles> export_class_grids(const MapArchive& archive,
@@ -78,5 +82,7 @@ template <class Content>
                                                           const ExportRequest& request);
 [[nodiscard]] Result<WrittenFiles> export_views(const MapArchive& archive,
                                                 const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_glb(const MapArchive& archive,
+                                              const ExportRequest& request);
 
 }  // namespace hypermap

@@ -17,7 +17,7 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 10> kExportFormats{"ros-map",
+constexpr std::array<std::string_view, 11> kExportFormats{"ros-map",
                                                           "class-grids",
                                                           "octomap",
                                                           "color-octomap",
@@ -26,20 +26,26 @@ constexpr std::array<std::string_view, 10> kExportFormats{"ros-map",
                                                           "tiles",
                                                           "relations",
                                                           "views",
-                                                          "topological-map"};
+                                                          "topological-map",
+                                                          "glb"};
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
 }
 
-/// The suffixes, upper and lower case alike, that the output of a format may have.
+/// The suffix, in upper or lower case, that the output of a format has when it has any.
 Result<void> check_suffix(const ExportRequest& request) {
-  if (request.format != ExportFormat::kPly) return {};
+  const auto required = [&]() -> std::string_view {
+    if (request.format == ExportFormat::kPly) return ".ply";
+    if (request.format == ExportFormat::kGlb) return ".glb";
+    return {};
+  }();
   const std::string suffix = request.output.extension().string();
-  if (suffix.empty() || is_spelling_of(suffix, ".ply")) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must end in .ply, is '" + printable(request.output.string()) + "'",
-              "--output");
+  if (required.empty() || suffix.empty() || is_spelling_of(suffix, required)) return {};
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "must end in " + std::string(required) + ", is '" + printable(request.output.string()) + "'",
+      "--output");
 }
 
 /// How to get what the map has of a class that was taken for a layer.
@@ -88,6 +94,11 @@ Result<void> validate(const ExportRequest& request) {
                 "goes with --format ros-map, not with " + flag_of(request.format),
                 "--without-objects");
   }
+  if (request.with_voxels && request.format != ExportFormat::kGlb) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes with --format glb, not with " + flag_of(request.format),
+                "--with-voxels");
+  }
   if (!request.classes.empty() && request.format == ExportFormat::kTopologicalMap) {
     return fail(ErrorCode::kInvalidArgument,
                 "does not go with --format topological-map, whose vertices have no class",
@@ -108,6 +119,12 @@ Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archiv
   const auto ids = asked_classes(archive, request.classes);
   if (!ids) return fail(ids.error().code, ids.error().what, "--class");
   return std::optional(std::set<ClassId>(ids->begin(), ids->end()));
+}
+
+Result<double> octree_resolution_m(const MapArchive& archive) {
+  if (archive.octree) return archive.octree->resolution_m();
+  if (!archive.octomaps.empty()) return archive.octomaps.front().tree.resolution_m;
+  return fail(ErrorCode::kNotFound, "the map has no octree");
 }
 
 Result<NameSelection> wanted_names(const MapArchive& archive,
@@ -190,6 +207,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_views(archive, request);
     case ExportFormat::kTopologicalMap:
       return export_topological_map(archive, request);
+    case ExportFormat::kGlb:
+      return export_glb(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

@@ -49,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Formats,
                                          std::pair(ExportFormat::kOctomap, "a.ot"),
                                          std::pair(ExportFormat::kColorOctomap, "a.ot"),
                                          std::pair(ExportFormat::kPly, "a.ply"),
+                                         std::pair(ExportFormat::kGlb, "a.glb"),
                                          std::pair(ExportFormat::kGeojson, "a.local.geojson")));
 
 TEST(EmptyExports, AMapWithoutKnownCellsIsNone) {

@@ -34,10 +34,12 @@ enum class ExportFormat {
                   ///< one is replaced as a whole.
   kTopologicalMap,  ///< Where the sensor came to, with the objects at each vertex: Graphviz'
                     ///< `.dot`.
+  kGlb,  ///< A scene for viewers, glTF 2.0 binary: a node an object, `<class> <id>`, with its box
+         ///< and extras `id`, `class`, `confidence`, `box`; the occupied surface as another.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations", "views", "topological-map".
+/// "relations", "views", "topological-map", "glb".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
@@ -57,12 +59,14 @@ struct ExportRequest {
   bool keep_rotation = false;
   bool without_objects = false;  ///< kRosMap: the floor that objects stand on is free.
   bool complete = false;         ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
+  bool with_voxels = false;      ///< kGlb: objects bear their voxels, which the surface then lacks.
   ClassPalette palette = {};     ///< Of formats in colour.
   RelationOptions rules = {};    ///< kGeojson and kRelations: of relations.
 };
 
 /// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",
-/// "--complete", "--class", "--without-objects", and the formats that it goes with.
+/// "--complete", "--class", "--without-objects", "--with-voxels", and the formats that it goes
+/// with.
 [[nodiscard]] Result<void> validate(const ExportRequest& request);
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
