@@ -7,6 +7,7 @@ Long because: all cases look at one map, which is made once.
 
 import functools
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -128,6 +129,50 @@ class Pipeline(unittest.TestCase):
         nearest = run("query", self.archive, "--nearest", "chair", "--at", f"{x},{y}", "--json")
         self.assertEqual(json.loads(nearest.stdout)["results"][0]["name"], "chair")
 
+    def test_the_nearest_by_the_way_of_a_robot_needs_neither_octree_nor_objects(self):
+        free = json.loads(run("query", self.archive, "--layer", "occupancy", "--string", "Free", "--json").stdout)
+        start = free["results"][len(free["results"]) // 2]["position"]
+        asked = ["--nearest", "/.*/", "--at", f"{start[0]},{start[1]}", "--free-space", "--robot-radius", 0, "--reach", 3]
+        answer = run("query", self.archive, *asked, "--top", 1000, "--json")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        document = json.loads(answer.stdout)
+        self.assertEqual((document["robot_radius_m"], document["reach_m"]), (0, 3))
+        lengths = [one["route"]["length_m"] for one in document["results"]]
+        self.assertEqual(lengths, sorted(lengths))
+        self.assertGreater(len(lengths), 3)
+        for one in document["results"]:
+            points = one["route"]["points"]
+            self.assertEqual(points[0], start)
+            pieces = [math.dist(a, b) for a, b in zip(points, points[1:])]
+            self.assertAlmostEqual(sum(pieces), one["route"]["length_m"])
+            self.assertLessEqual(one["straight_m"], one["route"]["length_m"] + one["gap_m"] + 1e-9)
+            self.assertLessEqual(one["gap_m"], 3.1)
+        first = document["results"][0]
+        text = run("query", self.archive, *asked).stdout
+        self.assertIn(f"the way to {first['name']} {first['id']}: ", text)
+        damaged = self.folder / "no-octree.hmap"
+        with zipfile.ZipFile(damaged, "w") as members:
+            for name, content in self.members(self.archive).items():
+                members.writestr(name, b"no" if name in ("octree.ot", "objects.jsonl") else content)
+        self.assertEqual(run("query", damaged, *asked, "--top", 1000, "--json").stdout, answer.stdout)
+        self.assertEqual(run("query", damaged, "--nearest", "chair", "--at", "0,0").returncode, 2)
+
+    def test_a_way_that_cannot_be_is_refused_by_its_reason(self):
+        occupied = json.loads(run("query", self.archive, "--layer", "occupancy", "--string", "Occupied", "--json").stdout)
+        unknown = json.loads(run("query", self.archive, "--layer", "occupancy", "--string", "Unknown", "--json").stdout)
+        wall = occupied["results"][0]["position"]
+        dark = next(one["position"] for one in unknown["results"] if one["value"] == -1)
+        for at, reason in ((wall, "is in an obstacle"), (dark, "is in unknown space"),
+                           ((900, 900), "is outside the occupancy grid")):
+            told = run("query", self.archive, "--nearest", "chair", "--at", f"{at[0]},{at[1]}", "--free-space")
+            self.assertEqual(told.returncode, 2)
+            self.assertIn(f"--at {at[0]},{at[1]}: {reason}", told.stderr)
+        for wrong in (["--free-space"], ["--nearest", "chair", "--at", "0,0", "--reach", 1],
+                      ["--nearest", "chair", "--at", "0,0,1", "--free-space"],
+                      ["--nearest", "chair", "--at", "0,0", "--free-space", "--robot-radius", "-1"],
+                      ["--nearest", "chair", "--at", "0,0", "--free-space", "--complete"]):
+            self.assertEqual(run("query", self.archive, *wrong).returncode, 4, wrong)
+
     def test_objects_say_how_much_of_them_was_seen_and_guesses_that_they_are_some(self):
         objects = ["query", self.archive, "--layer", "objects"]
         plain = json.loads(run(*objects, "--json").stdout)["results"]
@@ -145,6 +190,7 @@ class Pipeline(unittest.TestCase):
         self.assertIn("completed size m (guess)", run(*objects, "--complete").stdout)
         self.assertNotIn("guess", run(*objects).stdout)
         nearest = json.loads(run("query", self.archive, "--nearest", "chair", "--at", "0,0", "--json").stdout)["results"]
+        self.assertGreater(nearest[0].pop("distance_m"), 0)
         self.assertEqual(nearest, [one for one in plain if one["id"] == nearest[0]["id"]])
         shapes = run("query", self.archive, "--layer", "semantic", "--string", "chair", "--complete")
         self.assertEqual(shapes.returncode, 4)

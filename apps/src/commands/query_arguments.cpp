@@ -9,8 +9,8 @@ namespace {
 /// Whether layers, conditions, likeness or relations are asked for.
 bool asks_layers(const QueryArguments& arguments) {
   return arguments.layer || arguments.at || arguments.area || arguments.text || arguments.value ||
-         arguments.nearest || arguments.complete || !arguments.frame.empty() ||
-         !arguments.related.empty() || arguments.similar.is_asked() ||
+         arguments.nearest || arguments.approach.free_space || arguments.complete ||
+         !arguments.frame.empty() || !arguments.related.empty() || arguments.similar.is_asked() ||
          arguments.similar.is_incomplete();
 }
 
@@ -28,6 +28,8 @@ std::optional<std::string> fault_of_nearest(const QueryArguments& arguments) {
   if (!arguments.at) return "--nearest needs --at X,Y";
   if (arguments.text) return "--nearest names the class: --string goes without it";
   if (!arguments.related.empty()) return "--nearest goes without relations";
+  if (arguments.complete && arguments.approach.free_space)
+    return "--complete goes without --free-space";
   if (!arguments.layer || *arguments.layer == kObjectsLayer) return std::nullopt;
   return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
 }
@@ -43,7 +45,12 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
     return std::nullopt;
   }
   if (asks_places(arguments.places)) return fault_of(arguments.places, asks_layers(arguments));
-  if (arguments.similar.is_incomplete()) return "--model and --top go with --embedding";
+  if (arguments.approach.free_space && !arguments.nearest)
+    return "--free-space goes with --nearest";
+  if (arguments.approach.is_incomplete()) return "--robot-radius and --reach go with --free-space";
+  if (arguments.similar.is_incomplete() && (arguments.similar.model || !arguments.nearest)) {
+    return "--model goes with --embedding, --top with --embedding or --nearest";
+  }
   if (arguments.similar.is_asked()) return fault_of_similar(arguments);
   if (arguments.nearest) return fault_of_nearest(arguments);
   if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {

@@ -3,6 +3,7 @@
 /// The command line of `query`.
 #pragma once
 
+#include "approach_arguments.hpp"
 #include "class_names.hpp"
 #include "hypermap/core/places/relations.hpp"
 #include "load_arguments.hpp"
@@ -24,6 +25,7 @@ struct QueryArguments {
   std::optional<std::string> text;
   std::optional<std::int64_t> value;
   std::optional<std::string> nearest;
+  ApproachArguments approach = {};
   std::string frame;
   bool json = false;
   bool complete = false;

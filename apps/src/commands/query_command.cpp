@@ -6,9 +6,11 @@
 #include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
+#include "hypermap/io/archive/nearest_routes.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/archive/related_query.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
+#include "nearest_text.hpp"
 #include "number_lists.hpp"
 #include "places.hpp"
 #include "query_arguments.hpp"
@@ -90,7 +92,7 @@ Result<MapAnswers> run_query(const MapArchive& archive,
     return answers;
   }
   if (!request.arguments.nearest) return query_map(archive, request.query);
-  auto answers = query_nearest(archive, request.query);
+  auto answers = query_nearest(archive, request.query, request.arguments.similar.top.value_or(1));
   if (!answers && answers.error().field.empty()) answers.error().field = "--nearest";
   return answers;
 }
@@ -139,13 +141,14 @@ bool print_hint(const MapArchive& archive, const MapQuery& query) {
 
 /// What objects are to each other, by the rules of the file when one was given; none of other
 /// layers.
-Result<RelationGraph> relations_for(const MapArchive& archive, const QueryRequest& request) {
+Result<RelationGraph> relations_for(const PartialMap& partial, const QueryRequest& request) {
   if (request.query.layer != kObjectsLayer) return RelationGraph{};
   RelationOptions options;
   if (!request.arguments.rules.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(options, read_relation_options(request.arguments.rules));
   }
-  return archive_relations(archive, options);
+  if (!options.voxel_m) options.voxel_m = partial.octree_resolution_m;
+  return archive_relations(partial.map, options);
 }
 
 /// Nothing is related as it was asked.
@@ -170,12 +173,52 @@ ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
 
-ExitCode tell_places(const MapArchive& archive, const QueryRequest& request) {
-  const auto graph = relations_for(archive, request);
+ExitCode tell_places(const PartialMap& partial, const QueryRequest& request) {
+  const MapArchive& archive = partial.map;
+  const auto graph = relations_for(partial, request);
   if (!graph) return report(graph.error());
   const QueryArguments& arguments = request.arguments;
   const auto printed = print_places(archive, arguments.places, *graph, arguments.json);
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
+}
+
+ExitCode tell_routes(const MapArchive& archive, const QueryRequest& request) {
+  const QueryArguments& arguments = request.arguments;
+  const ApproachOptions options = arguments.approach.options();
+  auto reached =
+      query_nearest_routes(archive, request.query, options, arguments.similar.top.value_or(1));
+  if (!reached) {
+    Error error = std::move(reached).error();
+    if (error.field.empty()) error.field = "--nearest";
+    if (error.field == "at" && error.code == ErrorCode::kNotFound) {
+      error.field = "--at " + *arguments.at;
+    }
+    return report_refusal(std::move(error), arguments);
+  }
+  print_nearest_routes(*reached, options, arguments.json);
+  return ExitCode::kDone;
+}
+
+/// What the question needs. The nearest object is told without the octree, unless boxes are
+/// guessed, and the way to it by the 2D layers alone.
+Result<PartialMap> load_for(const QueryRequest& request) {
+  const QueryArguments& arguments = request.arguments;
+  if (!arguments.nearest || arguments.complete) {
+    HYPERMAP_ASSIGN_OR_RETURN(
+        auto loaded,
+        load_archive(
+            arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
+    return PartialMap{.map = std::move(loaded.value)};
+  }
+  const ArchiveParts parts{
+      .octrees = false, .objects = !arguments.approach.free_space, .class_grids = false};
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
+                            load_archive_parts(arguments.file,
+                                               parts,
+                                               arguments.load.limits,
+                                               archive_layer_types(),
+                                               stop_when_interrupted()));
+  return std::move(loaded.value);
 }
 
 ExitCode run(QueryRequest request) {
@@ -184,28 +227,27 @@ ExitCode run(QueryRequest request) {
     if (!similar_to) return report(similar_to.error());
     request.similar_to = std::move(*similar_to);
   }
-  auto loaded = load_archive(request.arguments.file,
-                             request.arguments.load.limits,
-                             archive_layer_types(),
-                             stop_when_interrupted());
+  auto loaded = load_for(request);
   if (!loaded) return report(loaded.error());
-  if (const auto read = request.arguments.class_names.replace(loaded->value.vocabulary); !read) {
+  MapArchive& archive = loaded->map;
+  if (const auto read = request.arguments.class_names.replace(archive.vocabulary); !read) {
     return report(read.error());
   }
-  if (request.arguments.why || request.why_not) return tell_why(loaded->value, request);
-  if (asks_places(request.arguments.places)) return tell_places(loaded->value, request);
-  const auto graph = relations_for(loaded->value, request);
+  if (request.arguments.why || request.why_not) return tell_why(archive, request);
+  if (asks_places(request.arguments.places)) return tell_places(*loaded, request);
+  if (request.arguments.approach.free_space) return tell_routes(archive, request);
+  const auto graph = relations_for(*loaded, request);
   if (!graph) return report(graph.error());
-  auto answers = run_query(loaded->value, *graph, request);
+  auto answers = run_query(archive, *graph, request);
   if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
   const bool complete = request.arguments.complete;
-  const auto seen = completeness_of(loaded->value, request.query, *answers, complete);
+  const auto seen = completeness_of(archive, request.query, *answers, complete);
   if (!seen) return report_refusal(seen.error(), request.arguments);
   const bool sentences = !request.arguments.related.empty();
-  const ShownAnswers shown{*answers, *seen, loaded->value, *graph, complete, sentences};
+  const ShownAnswers shown{*answers, *seen, archive, *graph, complete, sentences};
   request.arguments.json ? print_json(shown) : print_table(shown);
   if (!answers->found.empty()) return ExitCode::kDone;
-  const bool is_unknown = request.query.text && print_hint(loaded->value, request.query);
+  const bool is_unknown = request.query.text && print_hint(archive, request.query);
   if (sentences && !is_unknown) print_no_relation(request.arguments);
   return ExitCode::kDone;
 }
@@ -228,7 +270,12 @@ void add_query_command(CLI::App& program, Action& action) {
                      "objects of this name, alias or super-class; of names that begin so (chair*) "
                      "or match an expression (/chair|sofa/); Free, Occupied, Unknown");
   command.add_option("--int", arguments->value, "objects of this number: occupancy, or id");
-  command.add_option("--nearest", arguments->nearest, "the object of this class nearest to --at");
+  command.add_option(
+      "--nearest",
+      arguments->nearest,
+      "the object of this class, alias, super-class, prefix or expression nearest to "
+      "--at, by the straight line to its centroid; --top of them");
+  arguments->approach.add_to(command);
   arguments->similar.add_to(command);
   command
       .add_option("--why",
@@ -259,16 +306,18 @@ void add_query_command(CLI::App& program, Action& action) {
   command.add_flag(
       "--json", arguments->json, "one JSON document; objects with all classes that they may be");
   arguments->load.add_to(command);
-  show_examples(command,
-                {"hypermap query lab.hmap --layer objects --string chair",
-                 "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
-                 "hypermap query lab.hmap --nearest sofa --at 1.5,2",
-                 "hypermap query lab.hmap --layer objects --string seat --class-names names.yaml",
-                 "hypermap query lab.hmap --beside chair",
-                 "hypermap query flat.hmap --place cup",
-                 "hypermap query flat.hmap --route kitchen,bed",
-                 "hypermap query lab.hmap --embedding mug.npy --top 3",
-                 "hypermap query lab.hmap --why 4"});
+  show_examples(
+      command,
+      {"hypermap query lab.hmap --layer objects --string chair",
+       "hypermap query lab.hmap --layer occupancy --area \"0 0,1 0,1 1\" --string Free",
+       "hypermap query lab.hmap --nearest sofa --at 1.5,2",
+       "hypermap query lab.hmap --nearest chair --at 1.5,2 --free-space --robot-radius 0.3",
+       "hypermap query lab.hmap --layer objects --string seat --class-names names.yaml",
+       "hypermap query lab.hmap --beside chair",
+       "hypermap query flat.hmap --place cup",
+       "hypermap query flat.hmap --route kitchen,bed",
+       "hypermap query lab.hmap --embedding mug.npy --top 3",
+       "hypermap query lab.hmap --why 4"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

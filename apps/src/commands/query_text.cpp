@@ -108,6 +108,7 @@ class AnswerTable {
       : shown_(shown),
         has_beliefs_(!shown.answers.found.empty() && shown.answers.found.front().beliefs),
         has_similarity_(!shown.answers.found.empty() && shown.answers.found.front().similarity),
+        has_distance_(!shown.answers.found.empty() && shown.answers.found.front().distance_m),
         table_(heading(), has_beliefs_ ? LastColumn::kText : LastColumn::kNumber) {}
 
   void add(const MapAnswer& one) {
@@ -119,6 +120,7 @@ class AnswerTable {
                                  one.size_m ? joined(numbers_of(*one.size_m)) : "-"};
     if (has_similarity_)
       row.insert(row.begin() + 2, one.similarity ? fixed(*one.similarity, 4) : "-");
+    if (has_distance_) row.insert(row.begin() + 2, fixed(one.distance_m, 2));
     add_completeness(row, one.id);
     if (has_beliefs_) add_beliefs(row, one);
     table_.add(std::move(row));
@@ -135,6 +137,7 @@ class AnswerTable {
                                  "confidence",
                                  "size m"};
     if (has_similarity_) out.insert(out.begin() + 2, "similarity");
+    if (has_distance_) out.insert(out.begin() + 2, "distance m");
     if (!shown_.seen.empty()) out.emplace_back("seen");
     if (!shown_.seen.empty() && shown_.complete) out.emplace_back("completed size m (guess)");
     if (has_beliefs_) out.insert(out.end(), {"P(real)", "entropy nats", "runner-up", "classes"});
@@ -162,6 +165,7 @@ class AnswerTable {
   const ShownAnswers& shown_;
   bool has_beliefs_;
   bool has_similarity_;
+  bool has_distance_;
   Table table_;
 };
 
@@ -176,6 +180,7 @@ void print_json(const ShownAnswers& shown) {
                {"position", numbers_of(one.position)},
                {"confidence", one.confidence ? Json(*one.confidence) : Json(nullptr)}};
     if (one.similarity) entry["similarity"] = *one.similarity;
+    if (one.distance_m) entry["distance_m"] = *one.distance_m;
     if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
     if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.archive.classes);
     add_completeness(entry, one, shown);

@@ -20,7 +20,10 @@ void SimilarArguments::add_to(CLI::App& command) {
                      "the objects that look most like the vector of this file, .npy or JSON, best "
                      "first; with --string, --int, --at and --area those among them");
   command.add_option("--model", model, "the network that the vector of --embedding is of");
-  command.add_option("--top", top, "how many objects --embedding gives (default: 10)")
+  command
+      .add_option("--top",
+                  top,
+                  "how many objects --embedding (default: 10) or --nearest (default: 1) gives")
       ->check(CLI::Range(std::size_t{1}, kMostAnswers));
 }
 

@@ -8,11 +8,13 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
 #include "layers/layer_files.hpp"
+#include "octree/octomap_header.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -31,18 +33,26 @@ Layer within_archive(Layer layer) {
 /// Puts a map together from the files that its configuration names.
 class ArchiveReader {
  public:
-  ArchiveReader(ArchiveMembers& members, const ArchiveLimits& limits, const LayerRegistry& layers)
-      : members_(members), limits_(limits), layers_(layers) {}
+  ArchiveReader(ArchiveMembers& members,
+                const ArchiveLimits& limits,
+                const LayerRegistry& layers,
+                const std::optional<ArchiveParts>& parts)
+      : members_(members), limits_(limits), layers_(layers), parts_(parts) {}
 
-  Result<Loaded<MapArchive>> read(const std::string& config_name) {
+  Result<Loaded<PartialMap>> read(const std::string& config_name) {
     HYPERMAP_ASSIGN_OR_RETURN(HypermapConfig config, read_config(config_name));
     HYPERMAP_TRY(check_declared_sizes(members_, config, limits_.sums, layers_));
     HYPERMAP_TRY(read_layers(config));
     HYPERMAP_TRY(read_extensions(config));
     HYPERMAP_TRY(check_classes(archive_));
-    if (auto finding = forget_absent_objects(archive_)) findings_.push_back(std::move(*finding));
-    HYPERMAP_TRY(keep_the_rest(config));
-    return Loaded<MapArchive>{.value = std::move(archive_), .findings = std::move(findings_)};
+    if (!parts_ || parts_->objects) {
+      if (auto finding = forget_absent_objects(archive_)) findings_.push_back(std::move(*finding));
+    }
+    if (archive_.octree) octree_resolution_m_ = archive_.octree->resolution_m();
+    if (!parts_) HYPERMAP_TRY(keep_the_rest(config));
+    return Loaded<PartialMap>{
+        .value = {.map = std::move(archive_), .octree_resolution_m = octree_resolution_m_},
+        .findings = std::move(findings_)};
   }
 
  private:
@@ -87,9 +97,31 @@ class ArchiveReader {
   Result<void> read_one(const ExtensionEntry& entry, std::size_t position) {
     const std::string owner = "extensions[" + std::to_string(position) + "].file";
     if (layers_.find(entry.format) != nullptr) return read_registered_layer(entry, owner);
+    if (is_left_out(entry.format)) return leave_out(entry, owner);
     HYPERMAP_ASSIGN_OR_RETURN(auto findings,
                               read_extension(archive_, members_, entry, owner, limits_));
     keep(std::move(findings));
+    return {};
+  }
+
+  [[nodiscard]] bool is_left_out(std::string_view format) const {
+    if (!parts_) return false;
+    if (format == kOctomapFormat || format == kOctreeTwinFormat) return !parts_->octrees;
+    if (format == kClassGridFormat) return !parts_->class_grids;
+    const bool is_of_objects = format == kObjectsFormat || format == kEmbeddingsFormat ||
+                               format == kViewsFormat || format == kTopologicalMapFormat;
+    return is_of_objects && !parts_->objects;
+  }
+
+  /// A part that is not read may still lead nowhere.
+  Result<void> leave_out(const ExtensionEntry& entry, const std::string& owner) {
+    HYPERMAP_TRY(members_.check(entry.file, owner));
+    if (entry.format != kOctomapFormat || octree_resolution_m_) return {};
+    constexpr std::size_t kOctreeStartBytes = std::size_t{1} << 12U;
+    const auto start = members_.start_of(entry.file, kOctreeStartBytes);
+    if (!start) return {};
+    const auto header = parse_octomap_header(*start);
+    if (header && header->id == kSemanticOctreeId) octree_resolution_m_ = header->resolution_m;
     return {};
   }
 
@@ -118,16 +150,26 @@ class ArchiveReader {
   ArchiveMembers& members_;
   const ArchiveLimits& limits_;
   const LayerRegistry& layers_;
+  const std::optional<ArchiveParts>& parts_;  ///< None: all there is.
   MapArchive archive_;
+  std::optional<double> octree_resolution_m_;
   std::vector<Finding> findings_;
 };
 
-Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
+/// What is read, and how.
+struct Reading {
+  const ArchiveLimits& limits;
+  const LayerRegistry& layers;
+  const StopCheck& stop;
+  std::optional<ArchiveParts> parts = std::nullopt;  ///< None: all there is.
+};
+
+Result<Loaded<PartialMap>> read_all(ArchiveMembers& members,
                                     const std::string& config_name,
                                     const std::string& file,
-                                    const ArchiveLimits& limits,
-                                    const LayerRegistry& layers) {
-  auto loaded = ArchiveReader(members, limits, layers).read(config_name);
+                                    const Reading& reading) {
+  auto loaded =
+      ArchiveReader(members, reading.limits, reading.layers, reading.parts).read(config_name);
   if (!loaded) return tl::make_unexpected(with_source(std::move(loaded).error(), {.file = file}));
   for (Finding& finding : loaded->findings)
     finding.error = with_source(std::move(finding.error), {.file = file});
@@ -136,19 +178,17 @@ Result<Loaded<MapArchive>> read_all(ArchiveMembers& members,
 
 /// Nothing that a library throws gets past here.
 template <class Read>
-Result<Loaded<MapArchive>> guarded_read(const Read& read) {
+Result<Loaded<PartialMap>> guarded_read(const Read& read) {
   return guarded(ErrorCode::kMalformedFile, "the map", read);
 }
 
-Result<Loaded<MapArchive>> read_zip(std::shared_ptr<const ByteSource> source,
+Result<Loaded<PartialMap>> read_zip(std::shared_ptr<const ByteSource> source,
                                     const std::string& file,
-                                    const ArchiveLimits& limits,
-                                    const LayerRegistry& layers,
-                                    const StopCheck& stop) {
-  auto zip = ZipReader::create(std::move(source), limits.zip);
+                                    const Reading& reading) {
+  auto zip = ZipReader::create(std::move(source), reading.limits.zip);
   if (!zip) return tl::make_unexpected(with_source(std::move(zip).error(), {.file = file}));
-  ZipMembers members(std::move(*zip), file, LoadBudget(limits.sums, stop));
-  return read_all(members, std::string(kConfigName), file, limits, layers);
+  ZipMembers members(std::move(*zip), file, LoadBudget(reading.limits.sums, reading.stop));
+  return read_all(members, std::string(kConfigName), file, reading);
 }
 
 /// A zip file begins with a local header, or with the end record when it is empty; whatever else
@@ -170,21 +210,41 @@ Result<void> expect_configuration(const std::filesystem::path& path) {
                           .file = path.string()});
 }
 
+Result<Loaded<PartialMap>> read_map_file(const std::filesystem::path& path,
+                                         const Reading& reading) {
+  return guarded_read([&]() -> Result<Loaded<PartialMap>> {
+    HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
+                              open_file(path, reading.limits.zip.max_archive_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
+    if (is_zip) return read_zip(std::move(source), path.string(), reading);
+    HYPERMAP_TRY(expect_configuration(path));
+    FolderMembers members(
+        path, LoadBudget(reading.limits.sums, reading.stop), reading.limits.reach);
+    return read_all(members, path.filename().string(), path.string(), reading);
+  });
+}
+
+Result<Loaded<MapArchive>> whole(Result<Loaded<PartialMap>> read) {
+  if (!read) return tl::make_unexpected(std::move(read).error());
+  return Loaded<MapArchive>{.value = std::move(read->value.map),
+                            .findings = std::move(read->findings)};
+}
+
 }  // namespace
 
 Result<Loaded<MapArchive>> load_archive(const std::filesystem::path& path,
                                         const ArchiveLimits& limits,
                                         const LayerRegistry& layers,
                                         const StopCheck& stop) {
-  return guarded_read([&]() -> Result<Loaded<MapArchive>> {
-    HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
-                              open_file(path, limits.zip.max_archive_bytes));
-    HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
-    if (is_zip) return read_zip(std::move(source), path.string(), limits, layers, stop);
-    HYPERMAP_TRY(expect_configuration(path));
-    FolderMembers members(path, LoadBudget(limits.sums, stop), limits.reach);
-    return read_all(members, path.filename().string(), path.string(), limits, layers);
-  });
+  return whole(read_map_file(path, {.limits = limits, .layers = layers, .stop = stop}));
+}
+
+Result<Loaded<PartialMap>> load_archive_parts(const std::filesystem::path& path,
+                                              const ArchiveParts& parts,
+                                              const ArchiveLimits& limits,
+                                              const LayerRegistry& layers,
+                                              const StopCheck& stop) {
+  return read_map_file(path, {.limits = limits, .layers = layers, .stop = stop, .parts = parts});
 }
 
 Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
@@ -192,8 +252,10 @@ Result<Loaded<MapArchive>> parse_archive(std::string_view bytes,
                                          const ArchiveLimits& limits,
                                          const LayerRegistry& layers,
                                          const StopCheck& stop) {
-  return guarded_read(
-      [&] { return read_zip(view_bytes(bytes), source.file, limits, layers, stop); });
+  return whole(guarded_read([&] {
+    return read_zip(
+        view_bytes(bytes), source.file, {.limits = limits, .layers = layers, .stop = stop});
+  }));
 }
 
 }  // namespace hypermap

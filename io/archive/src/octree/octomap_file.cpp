@@ -22,7 +22,7 @@ struct TypeName {
 // OcTreeStamped keeps its stamps in memory only; its files are those of OcTree.
 constexpr std::array kTypes{TypeName{"OcTree", OctomapKind::kOccupancy},
                             TypeName{"ColorOcTree", OctomapKind::kColor},
-                            TypeName{"SemanticOcTree", OctomapKind::kSemantic},
+                            TypeName{kSemanticOctreeId, OctomapKind::kSemantic},
                             TypeName{"OcTreeStamped", OctomapKind::kOccupancy}};
 
 std::string_view id_of(OctomapKind kind) {

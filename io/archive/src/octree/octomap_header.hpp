@@ -12,6 +12,9 @@
 
 namespace hypermap {
 
+/// The id of our own type of tree.
+inline constexpr std::string_view kSemanticOctreeId = "SemanticOcTree";
+
 struct OctomapHeader {
   bool binary = false;  ///< `.bt`
   std::string id;

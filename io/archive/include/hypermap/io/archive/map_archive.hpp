@@ -129,6 +129,31 @@ struct ArchiveLimits {
     const LayerRegistry& layers = archive_layer_types(),
     const StopCheck& stop = {});
 
+/// Which parts of an archive are read, beside its layers, classes and vocabulary: large ones that a
+/// question may not need.
+struct ArchiveParts {
+  bool octrees = true;
+  bool objects = true;      ///< With their embeddings and views, and the topological map.
+  bool class_grids = true;  ///< One for each class.
+};
+
+/// Some parts of a map. The others, and members that nothing names, are not there: it answers
+/// questions, and must not be saved in the place of the whole.
+struct PartialMap {
+  MapArchive map;
+  /// Edge of the voxels of the octree, as its file declares it, also where that was not read.
+  std::optional<double> octree_resolution_m = std::nullopt;
+};
+
+/// As load_archive. Members that are left out are not inflated, and so not checked beyond name and
+/// declared size. Cost: that of the parts that are read.
+[[nodiscard]] Result<Loaded<PartialMap>> load_archive_parts(
+    const std::filesystem::path& path,
+    const ArchiveParts& parts,
+    const ArchiveLimits& limits = {},
+    const LayerRegistry& layers = archive_layer_types(),
+    const StopCheck& stop = {});
+
 /// The bytes of the archive: equal maps give equal bytes, on any machine and at any number of
 /// threads. Errors: kInvalidArgument or kLimit for whatever `parse_archive` would refuse; whether
 /// it is within `limits.sums` is only known by reading, which `save_archive` does to verify.

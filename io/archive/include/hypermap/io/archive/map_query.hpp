@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -48,9 +49,13 @@ struct MapAnswer {
   std::optional<ObjectBeliefs> beliefs = std::nullopt;
   /// Of an object, when it was compared with a vector (similar_query.hpp): in -1 .. 1.
   std::optional<double> similarity = std::nullopt;
+  /// Of an object, when the nearest was asked for: from the point to its centroid, in the plane
+  /// when the point has no height.
+  std::optional<double> distance_m = std::nullopt;
 };
 
-/// What was found, in ascending order of ids, and the frame of the positions.
+/// What was found, in ascending order of ids where nothing else is said, and the frame of the
+/// positions.
 struct MapAnswers {
   std::string frame_id;
   std::vector<MapAnswer> found;
@@ -65,10 +70,13 @@ struct MapAnswers {
 /// text and value together.
 [[nodiscard]] Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query);
 
-/// Of the objects that fulfil all conditions but `at` the one whose centroid is nearest to that
-/// point (`nearest_object`). The layer is that of the objects, whatever `query.layer` says.
+/// Of the objects that fulfil all conditions but `at` the `count` whose centroids are nearest to
+/// that point, the nearest first, of equally near ones the lowest id. The layer is that of the
+/// objects, whatever `query.layer` says.
 /// Errors: those of query_map; kInvalidArgument naming `at` when it is absent; kNotFound when
 /// there is no such object.
-[[nodiscard]] Result<MapAnswers> query_nearest(const MapArchive& archive, const MapQuery& query);
+[[nodiscard]] Result<MapAnswers> query_nearest(const MapArchive& archive,
+                                               const MapQuery& query,
+                                               std::size_t count = 1);
 
 }  // namespace hypermap
