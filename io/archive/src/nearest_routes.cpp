@@ -5,6 +5,7 @@
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/core/geometry/polygon_motion.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/occupancy_layer.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
@@ -30,16 +31,6 @@ Result<const Layer*> layer_with(const MapArchive& archive,
     if (layer.content.as<T>() != nullptr) return &layer;
   }
   return fail(ErrorCode::kNotFound, "the map has no " + std::string(what), std::string(name));
-}
-
-std::vector<Polygon> moved(std::vector<Polygon> parts, const Eigen::Isometry2d& to_from) {
-  for (Polygon& part : parts) {
-    for (Eigen::Vector2d& corner : part.outer) corner = to_from * corner;
-    for (Ring& hole : part.holes) {
-      for (Eigen::Vector2d& corner : hole) corner = to_from * corner;
-    }
-  }
-  return parts;
 }
 
 double distance_to(const std::vector<Polygon>& parts, const Eigen::Vector2d& point) {
@@ -137,7 +128,9 @@ class RouteQuestion {
     wanted.footprints.reserve(wanted.answers.size());
     for (const MapAnswer& one : wanted.answers) {
       const SemanticObject* object = shapes_->content.as<SemanticLayer>()->find(one.id);
-      wanted.footprints.push_back(moved(object->parts, grid_from_shapes));
+      std::vector<Polygon> parts = object->parts;
+      for (Polygon& part : parts) part = moved(std::move(part), grid_from_shapes);
+      wanted.footprints.push_back(std::move(parts));
     }
     return wanted;
   }

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
+#include "hypermap/core/geometry/polygon_motion.hpp"
+
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace hypermap {
 namespace {
 
 using Answers = std::vector<LayerAnswer>;
-
-Ring moved(const Ring& ring, const Eigen::Isometry2d& to_from) {
-  Ring out;
-  out.reserve(ring.size());
-  for (const Eigen::Vector2d& point : ring) out.push_back(to_from * point);
-  return out;
-}
-
-/// A rigid motion in the plane keeps the orientation of rings.
-Polygon moved(const Polygon& polygon, const Eigen::Isometry2d& to_from) {
-  Polygon out{.outer = moved(polygon.outer, to_from), .holes = {}};
-  for (const Ring& hole : polygon.holes) out.holes.push_back(moved(hole, to_from));
-  return out;
-}
 
 Result<void> check_finite(const Eigen::Vector2d& point) {
   if (point.allFinite()) return {};
@@ -67,7 +56,7 @@ Result<Answers> query_layer(const Layer& layer,
   HYPERMAP_TRY(check_finite(query));
   LayerQuery in_layer = query;
   if (in_layer.at) in_layer.at->xy = layer_from_query * in_layer.at->xy;
-  if (in_layer.area) in_layer.area = moved(*in_layer.area, layer_from_query);
+  if (in_layer.area) in_layer.area = moved(std::move(*in_layer.area), layer_from_query);
   HYPERMAP_ASSIGN_OR_RETURN(Answers answers, layer.content->query(in_layer));
   const Eigen::Isometry2d query_from_layer = layer_from_query.inverse();
   for (LayerAnswer& answer : answers) answer.position = query_from_layer * answer.position;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
 
+#include "hypermap/core/geometry/polygon_motion.hpp"
+
 #include <Eigen/Geometry>
 
 #include <cstdint>
@@ -11,17 +13,6 @@
 
 namespace hypermap {
 namespace {
-
-Ring moved(Ring ring, const Eigen::Isometry2d& to_from) {
-  for (Eigen::Vector2d& point : ring) point = to_from * point;
-  return ring;
-}
-
-Polygon moved(Polygon polygon, const Eigen::Isometry2d& to_from) {
-  polygon.outer = moved(std::move(polygon.outer), to_from);
-  for (Ring& hole : polygon.holes) hole = moved(std::move(hole), to_from);
-  return polygon;
-}
 
 GridGeometry moved(GridGeometry geometry, const Eigen::Isometry2d& to_from) {
   geometry.origin = to_from * geometry.origin;
