@@ -20,7 +20,7 @@ std::string conditions_of(const MapQuery& query) {
 }
 
 std::string unmet_conditions_of(const MapQuery& query, const MapArchive& archive) {
-  const std::string text = conditions_of(query);
+  std::string text = conditions_of(query);
   if (!query.text || is_class_of_map(archive, *query.text)) return text;
   const auto names = asked_of_map(archive, *query.text);
   const bool is_plain = names && names->contains(*query.text);

@@ -63,8 +63,19 @@ Result<void> check_start(const FreeSpace& space, const Eigen::Vector2d& start) {
 struct Wanted {
   std::vector<MapAnswer> answers;
   std::vector<std::vector<Polygon>> footprints;
-  std::vector<std::vector<std::size_t>> places;  ///< From which each is reached.
 };
+
+/// Cells in row-major order.
+using Places = std::vector<std::size_t>;
+
+/// Ids of those that are reached from nowhere.
+std::vector<std::uint64_t> without_places(const Wanted& wanted, const std::vector<Places>& places) {
+  std::vector<std::uint64_t> ids;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].empty()) ids.push_back(wanted.answers[i].id);
+  }
+  return ids;
+}
 
 /// A question with its layers. Refers to the map and the query.
 class RouteQuestion {
@@ -86,9 +97,10 @@ class RouteQuestion {
         FreeSpace::create(grid_->content.as<OccupancyLayer>()->grid, options_.robot_radius_m));
     const Eigen::Vector2d start = grid_from_query * query_.at->xy;
     HYPERMAP_TRY(check_start(space, start));
-    ReachedObjects reached{.frame_id = frame_id, .found = {}, .out_of_reach = {}};
-    HYPERMAP_TRY(find_places(space, wanted, reached.out_of_reach));
-    for (RouteToGoal& one : routes_to_nearest(space, start, wanted.places, count)) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto places, places_of(wanted, space));
+    ReachedObjects reached{
+        .frame_id = frame_id, .found = {}, .out_of_reach = without_places(wanted, places)};
+    for (RouteToGoal& one : routes_to_nearest(space, start, places, count)) {
       reached.found.push_back(
           {.object = std::move(wanted.answers[one.goal]),
            .straight_m = distance_to(wanted.footprints[one.goal], start),
@@ -107,7 +119,7 @@ class RouteQuestion {
   static constexpr std::string_view kNoShapes = "semantic layer, whose objects are asked for";
 
   /// Errors: those of query_map; kNotFound when there is none.
-  Result<Wanted> find_wanted(const std::string& frame_id) const {
+  [[nodiscard]] Result<Wanted> find_wanted(const std::string& frame_id) const {
     MapQuery conditions{.layer = shapes_->info.name,
                         .text = query_.text,
                         .area = query_.area,
@@ -124,7 +136,7 @@ class RouteQuestion {
     HYPERMAP_ASSIGN_OR_RETURN(
         const Eigen::Isometry2d grid_from_shapes,
         archive_.hypermap.frames().to_from(grid_->info.frame_id, shapes_->info.frame_id));
-    Wanted wanted{.answers = std::move(answers.found), .footprints = {}, .places = {}};
+    Wanted wanted{.answers = std::move(answers.found), .footprints = {}};
     wanted.footprints.reserve(wanted.answers.size());
     for (const MapAnswer& one : wanted.answers) {
       const SemanticObject* object = shapes_->content.as<SemanticLayer>()->find(one.id);
@@ -135,17 +147,16 @@ class RouteQuestion {
     return wanted;
   }
 
-  Result<void> find_places(const FreeSpace& space,
-                           Wanted& wanted,
-                           std::vector<std::uint64_t>& out_of_reach) const {
-    wanted.places.reserve(wanted.answers.size());
-    for (std::size_t i = 0; i < wanted.answers.size(); ++i) {
-      HYPERMAP_ASSIGN_OR_RETURN(auto places,
-                                places_to_reach(space, wanted.footprints[i], options_.reach_m));
-      if (places.empty()) out_of_reach.push_back(wanted.answers[i].id);
-      wanted.places.push_back(std::move(places));
+  /// From which each of the objects is reached.
+  [[nodiscard]] Result<std::vector<Places>> places_of(const Wanted& wanted,
+                                                      const FreeSpace& space) const {
+    std::vector<Places> out;
+    out.reserve(wanted.footprints.size());
+    for (const auto& footprint : wanted.footprints) {
+      HYPERMAP_ASSIGN_OR_RETURN(Places places, places_to_reach(space, footprint, options_.reach_m));
+      out.push_back(std::move(places));
     }
-    return {};
+    return out;
   }
 
   [[nodiscard]] Unexpected no_way(std::size_t num_objects, std::size_t num_out_of_reach) const {

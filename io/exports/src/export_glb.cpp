@@ -25,7 +25,7 @@ namespace hypermap {
 namespace {
 
 constexpr double kBoxOpacity = 0.35;  // what stands in a box shows through
-constexpr double kMaxBoxCoordinate_m = 1e6;
+constexpr double kMaxBoxCoordinateM = 1e6;
 constexpr std::uint64_t kMaxMeshVoxels = std::uint64_t{1} << 26U;  // 2.5 GiB while they are merged
 constexpr Rgb8 kNoClassColor{200, 200, 200};
 
@@ -106,7 +106,7 @@ class MapScene {
     const Object& object = *exported.object;
     const double reach_m = std::max(object.box.min_in_map.cwiseAbs().maxCoeff(),
                                     object.box.max_in_map.cwiseAbs().maxCoeff());
-    if (!(reach_m <= kMaxBoxCoordinate_m)) {
+    if (!(reach_m <= kMaxBoxCoordinateM)) {
       return fail(ErrorCode::kLimit,
                   "the box of object " + std::to_string(object.id.value) + " reaches to " +
                       number_text(reach_m) + " m, may to 1e6 m");
