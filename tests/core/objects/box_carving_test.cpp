@@ -63,12 +63,12 @@ struct SeenBoard {
     association.object_of_observation.assign(boxes.size(), id);
     association.matched = {id};
   }
-  const Object& board() const { return objects.at(association.matched[0]); }
+  [[nodiscard]] const Object& board() const { return objects.at(association.matched[0]); }
   std::size_t carve(const RgbdFrame& frame) {
     return carve_by_boxes(objects, frame, observations, association, options);
   }
   /// How many cells have so many votes.
-  std::map<std::uint32_t, int> cells_by_votes() const {
+  [[nodiscard]] std::map<std::uint32_t, int> cells_by_votes() const {
     std::map<std::uint32_t, int> count;
     for (const PointVote& vote : board().points.state().votes) ++count[vote.votes];
     return count;

@@ -221,6 +221,21 @@ TEST(PlacesToReach, AThingAtAWallIsReachedFromItsOwnSide) {
   for (const std::size_t place : places) EXPECT_LT(place % 40, 20U);
 }
 
+/// The least that a step to the cell from one of its neighbours comes to.
+double least_by_a_step(const FreeSpace& space, const std::vector<double>& cells, Cell to) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int dr = -1; dr <= 1; ++dr) {
+    for (int dc = -1; dc <= 1; ++dc) {
+      const Cell from{to.col + dc, to.row + dr};
+      if (!space.fits(from) || !space.fits({to.col, from.row}) || !space.fits({from.col, to.row})) {
+        continue;
+      }
+      least = std::min(least, cells[space.geometry().index(from)] + std::hypot(dc, dr));
+    }
+  }
+  return least;
+}
+
 /// By distances that are lowered until none can be.
 std::vector<double> distances_by_brute_force(const FreeSpace& space, Cell start) {
   const GridGeometry& grid = space.geometry();
@@ -228,23 +243,13 @@ std::vector<double> distances_by_brute_force(const FreeSpace& space, Cell start)
   cells[grid.index(start)] = 0.0;
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    for (int row = 0; row < grid.rows; ++row) {
-      for (int col = 0; col < grid.cols; ++col) {
-        if (!space.fits({col, row})) continue;
-        double& here = cells[grid.index({col, row})];
-        for (int dr = -1; dr <= 1; ++dr) {
-          for (int dc = -1; dc <= 1; ++dc) {
-            if (!space.fits({col + dc, row + dr}) || !space.fits({col, row + dr}) ||
-                !space.fits({col + dc, row})) {
-              continue;
-            }
-            const double by_there = cells[grid.index({col + dc, row + dr})] + std::hypot(dc, dr);
-            if (by_there >= here - 1e-9) continue;
-            here = by_there;
-            has_changed = true;
-          }
-        }
-      }
+    for (std::size_t place = 0; place < cells.size(); ++place) {
+      const Cell cell{static_cast<int>(place) % grid.cols, static_cast<int>(place) / grid.cols};
+      if (!space.fits(cell)) continue;
+      const double by_a_step = least_by_a_step(space, cells, cell);
+      if (by_a_step >= cells[place] - 1e-9) continue;
+      cells[place] = by_a_step;
+      has_changed = true;
     }
   }
   return cells;
