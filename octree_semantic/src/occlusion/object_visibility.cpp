@@ -21,6 +21,7 @@ struct RayCounts {
   int hidden = 0;   // the measured depth, or the map, is in front of the object
 
   [[nodiscard]] int num_decided() const { return open + through + hidden; }
+  [[nodiscard]] int outside() const { return total - in_view; }
 };
 
 double share(int part, int whole) {
@@ -177,7 +178,11 @@ Visibility state_of(const RayCounts& counts, const VisibilityOptions& options) {
   if (seen == 0 || share(seen, counts.num_decided()) < options.min_open_share) {
     return Visibility::kOccluded;
   }
-  if (share(counts.through, seen) >= options.absent_share) return Visibility::kAbsent;
+  if (share(counts.through, seen) >= options.absent_share) {
+    // A rim of it is seen through, what is beside the image may be where it was: no verdict.
+    const bool is_gone = share(counts.through, seen + counts.outside()) >= options.absent_share;
+    return is_gone ? Visibility::kAbsent : Visibility::kOutOfView;
+  }
   const bool partly = share(counts.hidden, counts.num_decided()) >= options.partly_occluded_share;
   return partly ? Visibility::kPartlyOccluded : Visibility::kVisible;
 }

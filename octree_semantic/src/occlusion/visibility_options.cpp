@@ -26,7 +26,11 @@ constexpr OptionRow kVisibilityRows[] = {
     option::number<&VisibilityOptions::min_open_share>(
         "min_open_share", {0, 1}, {.effect = "Less of it open to the camera: occluded."}),
     option::number<&VisibilityOptions::absent_share>(
-        "absent_share", {0, 1}, {.effect = "At least so much shows what lies behind: absent."}),
+        "absent_share",
+        {0, 1},
+        {.effect =
+             "At least so much shows what lies behind, and so much of all that is not hidden: "
+             "absent."}),
     option::number<&VisibilityOptions::partly_occluded_share>(
         "partly_occluded_share",
         {0, 1},

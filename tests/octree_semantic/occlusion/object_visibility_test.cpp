@@ -114,6 +114,16 @@ TEST(ObjectVisibility, IsAbsentWhenTheOpenHalfIsSeenThrough) {
   EXPECT_EQ(evaluate(world, frame, cube_ahead()).state, Visibility::kAbsent);
 }
 
+/// At a depth of 2.01 m the image ends 1.005 m left of the middle: of the 20 columns of a cube 1.06
+/// m aside 7 lie in it, of one 0.92 m aside 14.
+TEST(ObjectVisibility, IsNotAbsentWhereOnlyItsRimInTheImageIsSeenThrough) {
+  World world;
+  const RgbdFrame frame = frame_with_depth(4.0F);
+  EXPECT_EQ(evaluate(world, frame, cube_ahead(1.06)).state, Visibility::kOutOfView);
+  EXPECT_EQ(evaluate(world, frame, cube_ahead(0.92)).state, Visibility::kAbsent);
+  EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), cube_ahead(1.06)).state, Visibility::kVisible);
+}
+
 TEST(ObjectVisibility, IsOutOfViewBesideTheImageBehindTheCameraAndBeyondTheRange) {
   World world;
   const RgbdFrame frame = frame_with_depth(2.0F);

@@ -35,7 +35,8 @@ struct VisibilityOptions {
   double min_in_view_share = 0.25;        ///< Less of the object in the image: out of view.
   /// Less of what can be told is open to the camera: occluded.
   double min_open_share = 0.1;
-  /// At least so much of what is open shows what lies behind: absent.
+  /// At least so much of what is open shows what lies behind: absent, where it is as much of what
+  /// is open or beside the image; else out of view.
   double absent_share = 0.5;
   /// At least so much of what can be told is hidden: partly occluded.
   double partly_occluded_share = 0.3;
