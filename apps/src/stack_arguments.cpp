@@ -10,6 +10,7 @@
 #include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/io/tiles/tile_map.hpp"
 #include "hypermap/projection/grids/layer_options.hpp"
+#include "hypermap/projection/stack/asked_layers.hpp"
 #include "hypermap/projection/stack/stack_services.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
@@ -82,6 +83,19 @@ std::vector<CLI::Option*> add_voxel_options(CLI::App& command, StackArguments& a
   return {min_height, max_height, classes, fused, keep_share};
 }
 
+/// Full names of what `--layer` asks for. Errors: those of asked_layers.
+Result<std::vector<std::string>> layers_asked_for(const std::vector<std::string>& texts,
+                                                  const GridStack& stack,
+                                                  const ClassVocabulary& vocabulary) {
+  std::vector<std::string> names;
+  for (const std::string& text : texts) {
+    auto asked = asked_layers(text, stack, vocabulary);
+    if (!asked) return Unexpected(of_option(asked.error(), "--layer"));
+    names.insert(names.end(), asked->begin(), asked->end());
+  }
+  return names;
+}
+
 /// Which layers are cut out, and where.
 void add_cut_options(CLI::App& command, StackArguments& arguments) {
   command
@@ -89,8 +103,9 @@ void add_cut_options(CLI::App& command, StackArguments& arguments) {
           "--layer",
           arguments.layers,
           "only these layers, with or without /ism/, separated by commas; one stands also for "
-          "layers whose names go on after it and a slash (detections: detections/chair); may be "
-          "repeated")
+          "layers whose names go on after it and a slash (detections: detections/chair); else a "
+          "class "
+          "as query --string takes it; may be repeated")
       ->delimiter(',');
   CLI::Option* area_option =
       command.add_option("--area", arguments.area, "X0,Y0,X1,Y1 in the map's frame (default: all)");
@@ -234,15 +249,12 @@ Result<StackOfFile> StackArguments::make(const CommonOptions& common) const {
     StackRequest asked{.geometry = {}, .layers = {}, .resampling = request.resampling};
     HYPERMAP_ASSIGN_OR_RETURN(asked.geometry, geometry_asked_for(*this, stack.geometry()));
     HYPERMAP_TRY(check_overlap(asked.geometry, stack.geometry()));
-    for (const std::string& name : layers) {
-      asked.layers.push_back(full_layer_name(stack.options(), name));
-    }
+    HYPERMAP_ASSIGN_OR_RETURN(asked.layers, layers_asked_for(layers, stack, whole_map.vocabulary));
     Progress progress("cutting out layers", common.progress);
     auto part = cut_out(stack, asked, [&progress](std::size_t done, std::size_t total) {
       return progress.update(done, total);
     });
     if (part) return part;
-    if (part.error().field == "layers") return Unexpected(of_option(part.error(), "--layer"));
     if (part.error().code != ErrorCode::kLimit) return part;
     return Unexpected(of_option(part.error(), "--area, --resolution"));
   }();

@@ -143,6 +143,18 @@ class ClassNames(unittest.TestCase):
         self.assertNotIn("names of classes", self.done("info", kept).stdout)  # a call's are not saved
         cells = self.folder / "cells"
         self.done("cells", self.map, "--class", "stool", "--output", cells)
+        cut = json.loads(self.done("stack", self.map, "--layer", "seat,cup", "--output", stack, "--json").stdout)
+        self.assertEqual([layer["name"] for layer in cut["layers"]], ["/ism/chair", "/ism/cup", "/ism/sofa"])
+
+        def of(layer):
+            return set(json.loads(self.done("cells", self.map, "--of", layer, "--output", cells, "--json").stdout)["of"])
+
+        self.assertEqual(of("seat"), of("chair") | of("sofa"))
+        self.assertEqual(of("stool"), of("chair"))
+        self.assertTrue(of("chair") - of("sofa") and of("sofa") - of("chair"))
+        ways = [json.loads(self.done("cells", self.map, "--path", "0,-1.8,-1,1.5", "--avoid", layer, "--output", cells,
+                                     "--json").stdout)["path"] for layer in ("chair", "stool", "cha*")]
+        self.assertEqual(ways, ways[:1] * 3)
         one, other = self.folder / "one.png", self.folder / "other.png"
         self.done("snapshot", self.map, "--size", "320x240", "--title", "a", "--class", "chair", "--output", one)
         self.done("snapshot", self.map, "--size", "320x240", "--title", "a", "--class", "stool", "--output", other)

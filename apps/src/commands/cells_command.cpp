@@ -7,6 +7,7 @@
 #include "hypermap/io/exports/map_stack.hpp"
 #include "hypermap/io/exports/supercell_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
+#include "hypermap/projection/stack/asked_layers.hpp"
 #include "hypermap/projection/supercells/supercells.hpp"
 #include "hypermap/projection/supercells/topometric_graph.hpp"
 #include "number_lists.hpp"
@@ -21,6 +22,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,17 +43,28 @@ struct CellsCommand {
   bool json = false;
 };
 
-std::string full_name(const CellsCommand& arguments, const std::string& layer) {
-  return full_layer_name(arguments.stack.request.of_classes.options, layer);
+/// Full names of the graph's layers that an option's text asks for.
+Result<std::vector<std::string>> layers_of(const char* option,
+                                           const std::string& text,
+                                           const StackOfFile& made,
+                                           const CellsCommand& arguments) {
+  ClassVocabulary vocabulary = made.map.vocabulary;
+  HYPERMAP_TRY(arguments.stack.class_names.replace(vocabulary));
+  auto names = asked_layers(text, made.stack, vocabulary);
+  if (!names) return Unexpected(of_option(names.error(), option));
+  return names;
 }
 
+/// The supercells of any of the layers, ascending.
 Result<std::vector<int>> found_of(const TopometricGraph& graph,
-                                  const CellsCommand& arguments,
-                                  const std::string& layer,
+                                  const std::vector<std::string>& layers,
                                   double at_least) {
-  auto found = supercells_of(graph, full_name(arguments, layer), Probability(at_least));
-  if (!found) return Unexpected(of_option(found.error(), "--of"));
-  return found;
+  std::set<int> all;
+  for (const std::string& layer : layers) {
+    HYPERMAP_ASSIGN_OR_RETURN(const auto found, supercells_of(graph, layer, Probability(at_least)));
+    all.insert(found.begin(), found.end());
+  }
+  return std::vector<int>(all.begin(), all.end());
 }
 
 Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
@@ -67,9 +80,12 @@ Result<std::vector<std::filesystem::path>> save_cells(const CellsAnswer& answer,
   return arguments.save(std::move(made), std::move(layers));
 }
 
-WayRequest way_asked_for(const CellsCommand& arguments) {
+Result<WayRequest> way_asked_for(const CellsCommand& arguments, const StackOfFile& made) {
   WayRequest request{.ends = *arguments.path, .known = arguments.known};
-  if (arguments.avoid) request.avoid = full_name(arguments, *arguments.avoid);
+  if (arguments.avoid) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.avoid,
+                              layers_of("--avoid", *arguments.avoid, made, arguments));
+  }
   return request;
 }
 
@@ -96,14 +112,14 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments, const CommonOption
   HYPERMAP_ASSIGN_OR_RETURN(answer.graph, topometric_graph(made.stack, answer.supercells));
   answer.without_supercell = layers_without_supercell(made.stack, answer.graph);
   if (arguments.of_layer) {
-    HYPERMAP_ASSIGN_OR_RETURN(
-        answer.of_layer,
-        found_of(answer.graph, arguments, *arguments.of_layer, arguments.at_least));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto layers,
+                              layers_of("--of", *arguments.of_layer, made, arguments));
+    HYPERMAP_ASSIGN_OR_RETURN(answer.of_layer, found_of(answer.graph, layers, arguments.at_least));
   }
   if (arguments.path) {
-    HYPERMAP_ASSIGN_OR_RETURN(
-        answer.way,
-        find_way(made.stack, answer.supercells, answer.graph, way_asked_for(arguments)));
+    HYPERMAP_ASSIGN_OR_RETURN(const WayRequest asked, way_asked_for(arguments, made));
+    HYPERMAP_ASSIGN_OR_RETURN(answer.way,
+                              find_way(made.stack, answer.supercells, answer.graph, asked));
     answer.cells_without_class = made.cells_without_class;
   }
   HYPERMAP_ASSIGN_OR_RETURN(const auto saved, save_cells(answer, std::move(made), arguments.stack));
@@ -115,23 +131,22 @@ Result<CellsAnswer> find_cells(const CellsCommand& arguments, const CommonOption
 }
 
 /// What is wrong with an end of the way.
-std::string why_avoided(const AvoidedEnd& end, const std::string& layer) {
+std::string why_avoided(const AvoidedEnd& end) {
   const std::string number = std::to_string(end.supercell);
   const std::string place = std::string("its ") + end.name + " " + end.place;
-  const std::string so = " more probably of " + printable(layer) + " than not";
+  const std::string so = " more probably of " + printable(end.layer) + " than not";
   return end.is_of_supercell
              ? place + " lies in supercell " + number + ", which is" + so
              : place + " lies in a cell that is" + so + ", as supercell " + number + " is not";
 }
 
-ExitCode report_avoided_ends(const CellsAnswer& answer, const CellsCommand& arguments) {
+ExitCode report_avoided_ends(const CellsAnswer& answer) {
   ExitCode worst = ExitCode::kDone;
   if (!answer.way) return worst;
   for (const AvoidedEnd& end : answer.way->avoided_ends) {
     worst = report({Severity::kWarning,
                     {.code = ErrorCode::kInvalidArgument,
-                     .what = why_avoided(end, full_name(arguments, *arguments.avoid)) +
-                             ": the way touches there what --avoid names",
+                     .what = why_avoided(end) + ": the way touches there what --avoid names",
                      .field = "--path"}});
   }
   return worst;
@@ -159,7 +174,7 @@ ExitCode run_cells(const CellsCommand& arguments, const CommonOptions& common) {
   if (is_path_missing) std::fprintf(stderr, "cells: no way leads there\n");
   if (answer->way) tell_cells_without_class("cells", answer->cells_without_class);
   const ExitCode worst = std::max({report_skipped(answer->sensed),
-                                   report_avoided_ends(*answer, arguments),
+                                   report_avoided_ends(*answer),
                                    report_unknown(*answer, arguments)});
   return is_path_missing ? std::max(worst, ExitCode::kFindings) : worst;
 }
@@ -201,8 +216,10 @@ void add_cells_command(CLI::App& program, const CommonOptions& common, Action& a
   command.add_option("--output", arguments->output, "folder for image, DOT and GeoJSON")
       ->required();
   add_supercell_options(command, arguments->options);
-  CLI::Option* of_layer =
-      command.add_option("--of", arguments->of_layer, "which supercells are of this layer");
+  CLI::Option* of_layer = command.add_option(
+      "--of",
+      arguments->of_layer,
+      "which supercells are of this layer, or of a class as query --string takes it");
   command.add_option("--at-least", arguments->at_least, "probability by which they are")
       ->check(number_in(0.0, 1.0))
       ->needs(of_layer)
@@ -213,10 +230,11 @@ void add_cells_command(CLI::App& program, const CommonOptions& common, Action& a
                                          "first point to the second, through unknown "
                                          "ones too, which is said");
   command
-      .add_option(
-          "--avoid",
-          arguments->avoid,
-          "layer that the way must not lead through; its two ends may lie in it, which is said")
+      .add_option("--avoid",
+                  arguments->avoid,
+                  "layer that the way must not lead through, or a class as query --string takes "
+                  "it; its two "
+                  "ends may lie in it, which is said")
       ->needs(path);
   command.add_flag("--known", arguments->known, "the way must not lead through unknown supercells")
       ->needs(path);

@@ -20,12 +20,18 @@ std::string list_of(const std::vector<int>& numbers) {
   return text.empty() ? "none" : text;
 }
 
+std::string listed_or(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " or ") + printable(name);
+  return text;
+}
+
 void print_way(const Way& way) {
   std::printf("path: %s; %.3f m\n", list_of(way.path->nodes).c_str(), way.path->length_m);
   if (way.num_avoided_cells == 0) return;
   std::printf("its supercells hold %s more probably of %s than not\n",
               count_text(way.num_avoided_cells, "cell").c_str(),
-              printable(way.avoided_layer).c_str());
+              listed_or(way.avoided_layers).c_str());
 }
 
 }  // namespace

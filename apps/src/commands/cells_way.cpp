@@ -9,8 +9,11 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace hypermap::app {
 namespace {
@@ -35,32 +38,52 @@ Result<End> end_at(const char* name, const Eigen::Vector2d& point, const Superce
               "--path");
 }
 
-/// The place of the layer to avoid among those of the graph. Errors: kNotFound.
-Result<std::size_t> avoided_layer(const TopometricGraph& graph, const std::string& name) {
-  const auto known = supercells_of(graph, name);
-  if (!known) return Unexpected(of_option(known.error(), "--avoid"));
-  return static_cast<std::size_t>(std::ranges::find(graph.layers, name) - graph.layers.begin());
+/// The places of the layers to avoid among those of the graph. Errors: kNotFound.
+Result<std::vector<std::size_t>> avoided_places(const TopometricGraph& graph,
+                                                const std::vector<std::string>& names) {
+  std::vector<std::size_t> places;
+  places.reserve(names.size());
+  for (const std::string& name : names) {
+    const auto known = supercells_of(graph, name);
+    if (!known) return Unexpected(of_option(known.error(), "--avoid"));
+    const auto found = std::ranges::find(graph.layers, name);
+    places.push_back(static_cast<std::size_t>(found - graph.layers.begin()));
+  }
+  return places;
 }
 
-/// The end, where its supercell or the cell below it is more probably of a layer than not.
+/// What the end lies in: a supercell, or the cell below it, that is more probably of a layer to
+/// avoid than not.
 std::optional<AvoidedEnd> avoided_end(const End& end,
-                                      bool is_of_supercell,
-                                      const LogOddsGrid& layer) {
-  const auto cell = cell_at(layer.geometry(), end.point);
-  const bool is_of_cell = cell && layer.at(*cell) > 0;
-  if (!is_of_supercell && !is_of_cell) return std::nullopt;
-  return AvoidedEnd{end.name, place_text(end.point), end.supercell, is_of_supercell};
+                                      const GridStack& stack,
+                                      const TopometricGraph& graph,
+                                      const std::vector<std::size_t>& avoided) {
+  const auto& mean = graph.nodes[static_cast<std::size_t>(end.supercell)].mean;
+  for (const std::size_t place : avoided) {
+    const LogOddsGrid& layer = stack.layers().at(graph.layers[place]);
+    const auto cell = cell_at(layer.geometry(), end.point);
+    const bool is_of_cell = cell && layer.at(*cell) > 0;
+    const bool is_of_supercell = mean[place] > LogOdds();
+    if (!is_of_supercell && !is_of_cell) continue;
+    return AvoidedEnd{
+        end.name, place_text(end.point), end.supercell, graph.layers[place], is_of_supercell};
+  }
+  return std::nullopt;
 }
 
-/// Cells of the way's supercells that are more probably of a layer than not.
-std::size_t num_cells_of(const LogOddsGrid& layer,
+/// Cells of the way's supercells that are more probably of one of the layers than not.
+std::size_t num_cells_of(const GridStack& stack,
+                         const std::vector<std::string>& names,
                          const Supercells& supercells,
                          const GraphPath& path) {
   std::vector<bool> is_on_way(static_cast<std::size_t>(supercells.count), false);
   for (const int number : path.nodes) is_on_way[static_cast<std::size_t>(number)] = true;
   std::size_t count = 0;
   for (std::size_t i = 0; i < supercells.labels.size(); ++i) {
-    if (is_on_way[static_cast<std::size_t>(supercells.labels[i])] && layer.cells()[i] > 0) ++count;
+    if (!is_on_way[static_cast<std::size_t>(supercells.labels[i])]) continue;
+    const bool is_of_any = std::ranges::any_of(
+        names, [&](const auto& name) { return stack.layers().at(name).cells()[i] > 0; });
+    if (is_of_any) ++count;
   }
   return count;
 }
@@ -76,12 +99,11 @@ Result<Way> find_way(const GridStack& stack,
   HYPERMAP_ASSIGN_OR_RETURN(const End to, end_at("end", {at[2], at[3]}, supercells));
   HYPERMAP_ASSIGN_OR_RETURN(const std::vector<bool> is_unknown,
                             unknown_supercells(stack, supercells));
-  std::optional<std::size_t> avoided;
-  if (request.avoid) {
-    HYPERMAP_ASSIGN_OR_RETURN(avoided, avoided_layer(graph, *request.avoid));
-  }
+  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<std::size_t> avoided,
+                            avoided_places(graph, request.avoid));
   const auto is_avoided = [&](int number) {
-    return avoided && graph.nodes[static_cast<std::size_t>(number)].mean[*avoided] > LogOdds();
+    const auto& mean = graph.nodes[static_cast<std::size_t>(number)].mean;
+    return std::ranges::any_of(avoided, [&](std::size_t place) { return mean[place] > LogOdds(); });
   };
   Way way;
   way.path = shortest_path(graph, from.supercell, to.supercell, [&](int number) {
@@ -92,15 +114,13 @@ Result<Way> find_way(const GridStack& stack,
       return is_unknown[static_cast<std::size_t>(number)];
     });
   }
-  if (!request.avoid) return way;
-  way.avoided_layer = *request.avoid;
-  const LogOddsGrid& layer = stack.layers().at(*request.avoid);
+  way.avoided_layers = request.avoid;
   for (const End& end : {from, to}) {
-    if (auto found = avoided_end(end, is_avoided(end.supercell), layer)) {
+    if (auto found = avoided_end(end, stack, graph, avoided)) {
       way.avoided_ends.push_back(std::move(*found));
     }
   }
-  if (way.path) way.num_avoided_cells = num_cells_of(layer, supercells, *way.path);
+  if (way.path) way.num_avoided_cells = num_cells_of(stack, request.avoid, supercells, *way.path);
   return way;
 }
 

@@ -17,9 +17,9 @@ namespace hypermap::app {
 
 /// What was asked of the way.
 struct WayRequest {
-  std::string ends;                       ///< "X,Y,X,Y".
-  std::optional<std::string> avoid = {};  ///< Full name of a layer.
-  bool known = false;                     ///< Through no supercell that is unknown.
+  std::string ends;                     ///< "X,Y,X,Y".
+  std::vector<std::string> avoid = {};  ///< Full names of layers.
+  bool known = false;                   ///< Through no supercell that is unknown.
 };
 
 /// An end of the way that lies in what it is to avoid.
@@ -27,19 +27,21 @@ struct AvoidedEnd {
   const char* name = "";  ///< "start", "end".
   std::string place = {};
   int supercell = 0;
+  std::string layer = {};        ///< Full name of the first layer that it lies in.
   bool is_of_supercell = false;  ///< Else its cell alone is more probably of the layer than not.
 };
 
 /// What was found.
 struct Way {
   std::optional<GraphPath> path = {};  ///< None: no way leads there.
-  std::string avoided_layer = {};      ///< Full name; empty: none.
+  std::vector<std::string> avoided_layers = {};
   std::vector<AvoidedEnd> avoided_ends = {};
-  std::vector<int> unknown = {};      ///< Supercells of the way that are, by `unknown_supercells`.
-  std::size_t num_avoided_cells = 0;  ///< In its supercells, more probably of that layer than not.
+  std::vector<int> unknown = {};  ///< Supercells of the way that are, by `unknown_supercells`.
+  std::size_t num_avoided_cells =
+      0;  ///< In its supercells, more probably of one of those layers than not.
 };
 
-/// The shortest way through no supercell that is more probably of the layer to avoid than not, and
+/// The shortest way through no supercell that is more probably of a layer to avoid than not, and
 /// through no unknown one where that is asked. Its ends are where they are. Requires: supercells
 /// and graph are of the stack. Errors: kInvalidArgument for ends that are no four numbers;
 /// kNotFound for an end without a cell, or no such layer.
