@@ -69,6 +69,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
 void add_combine_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_map_command(CLI::App& program, const CommonOptions& common, Action& action);
+void add_import_command(CLI::App& program, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_classes_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
@@ -78,6 +79,7 @@ void add_stack_command(CLI::App& program, const CommonOptions& common, Action& a
 void add_cells_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_snapshot_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
+void add_diff_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_tune_command(CLI::App& program, const CommonOptions& common, Action& action);
 

@@ -27,6 +27,7 @@ CommandLine::CommandLine()
   add_detect_command(program, common, action);
   add_combine_command(program, common, action);
   add_map_command(program, common, action);
+  add_import_command(program, action);
   add_info_command(program, action);
   add_classes_command(program, action);
   add_config_command(program, action);
@@ -36,6 +37,7 @@ CommandLine::CommandLine()
   add_cells_command(program, common, action);
   add_snapshot_command(program, action);
   add_eval_command(program, action);
+  add_diff_command(program, action);
   add_tune_command(program, common, action);
   add_check_command(program, action);
 }

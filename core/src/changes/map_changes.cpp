@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/changes/map_changes.hpp"
+
+#include "changes/sparse_assignment.hpp"
+#include "hypermap/core/objects/assignment.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::size_t kMaxAskedPoints = 1024;
+
+/// A map and which of its objects nothing is said of yet.
+struct Side {
+  const MapOfPlace* map;
+  std::vector<bool> is_open;
+
+  explicit Side(const MapOfPlace& compared)
+      : map(&compared), is_open(compared.objects.size(), true) {}
+
+  [[nodiscard]] const ObjectInPlace& object(std::size_t index) const { return map->objects[index]; }
+
+  [[nodiscard]] std::vector<std::size_t> open() const {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < is_open.size(); ++i) {
+      if (is_open[i]) indices.push_back(i);
+    }
+    return indices;
+  }
+};
+
+double distance_m(const ObjectInPlace& a, const ObjectInPlace& b) {
+  return (a.centroid_in_map - b.centroid_in_map).norm();
+}
+
+std::vector<Eigen::Vector3d> asked_points(const ObjectInPlace& object) {
+  if (object.points_in_map.empty()) {
+    const auto corners = object.box.corners();
+    std::vector<Eigen::Vector3d> points(corners.begin(), corners.end());
+    points.push_back(object.box.centre());
+    return points;
+  }
+  const std::size_t all = object.points_in_map.size();
+  const std::size_t count = std::min(all, kMaxAskedPoints);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) points.push_back(object.points_in_map[i * all / count]);
+  return points;
+}
+
+SpaceShares shares_of(const ObjectInPlace& object, const MapOfPlace& other) {
+  std::array<std::size_t, 3> counts{};
+  const auto points = asked_points(object);
+  for (const Eigen::Vector3d& point : points) {
+    ++counts.at(static_cast<std::size_t>(other.space(PointInMap{point})));
+  }
+  const auto share = [&](SpaceState state) {
+    return static_cast<double>(counts.at(static_cast<std::size_t>(state))) /
+           static_cast<double>(points.size());
+  };
+  return {.free = share(SpaceState::kFree),
+          .occupied = share(SpaceState::kOccupied),
+          .unknown = share(SpaceState::kUnknown)};
+}
+
+bool is_known(const SpaceShares& shares, const ChangeOptions& options) {
+  return shares.free + shares.occupied >= options.min_known_share;
+}
+
+bool is_empty(const SpaceShares& shares, const ChangeOptions& options) {
+  return is_known(shares, options) &&
+         shares.free >= options.min_free_share * (shares.free + shares.occupied);
+}
+
+/// The pairs of open objects with the least sum of costs; they are closed.
+template <class Cost>
+std::vector<IndexPair> closed_pairs(Side& before, Side& after, const Cost& cost) {
+  std::vector<CostedPair> candidates;
+  const auto others = after.open();
+  for (const std::size_t i : before.open()) {
+    for (const std::size_t j : others) {
+      const double of_pair = cost(i, j);
+      if (of_pair < kForbiddenPair) candidates.push_back({{i, j}, of_pair});
+    }
+  }
+  const auto pairs = assign_sparse(candidates);
+  for (const IndexPair& pair : pairs) {
+    before.is_open[pair.row] = false;
+    after.is_open[pair.column] = false;
+  }
+  return pairs;
+}
+
+/// One comparison: the steps of find_changes, in their order.
+class Comparison {
+ public:
+  Comparison(const MapOfPlace& before, const MapOfPlace& after, const ChangeOptions& options)
+      : before_(before), after_(after), options_(&options) {}
+
+  void pair_in_place() {
+    const auto pairs = closed_pairs(before_, after_, [this](std::size_t i, std::size_t j) {
+      const ObjectInPlace& a = before_.object(i);
+      const ObjectInPlace& b = after_.object(j);
+      const double away_m = distance_m(a, b);
+      return a.class_name == b.class_name && away_m <= gate_m(a, b) ? away_m : kForbiddenPair;
+    });
+    for (const IndexPair& pair : pairs) add_pair(kind_in_place(pair), pair);
+  }
+
+  void pair_across_classes() {
+    std::vector<bool> is_left(before_.map->objects.size(), false);
+    for (const std::size_t i : before_.open()) {
+      const ObjectInPlace& object = before_.object(i);
+      is_left[i] = object.was_seen_gone || is_empty(shares_of(object, *after_.map), *options_);
+    }
+    const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
+      const double overlap = intersection_over_union(before_.object(i).box, after_.object(j).box);
+      return !is_left[i] && overlap >= options_->min_overlap ? 1.0 - overlap : kForbiddenPair;
+    });
+    for (const IndexPair& pair : pairs) add_pair(ChangeKind::kReclassed, pair);
+  }
+
+  /// What neither map shares with the other; what is gone and what was added may be one thing.
+  void judge_the_rest() {
+    std::vector<ChangeKind> was(before_.map->objects.size(), ChangeKind::kSame);
+    std::vector<ChangeKind> is(after_.map->objects.size(), ChangeKind::kSame);
+    for (const std::size_t i : before_.open()) {
+      was[i] = kind_alone(before_.object(i),
+                          *after_.map,
+                          {ChangeKind::kNotLookedAt, ChangeKind::kGone, ChangeKind::kNotFound});
+    }
+    for (const std::size_t j : after_.open()) {
+      is[j] = kind_alone(after_.object(j),
+                         *before_.map,
+                         {ChangeKind::kFirstSeen, ChangeKind::kAdded, ChangeKind::kNewlyNamed});
+    }
+    const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
+      const bool may_be = was[i] == ChangeKind::kGone && is[j] == ChangeKind::kAdded;
+      return may_be ? cost_of_move(i, j) : kForbiddenPair;
+    });
+    for (const IndexPair& pair : pairs) add_pair(ChangeKind::kMoved, pair);
+    for (const std::size_t i : before_.open()) {
+      const ObjectInPlace& object = before_.object(i);
+      changes_.push_back(
+          {.kind = was[i], .before = object.id, .old_place = shares_of(object, *after_.map)});
+    }
+    for (const std::size_t j : after_.open()) {
+      const ObjectInPlace& object = after_.object(j);
+      changes_.push_back(
+          {.kind = is[j], .after = object.id, .new_place = shares_of(object, *before_.map)});
+    }
+  }
+
+  [[nodiscard]] std::vector<ObjectChange> sorted() && {
+    const auto key = [](const ObjectChange& change) {
+      const auto place = std::ranges::find(kChangeKinds, change.kind) - kChangeKinds.begin();
+      return std::tuple(place, change.before, change.after);
+    };
+    std::ranges::sort(changes_, {}, key);
+    return std::move(changes_);
+  }
+
+ private:
+  struct KindsAlone {
+    ChangeKind unknown;
+    ChangeKind empty;
+    ChangeKind filled;
+  };
+
+  [[nodiscard]] double gate_m(const ObjectInPlace& a, const ObjectInPlace& b) const {
+    const double side_m =
+        std::max(a.box.extent().head<2>().maxCoeff(), b.box.extent().head<2>().maxCoeff());
+    return std::max(options_->same_place_m, 0.5 * side_m);
+  }
+
+  /// A thing that was pushed aside by less than its size has left its old place, too.
+  [[nodiscard]] ChangeKind kind_in_place(const IndexPair& pair) const {
+    const ObjectInPlace& before = before_.object(pair.row);
+    const ObjectInPlace& after = after_.object(pair.column);
+    if (!after.was_looked_at) return ChangeKind::kNotLookedAt;
+    const bool has_left = is_empty(shares_of(before, *after_.map), *options_) &&
+                          !is_filled(shares_of(after, *before_.map));
+    return has_left ? ChangeKind::kMoved : ChangeKind::kSame;
+  }
+
+  [[nodiscard]] bool is_filled(const SpaceShares& shares) const {
+    return is_known(shares, *options_) && !is_empty(shares, *options_);
+  }
+
+  [[nodiscard]] ChangeKind kind_alone(const ObjectInPlace& object,
+                                      const MapOfPlace& other,
+                                      const KindsAlone& kinds) const {
+    if (object.was_seen_gone) return kinds.empty;
+    const SpaceShares shares = shares_of(object, other);
+    if (!is_known(shares, *options_)) return kinds.unknown;
+    const bool is_flat = object.box.extent().z() < options_->min_height_voxels * other.voxel_m;
+    return is_flat || is_empty(shares, *options_) ? kinds.empty : kinds.filled;
+  }
+
+  [[nodiscard]] double cost_of_move(std::size_t i, std::size_t j) const {
+    const ObjectInPlace& a = before_.object(i);
+    const ObjectInPlace& b = after_.object(j);
+    const auto [less_m, more_m] = std::minmax({a.box.extent().norm(), b.box.extent().norm()});
+    const bool may_be = a.class_name == b.class_name && distance_m(a, b) <= options_->max_move_m &&
+                        less_m >= options_->min_size_ratio * more_m;
+    return may_be ? distance_m(a, b) : kForbiddenPair;
+  }
+
+  void add_pair(ChangeKind kind, const IndexPair& pair) {
+    const ObjectInPlace& before = before_.object(pair.row);
+    const ObjectInPlace& after = after_.object(pair.column);
+    changes_.push_back({.kind = kind,
+                        .before = before.id,
+                        .after = after.id,
+                        .distance_m = distance_m(before, after),
+                        .old_place = shares_of(before, *after_.map),
+                        .new_place = shares_of(after, *before_.map)});
+  }
+
+  Side before_;
+  Side after_;
+  const ChangeOptions* options_;
+  std::vector<ObjectChange> changes_;
+};
+
+constexpr std::array<std::string_view, 9> kKindNames{"same",
+                                                     "moved",
+                                                     "re-classed",
+                                                     "gone",
+                                                     "not found",
+                                                     "not looked at",
+                                                     "added",
+                                                     "newly named",
+                                                     "first seen"};
+constexpr std::array<std::string_view, 9> kKindKeys{"same",
+                                                    "moved",
+                                                    "re_classed",
+                                                    "gone",
+                                                    "not_found",
+                                                    "not_looked_at",
+                                                    "added",
+                                                    "newly_named",
+                                                    "first_seen"};
+
+}  // namespace
+
+std::string_view name_of(ChangeKind kind) noexcept {
+  return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view key_of(ChangeKind kind) noexcept {
+  return kKindKeys[static_cast<std::size_t>(kind)];
+}
+
+bool is_change(ChangeKind kind) noexcept {
+  return kind == ChangeKind::kMoved || kind == ChangeKind::kReclassed ||
+         kind == ChangeKind::kGone || kind == ChangeKind::kAdded;
+}
+
+std::vector<ObjectChange> find_changes(const MapOfPlace& before,
+                                       const MapOfPlace& after,
+                                       const ChangeOptions& options) {
+  Comparison comparison(before, after, options);
+  comparison.pair_in_place();
+  comparison.pair_across_classes();
+  comparison.judge_the_rest();
+  return std::move(comparison).sorted();
+}
+
+}  // namespace hypermap

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/jobs/import_job.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* kGridYaml =
+    "image: grid.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+constexpr const char* kThingsYaml =
+    "- {name: table, shape: \"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\"}\n";
+
+class ImportFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder());
+    write("grid.pgm", std::string("P5 2 1 255\n") + '\0' + '\xfe');
+    write("grid.yaml", kGridYaml);
+    write("things.yaml", kThingsYaml);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder()); }
+
+  [[nodiscard]] static std::filesystem::path folder() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    return std::filesystem::path(testing::TempDir()) / (std::string("import_") + test->name());
+  }
+  static std::filesystem::path write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder() / name, std::ios::binary) << bytes;
+    return folder() / name;
+  }
+  [[nodiscard]] static ImportedFile file(const std::string& name) {
+    return {.path = folder() / name};
+  }
+};
+
+std::vector<std::string> layer_names(const MapArchive& archive) {
+  std::vector<std::string> names;
+  for (const Layer& layer : archive.hypermap.layers()) {
+    names.push_back(layer.info.name + " in " + layer.info.frame_id);
+  }
+  return names;
+}
+
+std::string why_refused(const ImportJob& job) {
+  const auto imported = run_import(job);
+  return imported ? std::string("imported") : to_string(imported.error());
+}
+
+TEST_F(ImportFiles, BecomeLayersOfTheirNamesAndFrames) {
+  ImportedFile grid = file("grid.yaml");
+  grid.name = "ground";
+  grid.frame_id = "yard";
+  const auto imported =
+      run_import({.files = {grid, file("things.yaml")},
+                  .transforms = {{.frame_id = "map", .child_frame_id = "yard", .x_m = 3.0}}})
+          .value();
+  EXPECT_THAT(layer_names(imported.value), ElementsAre("ground in yard", "things in map"));
+  const auto* occupancy = imported.value.hypermap.find_as<OccupancyLayer>("ground");
+  ASSERT_NE(occupancy, nullptr);
+  EXPECT_EQ(imported.value.hypermap.frames().to_from("map", "yard").value().translation().x(), 3.0);
+  ASSERT_EQ(imported.value.provenance.size(), 2U);
+  EXPECT_THAT(imported.value.provenance.front().input_hash, HasSubstr("xxh3-128:"));
+  EXPECT_TRUE(imported.findings.empty());
+}
+
+TEST_F(ImportFiles, OfOneArchiveAreThatArchive) {
+  const auto first = run_import({.files = {file("grid.yaml"), file("things.yaml")}}).value();
+  ASSERT_TRUE(save_archive(first.value, folder() / "a.hmap"));
+  const auto again = run_import({.files = {file("a.hmap")}}).value();
+  EXPECT_TRUE(again.value == load_archive(folder() / "a.hmap").value().value);
+}
+
+TEST_F(ImportFiles, OfArchivesUnderANameKeepTheirLayersApart) {
+  const auto first = run_import({.files = {file("grid.yaml"), file("things.yaml")}}).value();
+  ASSERT_TRUE(save_archive(first.value, folder() / "a.hmap"));
+  ImportedFile other = file("a.hmap");
+  other.name = "other";
+  other.frame_id = "yard";
+  const auto both = run_import({.files = {file("a.hmap"), other}}).value();
+  EXPECT_THAT(
+      layer_names(both.value),
+      ElementsAre("grid in map", "things in map", "other_grid in yard", "other_things in yard"));
+  ASSERT_TRUE(save_archive(both.value, folder() / "both.hmap"));  // nothing of one name
+}
+
+TEST_F(ImportFiles, WithVoxelsOrObjectsAreOneMapAtMost) {
+  MapArchive solid;
+  solid.octree = SemanticOctree::create({}).value();
+  ASSERT_TRUE(save_archive(solid, folder() / "solid.hmap"));
+  const auto imported = run_import({.files = {file("grid.yaml"), file("solid.hmap")}}).value();
+  EXPECT_TRUE(imported.value.octree.has_value());
+  EXPECT_THAT(layer_names(imported.value), ElementsAre("grid in map"));
+  EXPECT_THAT(why_refused({.files = {file("solid.hmap"), file("solid.hmap")}}),
+              HasSubstr("only one map can bring them"));
+  ImportedFile named = file("solid.hmap");
+  named.name = "other";
+  EXPECT_THAT(why_refused({.files = {named}}), HasSubstr("keeps its names and its frame"));
+}
+
+TEST_F(ImportFiles, ThatAreNoPartOfAMapAreRefusedByTheirKind) {
+  EXPECT_THAT(why_refused({.files = {file("grid.pgm")}}),
+              HasSubstr("grid.pgm: is a file of kind image, which is no part of a map"));
+  EXPECT_THAT(why_refused({.files = {file("grid.yaml"), file("grid.yaml")}}),
+              HasSubstr("has a layer grid, as another file has: NAME=FILE"));
+  EXPECT_THAT(why_refused({.files = {file("none.yaml")}}), HasSubstr("none.yaml"));
+  EXPECT_THAT(why_refused({.files = {}}), HasSubstr("no files"));
+  EXPECT_THAT(why_refused({.files = {file("grid.yaml")},
+                           .transforms = {{.frame_id = "map", .child_frame_id = "map"}}}),
+              HasSubstr("map"));
+}
+
+}  // namespace
+}  // namespace hypermap
