@@ -71,6 +71,7 @@ TEST(SortedCells, OrderAndChildrenAreThoseOfPathsFromTheRoot) {
         children[path_to(cell, levels, height + 1)] |=
             1U << child_of(cell, static_cast<unsigned>(height));
       std::vector<std::uint8_t> expected;
+      expected.reserve(children.size());
       for (const auto& [path, bits] : children) expected.push_back(static_cast<std::uint8_t>(bits));
       EXPECT_EQ(sorted.children(static_cast<unsigned>(height)), expected)
           << levels << " levels, height " << height;
