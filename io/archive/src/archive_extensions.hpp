@@ -8,6 +8,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/archive/hypermap_config.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "member_files.hpp"
 
 #include <optional>
 #include <string>
@@ -26,16 +27,18 @@ namespace hypermap {
 
 struct OctreeTwin {
   ExtensionEntry entry;
-  std::string bytes;
+  MemberFile file;
 };
 
 /// All extensions of a map in a fixed order, and their files.
 struct WrittenExtensions {
   std::vector<ExtensionEntry> entries;
-  std::vector<OpaqueFile> files;
+  std::vector<MemberFile> files;
   /// Beside those, where no file of the map has its name.
   std::optional<OctreeTwin> octree_twin = std::nullopt;
 };
-[[nodiscard]] Result<WrittenExtensions> write_extensions(const MapArchive& archive);
+/// Large members are packed already, within these limits.
+[[nodiscard]] Result<WrittenExtensions> write_extensions(const MapArchive& archive,
+                                                         const ZipLimits& limits);
 
 }  // namespace hypermap

@@ -15,8 +15,6 @@
 
 #include <tbb/parallel_invoke.h>
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -28,60 +26,75 @@ void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
   written.entries.push_back(std::move(entry));
 }
 
-/// The octree as `.ot` and as `.bt`.
-struct OctreeBytes {
-  std::string full;
-  std::string twin;
+/// The octree as `.ot` and as `.bt`, with their entries.
+struct OctreeFiles {
+  ExtensionEntry entry;
+  MemberFile full;
+  OctreeTwin twin;
 };
 
-Result<OctreeBytes> write_octree(const SemanticOctree& octree) {
-  const OctomapTree tree = to_octomap_tree(octree);
-  OctreeBytes bytes;
-  HYPERMAP_ASSIGN_OR_RETURN(bytes.full, write_octomap(tree));
-  HYPERMAP_ASSIGN_OR_RETURN(bytes.twin, write_octomap_binary(tree));
-  return bytes;
+Result<MemberFile> packed(const ExtensionEntry& entry,
+                          Result<std::string> bytes,
+                          const ZipLimits& limits) {
+  if (!bytes) return tl::make_unexpected(std::move(bytes).error());
+  return packed_file({.name = entry.file, .bytes = *std::move(bytes)}, limits);
+}
+
+/// What both files are of, either of which takes long to make and to pack: at the same time.
+Result<OctreeFiles> write_octree(const MapArchive& archive, const ZipLimits& limits) {
+  ExtensionEntry entry = entry_of(archive, kOctomapFormat);
+  ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
+  twin_entry.frame_id = entry.frame_id;
+  std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
+  append_keys(keys, entry.extra);
+  entry.extra = make_map(std::move(keys));
+  const OctomapTree tree = to_octomap_tree(*archive.octree);
+  std::optional<Result<MemberFile>> full;
+  std::optional<Result<MemberFile>> twin;
+  tbb::parallel_invoke([&] { full = packed(entry, write_octomap(tree), limits); },
+                       [&] { twin = packed(twin_entry, write_octomap_binary(tree), limits); });
+  OctreeFiles files{.entry = std::move(entry), .full = {}, .twin = {std::move(twin_entry), {}}};
+  HYPERMAP_ASSIGN_OR_RETURN(files.full, *std::move(full));
+  HYPERMAP_ASSIGN_OR_RETURN(files.twin.file, *std::move(twin));
+  return files;
 }
 
 /// The parts of a map that take long, made at the same time.
 struct LargeParts {
-  std::optional<Result<OctreeBytes>> octree = std::nullopt;
-  std::optional<Result<std::string>> objects = std::nullopt;
+  std::optional<Result<OctreeFiles>> octree = std::nullopt;
+  std::optional<Result<MemberFile>> objects = std::nullopt;
 };
 
-LargeParts write_large_parts(const MapArchive& archive) {
+LargeParts write_large_parts(const MapArchive& archive, const ZipLimits& limits) {
   LargeParts parts;
   tbb::parallel_invoke(
       [&] {
-        if (archive.octree) parts.octree = write_octree(*archive.octree);
+        if (archive.octree) parts.octree = write_octree(archive, limits);
       },
       [&] {
-        if (!(archive.objects == ObjectMap())) parts.objects = write_objects(archive.objects);
+        if (archive.objects == ObjectMap()) return;
+        parts.objects =
+            packed(entry_of(archive, kObjectsFormat), write_objects(archive.objects), limits);
       });
   return parts;
 }
 
-Result<void> put_octree(WrittenExtensions& written,
-                        const MapArchive& archive,
-                        std::optional<Result<OctreeBytes>> made) {
+Result<void> put_octree(WrittenExtensions& written, std::optional<Result<OctreeFiles>> made) {
   if (!made) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(OctreeBytes bytes, *std::move(made));
-  ExtensionEntry entry = entry_of(archive, kOctomapFormat);
-  std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
-  append_keys(keys, entry.extra);
-  entry.extra = make_map(std::move(keys));
-  ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
-  twin_entry.frame_id = entry.frame_id;
-  written.octree_twin = {.entry = std::move(twin_entry), .bytes = std::move(bytes.twin)};
-  put(written, std::move(entry), std::move(bytes.full));
+  HYPERMAP_ASSIGN_OR_RETURN(OctreeFiles files, *std::move(made));
+  written.octree_twin = std::move(files.twin);
+  written.files.push_back(std::move(files.full));
+  written.entries.push_back(std::move(files.entry));
   return {};
 }
 
 Result<void> put_objects(WrittenExtensions& written,
                          const MapArchive& archive,
-                         std::optional<Result<std::string>> made) {
+                         std::optional<Result<MemberFile>> made) {
   if (!made) return {};
-  HYPERMAP_ASSIGN_OR_RETURN(std::string bytes, *std::move(made));
-  put(written, entry_of(archive, kObjectsFormat), std::move(bytes));
+  HYPERMAP_ASSIGN_OR_RETURN(MemberFile file, *std::move(made));
+  written.files.push_back(std::move(file));
+  written.entries.push_back(entry_of(archive, kObjectsFormat));
   return {};
 }
 
@@ -144,7 +157,7 @@ Result<void> put_class_grids(WrittenExtensions& written, const MapArchive& archi
     append_keys(keys, grid.extra);
     entry.extra = make_map(std::move(keys));
     HYPERMAP_ASSIGN_OR_RETURN(auto files, write_occupancy(OccupancyLayer(grid.grid), entry.file));
-    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    append_files(written.files, std::move(files));
     written.entries.push_back(std::move(entry));
   }
   return {};
@@ -173,7 +186,7 @@ Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
   for (const Layer& layer : archive.hypermap.layers()) {
     if (is_strict_form(layer)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(auto files, write_layer(layer));
-    std::move(files.begin(), files.end(), std::back_inserter(written.files));
+    append_files(written.files, std::move(files));
     written.entries.push_back(extension_of(layer));
   }
   return {};
@@ -181,10 +194,10 @@ Result<void> put_layers(WrittenExtensions& written, const MapArchive& archive) {
 
 }  // namespace
 
-Result<WrittenExtensions> write_extensions(const MapArchive& archive) {
+Result<WrittenExtensions> write_extensions(const MapArchive& archive, const ZipLimits& limits) {
   WrittenExtensions written;
-  LargeParts parts = write_large_parts(archive);
-  HYPERMAP_TRY(put_octree(written, archive, std::move(parts.octree)));
+  LargeParts parts = write_large_parts(archive, limits);
+  HYPERMAP_TRY(put_octree(written, std::move(parts.octree)));
   for (const auto& octomap : archive.octomaps) put(written, octomap.entry, octomap.bytes);
   HYPERMAP_TRY(put_objects(written, archive, std::move(parts.objects)));
   HYPERMAP_TRY(put_embeddings(written, archive));

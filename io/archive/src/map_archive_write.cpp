@@ -5,82 +5,53 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
-#include "hypermap/io/codec/zip_writer.hpp"
 #include "layers/layer_files.hpp"
+#include "member_files.hpp"
 
-#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <iterator>
-#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
 
-void append_files(std::vector<OpaqueFile>& files, std::vector<OpaqueFile> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(files));
-}
-
 /// The twin is named after its octree, the first extension; its file comes last and takes no other
 /// file's name.
-void append_twin(HypermapConfig& config, std::vector<OpaqueFile>& files, OctreeTwin twin) {
-  const auto has_its_name = [&twin](const OpaqueFile& file) {
+void append_twin(HypermapConfig& config, std::vector<MemberFile>& files, OctreeTwin twin) {
+  const auto has_its_name = [&twin](const MemberFile& file) {
     return file.name == twin.entry.file;
   };
   if (std::any_of(files.begin(), files.end(), has_its_name)) return;
-  files.push_back({.name = twin.entry.file, .bytes = std::move(twin.bytes)});
+  files.push_back(std::move(twin.file));
   config.extensions.insert(config.extensions.begin() + 1, std::move(twin.entry));
 }
 
 /// The configuration, then the files of layers and extensions in its order, then the rest.
-Result<std::vector<OpaqueFile>> members_of(const MapArchive& archive) {
+Result<std::vector<MemberFile>> members_of(const MapArchive& archive, const ZipLimits& limits) {
   HypermapConfig config{.frames = archive.hypermap.frames(),
                         .foreign_extensions = archive.foreign_extensions,
                         .extra = archive.hypermap.extra()};
-  std::vector<OpaqueFile> files;
+  std::vector<MemberFile> files;
   for (const Layer& layer : archive.hypermap.layers()) {
     if (!is_strict_form(layer)) continue;
     config.layers.push_back({.class_name = std::string(class_of(layer)), .info = layer.info});
     HYPERMAP_ASSIGN_OR_RETURN(auto layer_files, write_layer(layer));
     append_files(files, std::move(layer_files));
   }
-  HYPERMAP_ASSIGN_OR_RETURN(WrittenExtensions extensions, write_extensions(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(WrittenExtensions extensions, write_extensions(archive, limits));
   config.extensions = std::move(extensions.entries);
-  append_files(files, std::move(extensions.files));
+  std::move(extensions.files.begin(), extensions.files.end(), std::back_inserter(files));
   append_files(files, archive.opaque_files);
   if (extensions.octree_twin) append_twin(config, files, *std::move(extensions.octree_twin));
   files.insert(files.begin(),
                {.name = std::string(kConfigName), .bytes = write_hypermap_config(config)});
   return files;
-}
-
-Result<PackedMember> packed_file(const OpaqueFile& file, const ZipLimits& limits) {
-  auto packed = packed_member(file.name, file.bytes, limits);
-  if (packed) return packed;
-  Error error = std::move(packed).error();
-  error.entry = file.name;
-  return tl::make_unexpected(std::move(error));
-}
-
-Result<std::string> zip_of(const std::vector<OpaqueFile>& files, const ZipLimits& limits) {
-  std::vector<std::optional<Result<PackedMember>>> packed(files.size());
-  tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
-    packed[i] = packed_file(files[i], limits);
-  });
-  ZipWriter writer(limits);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    HYPERMAP_ASSIGN_OR_RETURN(PackedMember member, *std::move(packed[i]));
-    auto added = writer.add(std::move(member));
-    if (!added) {
-      Error error = std::move(added).error();
-      error.entry = files[i].name;
-      return tl::make_unexpected(std::move(error));
-    }
-  }
-  return writer.finish();
 }
 
 /// The first part in which two maps differ, or an empty text.
@@ -132,6 +103,26 @@ Result<void> verify_bytes(const MapArchive& archive,
               difference);
 }
 
+bool is_verified(std::string_view bytes, const SaveOptions& options) {
+  return options.verify && bytes.size() <= options.max_verified_bytes;
+}
+
+/// What is to be in the file. Errors: without its name.
+Result<std::string> verified_bytes(const MapArchive& archive,
+                                   const std::filesystem::path& path,
+                                   const SaveOptions& options) {
+  auto bytes = write_archive(archive, options.limits);
+  if (!bytes || !is_verified(*bytes, options)) return bytes;
+  HYPERMAP_TRY(check_layer_types(archive, options.layers));
+  HYPERMAP_TRY(verify_bytes(archive, *bytes, {.file = path.string()}, options));
+  return bytes;
+}
+
+int num_threads_of(const SaveOptions& options) {
+  const int most = tbb::this_task_arena::max_concurrency();
+  return options.num_threads > 0 ? std::min(options.num_threads, most) : most;
+}
+
 Result<void> verify_file(const std::filesystem::path& path, std::string_view bytes) try {
   auto stored = read_file(path, bytes.size());
   if (stored && *stored == bytes) return {};
@@ -150,8 +141,8 @@ Result<void> verify_file(const std::filesystem::path& path, std::string_view byt
 Result<std::string> write_archive(const MapArchive& archive, const ArchiveLimits& limits) try {
   HYPERMAP_TRY(check_classes(archive));
   HYPERMAP_TRY(check_objects_of_voxels(archive));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::vector<OpaqueFile> files, members_of(archive));
-  return zip_of(files, limits.zip);
+  HYPERMAP_ASSIGN_OR_RETURN(auto files, members_of(archive, limits.zip));
+  return zip_of(std::move(files), limits.zip);
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kInvalidArgument, "the archive");
 }
@@ -162,17 +153,11 @@ Result<void> save_archive(const MapArchive& archive,
   const auto in_file = [&path](Error error) {
     return tl::make_unexpected(with_source(std::move(error), {.file = path.string()}));
   };
-  auto bytes = write_archive(archive, options.limits);
-  if (!bytes) return in_file(std::move(bytes).error());
-  const bool verify = options.verify && bytes->size() <= options.max_verified_bytes;
-  if (verify) {
-    if (auto known = check_layer_types(archive, options.layers); !known)
-      return in_file(std::move(known).error());
-    if (auto same = verify_bytes(archive, *bytes, {.file = path.string()}, options); !same)
-      return in_file(std::move(same).error());
-  }
+  tbb::task_arena arena(num_threads_of(options));
+  const auto bytes = arena.execute([&] { return verified_bytes(archive, path, options); });
+  if (!bytes) return in_file(bytes.error());
   HYPERMAP_TRY(write_file_atomically(path, *bytes));
-  if (verify) return verify_file(path, *bytes);
+  if (is_verified(*bytes, options)) return verify_file(path, *bytes);
   return {};
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::kOutOfMemory, "not saved, no memory for the archive");

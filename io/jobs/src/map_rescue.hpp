@@ -15,10 +15,11 @@ namespace hypermap {
 /// it is or is too large for each place, octree, objects, classes and provenance alone.
 ///
 /// Returns `error` with what was saved where, or that nothing could be. An older rescue of the same
-/// output is replaced, another file in the working folder never. What is saved is within `limits`.
+/// output is replaced, another file in the working folder never. How it is saved `options` say, but
+/// for whether it is looked at again.
 [[nodiscard]] Error with_rescue(Error error,
                                 const MapArchive& archive,
                                 const std::filesystem::path& output,
-                                const ArchiveLimits& limits = {});
+                                const SaveOptions& options = {});
 
 }  // namespace hypermap

@@ -94,6 +94,10 @@ Result<void> check_losses(const MappingReport& report, const MappingJob& job, st
   return Unexpected(std::move(error));
 }
 
+SaveOptions save_options(const MappingJob& job) {
+  return {.limits = job.limits, .num_threads = job.mapper.num_threads};
+}
+
 /// Derives the layers, saves all to `path` and returns what became of the layers.
 Result<DerivedLayers> save_map(MapArchive& archive,
                                const std::filesystem::path& path,
@@ -103,7 +107,7 @@ Result<DerivedLayers> save_map(MapArchive& archive,
   HYPERMAP_ASSIGN_OR_RETURN(DerivedLayers derived,
                             derive_layers(archive, job.mapper.objects, job.layers));
   seconds.project += watch.lap();
-  HYPERMAP_TRY(save_archive(archive, path, {.limits = job.limits}));
+  HYPERMAP_TRY(save_archive(archive, path, save_options(job)));
   seconds.write += watch.lap();
   return derived;
 }
@@ -222,7 +226,7 @@ Error ended_early(Error error,
                   const MappingJob& job,
                   const MappingReport& report) {
   if (!spares_other_frames(error) && report.num_frames > report.num_resumed) {
-    error = with_rescue(std::move(error), map_of(run, job), job.output, job.limits);
+    error = with_rescue(std::move(error), map_of(run, job), job.output, save_options(job));
   }
   return naming_checkpoint(std::move(error), run, job);
 }
@@ -271,7 +275,7 @@ Result<MappingReport> run_mapping(const MappingJob& job, const JobProgress& prog
   MapArchive archive = map_of(run, job);
   auto derived = guarded_run([&] { return save_map(archive, job.output, job, report.seconds); });
   if (!derived) {
-    Error error = with_rescue(std::move(derived).error(), archive, job.output, job.limits);
+    Error error = with_rescue(std::move(derived).error(), archive, job.output, save_options(job));
     return Unexpected(naming_checkpoint(std::move(error), run, job));
   }
   auto findings = findings_of_layers(*derived, run, job);

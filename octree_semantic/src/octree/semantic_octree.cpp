@@ -38,8 +38,8 @@ void write_leaf(Brick& brick, std::size_t cell, const StoredLeaf& leaf, const Se
 
 /// How many leaves from the first on lie in its brick.
 std::size_t num_in_first_brick(std::span<const StoredLeaf> leaves) {
-  const BrickKey first = BrickKey::of(leaves.front().key);
-  const auto is_elsewhere = [&](const StoredLeaf& leaf) { return BrickKey::of(leaf.key) != first; };
+  const VoxelKey first = leaves.front().key;
+  const auto is_elsewhere = [&](const StoredLeaf& leaf) { return !in_one_brick(leaf.key, first); };
   return static_cast<std::size_t>(std::find_if(leaves.begin(), leaves.end(), is_elsewhere) -
                                   leaves.begin());
 }

@@ -93,10 +93,11 @@ void SemanticOctree::for_each_leaf(const LeafVisitor& visit) const {
 void SemanticOctree::for_each_stored_leaf(const StoredLeafVisitor& visit) const {
   for (const std::uint32_t position : bricks_->in_morton_order()) {
     const Brick& brick = bricks_->brick(position);
-    const BrickKey key = bricks_->key(position);
+    const VoxelKey corner = bricks_->key(position).corner();
     brick.known.for_each([&](std::size_t cell) {
-      StoredLeaf leaf{
-          .key = key.voxel(cell), .log_odds = brick.log_odds[cell], .label = std::nullopt};
+      StoredLeaf leaf{.key = voxel_in_brick(corner, cell),
+                      .log_odds = brick.log_odds[cell],
+                      .label = std::nullopt};
       if (const VoxelLabel* label = brick.label(cell)) leaf.label = *label;
       visit(leaf);
     });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "objects/voted_cells_code.hpp"
 
+#include "hypermap/io/codec/checksum.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,6 +80,30 @@ TEST(VotedCellsCode, AnyCellsAreReadAsTheyWere) {
       votes.push_back({cell, std::numeric_limits<std::uint32_t>::max() >> bits(engine)});
     EXPECT_EQ(voted_cells(voted_cells_code(votes), kAnyNumberOfCells).value(), votes) << reach;
   }
+}
+
+TEST(VotedCellsCode, BytesAreThoseThatOlderArchivesHold) {
+  // A thick curved surface and one cell far away, as the first program that wrote version 3 coded
+  // them.
+  std::mt19937 engine(23);
+  std::set<PointCell> cells{{70'000, -5, 9}};
+  for (int i = 0; i < 3000; ++i) {
+    const auto x = static_cast<std::int32_t>(engine() % 40);
+    const auto y = static_cast<std::int32_t>(engine() % 40);
+    cells.insert({x, y, x * y / 64 + static_cast<std::int32_t>(engine() % 3)});
+  }
+  std::vector<PointVote> votes;
+  votes.reserve(cells.size());
+  for (const PointCell& cell : cells) {
+    const std::uint32_t factor = cell.x % 7 != 0 ? 1 : 400;
+    votes.push_back({cell, 1U + static_cast<std::uint32_t>(engine() % 5) * factor});
+  }
+  const VotedCellsCode code = voted_cells_code(votes);
+  EXPECT_EQ(votes.size(), 2227U);
+  EXPECT_EQ(code.levels, 17);
+  EXPECT_EQ(code.bytes.size(), 1963U);
+  EXPECT_EQ(crc32_of(code.bytes), 0xBEE3'5AC7U);
+  EXPECT_EQ(voted_cells(code, kAnyNumberOfCells).value(), votes);
 }
 
 TEST(VotedCellsCode, ASurfaceTakesFewBitsAndNeverLessThanTwoACell) {

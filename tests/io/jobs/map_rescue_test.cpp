@@ -96,10 +96,10 @@ TEST(MapRescue, IsWithinTheLimitsOfTheRun) {
   MapArchive map = small_map();
   map.opaque_files.push_back({.name = "notes", .bytes = "abc"});
   const ArchiveLimits none{.sums = {.max_opaque_bytes = 0}};
-  const Error bare = with_rescue(failed_save(), map, folder / "a.hmap", none);
+  const Error bare = with_rescue(failed_save(), map, folder / "a.hmap", {.limits = none});
   EXPECT_THAT(bare.what, HasSubstr("; its octree and objects are saved in "));
   const ArchiveLimits enough{.sums = {.max_opaque_bytes = 3}};
-  const Error whole = with_rescue(failed_save(), map, folder / "a.hmap", enough);
+  const Error whole = with_rescue(failed_save(), map, folder / "a.hmap", {.limits = enough});
   EXPECT_THAT(whole.what, HasSubstr("; the map is saved in "));
 }
 

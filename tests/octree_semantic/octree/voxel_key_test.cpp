@@ -59,7 +59,24 @@ TEST(BrickKey, VoxelsOfABrickFollowEachOther) {
   for (std::size_t cell = 0; cell < kBrickVolume; ++cell) {
     ASSERT_EQ(BrickKey::of(brick.voxel(cell)), brick);
     ASSERT_EQ(cell_in_brick(brick.voxel(cell)), cell);
+    ASSERT_EQ(voxel_in_brick(brick.corner(), cell), brick.voxel(cell));
+    ASSERT_TRUE(in_one_brick(brick.voxel(cell), voxel));
   }
+}
+
+TEST(BrickKey, VoxelsBesideABrickAreInAnother) {
+  // 8 to 15 along each axis is one brick; one step out along any axis is another, and 65,535 is as
+  // far from 0 as it can be, not beside it.
+  for (const VoxelKey& outside : {VoxelKey{7, 8, 8},
+                                  VoxelKey{16, 8, 8},
+                                  VoxelKey{8, 7, 15},
+                                  VoxelKey{15, 16, 8},
+                                  VoxelKey{8, 15, 7},
+                                  VoxelKey{15, 15, 16}}) {
+    EXPECT_FALSE(in_one_brick(outside, {8, 8, 8}));
+    EXPECT_NE(BrickKey::of(outside), BrickKey::of({8, 8, 8}));
+  }
+  EXPECT_FALSE(in_one_brick({65535, 0, 0}, {0, 0, 0}));
 }
 
 }  // namespace

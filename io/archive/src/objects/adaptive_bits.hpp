@@ -41,79 +41,113 @@ class BitModel {
   std::uint16_t num_seen_ = 0;
 };
 
-/// The numbers that the bits so far leave: [low, high].
+/// The numbers that the bits so far leave: [low, low + width]. Without branches that depend on
+/// bits, which are hard to foresee.
 class BitInterval {
  public:
-  /// The last number of the part that stands for 1.
+  /// How many numbers but one stand for 1; less than the width.
   [[nodiscard]] std::uint32_t split(std::uint32_t probability_of_one) const noexcept {
-    const std::uint32_t width = high_ - low_;
-    return low_ + (width >> 16U) * probability_of_one +
-           ((width & 0xFFFFU) * probability_of_one >> 16U);
+    return static_cast<std::uint32_t>(std::uint64_t{width_} * probability_of_one >> 16U);
   }
-  void take(bool bit, std::uint32_t last_of_one) noexcept {
-    low_ = bit ? low_ : last_of_one + 1;
-    high_ = bit ? last_of_one : high_;
+  void take(bool bit, std::uint32_t split) noexcept {
+    const std::uint32_t if_zero = std::uint32_t{bit} - 1U;  // all bits or none
+    low_ += (split + 1U) & if_zero;
+    width_ = split + ((width_ - 2U * split - 1U) & if_zero);
   }
   /// Whether all numbers begin with one byte, which `shift` then drops.
-  [[nodiscard]] bool has_first_byte() const noexcept { return (low_ ^ high_) >> 24U == 0; }
+  [[nodiscard]] bool has_first_byte() const noexcept {
+    return (low_ ^ (low_ + width_)) >> 24U == 0;
+  }
   [[nodiscard]] std::uint8_t first_byte() const noexcept {
     return static_cast<std::uint8_t>(low_ >> 24U);
   }
   void shift() noexcept {
     low_ <<= 8U;
-    high_ = high_ << 8U | 0xFFU;
+    width_ = width_ << 8U | 0xFFU;
   }
 
  private:
   std::uint32_t low_ = 0;
-  std::uint32_t high_ = 0xFFFF'FFFF;
+  std::uint32_t width_ = 0xFFFF'FFFF;
 };
 
 /// Probability of a bit of which nothing is known.
 inline constexpr std::uint32_t kEvenOdds = 32768;
 
+/// How many bits a cursor of an encoder or decoder codes at most.
+inline constexpr std::size_t kBitsOfCursor = 64;
+
+/// Bits are coded by cursors, values of a few words that a loop keeps in registers: what `cursor`
+/// returns goes back by `keep` before the next one is asked for.
 class BitEncoder {
  public:
-  /// Both return the bit.
-  bool code(BitModel& model, bool bit) {
-    (void)code_even(bit, model.probability_of_one());
-    model.update(bit);
-    return bit;
+  class Cursor {
+   public:
+    /// Both return the bit.
+    bool code(BitModel& model, bool bit) noexcept {
+      (void)code_even(bit, model.probability_of_one());
+      model.update(bit);
+      return bit;
+    }
+    bool code_even(bool bit, std::uint32_t probability_of_one = kEvenOdds) noexcept {
+      interval_.take(bit, interval_.split(probability_of_one));
+      for (; interval_.has_first_byte(); interval_.shift())
+        *end_++ = static_cast<char>(interval_.first_byte());
+      return bit;
+    }
+
+   private:
+    friend BitEncoder;
+    BitInterval interval_;
+    char* end_ = nullptr;
+  };
+
+  [[nodiscard]] Cursor cursor() {
+    constexpr std::size_t kMostBytes = 4 * kBitsOfCursor;  // a bit drops the whole number at most
+    if (bytes_.size() - num_bytes_ < kMostBytes) bytes_.resize(2 * bytes_.size() + kMostBytes);
+    cursor_.end_ = bytes_.data() + num_bytes_;
+    return cursor_;
   }
-  bool code_even(bool bit, std::uint32_t probability_of_one = kEvenOdds) {
-    interval_.take(bit, interval_.split(probability_of_one));
-    for (; interval_.has_first_byte(); interval_.shift())
-      bytes_ += static_cast<char>(interval_.first_byte());
-    return bit;
+  void keep(const Cursor& cursor) noexcept {
+    cursor_ = cursor;
+    num_bytes_ = static_cast<std::size_t>(cursor.end_ - bytes_.data());
   }
   /// The bytes: of the last one all that is needed to stay within the interval, with zeros behind.
   [[nodiscard]] std::string finish() {
-    bytes_ += static_cast<char>(interval_.first_byte() + 1U);
+    bytes_.resize(num_bytes_);
+    bytes_ += static_cast<char>(cursor_.interval_.first_byte() + 1U);
     return std::move(bytes_);
   }
 
  private:
-  BitInterval interval_;
-  std::string bytes_;
+  std::string bytes_;  // with room behind the last one
+  std::size_t num_bytes_ = 0;
+  Cursor cursor_;
 };
 
 /// The bits again, when it is asked in the same order with the same models. Boundary: bytes that
 /// end too early go on with zeros, of which `num_bytes_used` tells.
 class BitDecoder {
  public:
+  using Cursor = BitDecoder;
+
   explicit BitDecoder(std::string_view bytes) : bytes_(bytes) {
     for (int i = 0; i < 4; ++i) take_byte();
   }
+  [[nodiscard]] Cursor cursor() const noexcept { return *this; }
+  void keep(const Cursor& cursor) noexcept { *this = cursor; }
+
   /// What is given as the bit does not matter.
-  bool code(BitModel& model, bool /*bit*/) {
+  bool code(BitModel& model, bool /*bit*/) noexcept {
     const bool bit = code_even(false, model.probability_of_one());
     model.update(bit);
     return bit;
   }
-  bool code_even(bool /*bit*/, std::uint32_t probability_of_one = kEvenOdds) {
-    const std::uint32_t last_of_one = interval_.split(probability_of_one);
-    const bool bit = number_ <= last_of_one;
-    interval_.take(bit, last_of_one);
+  bool code_even(bool /*bit*/, std::uint32_t probability_of_one = kEvenOdds) noexcept {
+    const std::uint32_t split = interval_.split(probability_of_one);
+    const bool bit = offset_ <= split;
+    interval_.take(bit, split);
+    offset_ -= (split + 1U) & (std::uint32_t{bit} - 1U);
     for (; interval_.has_first_byte(); interval_.shift()) take_byte();
     return bit;
   }
@@ -123,13 +157,13 @@ class BitDecoder {
  private:
   void take_byte() noexcept {
     const bool is_there = num_taken_ < bytes_.size();
-    number_ = number_ << 8U | (is_there ? static_cast<unsigned char>(bytes_[num_taken_]) : 0U);
+    offset_ = offset_ << 8U | (is_there ? static_cast<unsigned char>(bytes_[num_taken_]) : 0U);
     ++num_taken_;
   }
 
   std::string_view bytes_;
   std::size_t num_taken_ = 0;
-  std::uint32_t number_ = 0;
+  std::uint32_t offset_ = 0;  // of the number from the interval's lowest
   BitInterval interval_;
 };
 

@@ -20,79 +20,116 @@ inline constexpr std::size_t kNumAverages = 16;
 inline constexpr std::size_t kNumVoteKinds = kNumAverages * 3;
 inline constexpr std::size_t kVoteBits = 32;
 
-/// The children of a node, none for no node.
-inline std::uint64_t children_of(const CellLevel& level, std::uint32_t node) {
-  return node == CellNode::kNone ? 0U : level[node].children;
+/// What is known of a node's children before they are coded, a byte for each, the lowest for child
+/// 0: from the highest bit on whether there is a cell of their level down x, down y and down z,
+/// whether there may be any up x, y and z, how many lie down two of these (of those that a node
+/// between leads to).
+using ChildKinds = std::uint64_t;
+
+constexpr std::uint64_t in_lane(std::uint32_t k, std::uint32_t value) {
+  return std::uint64_t{value} << 8U * k;
 }
-
-/// Those of the node down `axis` of the one down `other`.
-inline std::uint64_t edge_children(const CellLevel& level,
-                                   const CellNode& node,
-                                   std::size_t axis,
-                                   std::size_t other) {
-  if (node.below[other] != CellNode::kNone)
-    return children_of(level, level[node.below[other]].below[axis]);
-  if (node.below[axis] == CellNode::kNone) return 0;
-  return children_of(level, level[node.below[axis]].below[other]);
+constexpr std::uint32_t face_value(std::size_t axis) {
+  return axis_bit(axis) << 5U;
 }
-
-/// Eight bits each: a node's own children, those of the nodes down x, y, z, and of those down y and
-/// z, x and z, x and y. Its own are not coded yet.
-inline std::uint64_t surroundings_of(const CellLevel& level, const CellNode& node) {
-  std::uint64_t around = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    around |= children_of(level, node.below[axis]) << (8U + 8U * axis);
-    around |= edge_children(level, node, (axis + 1) % 3, (axis + 2) % 3) << (32U + 8U * axis);
-  }
-  return around;
+constexpr std::uint32_t above_value(std::size_t axis) {
+  return axis_bit(axis) << 2U;
 }
+constexpr std::uint32_t kEdgeValue = 1;
 
-/// Where the cells beside a child stand in its node's surroundings, and up which axes there may be
-/// some whatever stands beside the node.
-struct ChildPlace {
-  std::array<std::uint8_t, 3> faces{};  ///< Those down x, y, z.
-  std::array<std::uint8_t, 3> edges{};  ///< Those down y and z, x and z, x and y.
-  std::uint32_t above = 0;
-};
-
-constexpr ChildPlace place_of_child(std::uint32_t k) {
-  ChildPlace place;
+/// What child `k` of a node means to the others, if it is there.
+constexpr ChildKinds known_from_sibling(std::uint32_t k) {
+  ChildKinds kinds = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t bit = axis_bit(axis);
-    const std::size_t face_node = (k & bit) != 0 ? 0 : 1 + axis;
-    place.faces.at(axis) = static_cast<std::uint8_t>(8 * face_node + (k ^ bit));
-    if ((k & bit) == 0) place.above |= bit;
-    const std::size_t one = (axis + 1) % 3;
-    const std::size_t two = (axis + 2) % 3;
-    const bool leaves_one = (k & axis_bit(one)) == 0;
-    const bool leaves_two = (k & axis_bit(two)) == 0;
-    std::size_t edge_node = 0;
-    if (leaves_one) edge_node = 1 + one;
-    if (leaves_two) edge_node = 1 + two;
-    if (leaves_one && leaves_two) edge_node = 4 + axis;
-    place.edges.at(axis) =
-        static_cast<std::uint8_t>(8 * edge_node + (k ^ axis_bit(one) ^ axis_bit(two)));
+    if ((k & bit) == 0) kinds += in_lane(k | bit, face_value(axis));
+    const std::uint32_t two = 7U ^ bit;
+    if ((k & two) == 0) kinds += in_lane(k | two, kEdgeValue);
   }
-  return place;
+  return kinds;
 }
-inline constexpr std::array<ChildPlace, 8> kChildPlaces{place_of_child(0),
-                                                        place_of_child(1),
-                                                        place_of_child(2),
-                                                        place_of_child(3),
-                                                        place_of_child(4),
-                                                        place_of_child(5),
-                                                        place_of_child(6),
-                                                        place_of_child(7)};
 
-/// What is known of a child before it is coded: the cells of its level down x, y and z, whether
-/// there may be any up x, y and z, how many lie down two of these.
-inline std::size_t child_kind(std::uint64_t around, std::uint32_t above, const ChildPlace& place) {
-  const auto is_there = [around](std::uint8_t at) { return around >> at & 1U; };
-  const std::uint64_t faces =
-      4U * is_there(place.faces[0]) + 2U * is_there(place.faces[1]) + is_there(place.faces[2]);
-  const std::uint64_t num_edges =
-      is_there(place.edges[0]) + is_there(place.edges[1]) + is_there(place.edges[2]);
-  return (8U * faces + (above | place.above)) * 4U + num_edges;
+/// What the children of the node down one axis mean to those of a node, by their bits. A lower
+/// child has the upper one there beside its face, and across its edges those that are upper ones
+/// along the axis and lower ones along another.
+constexpr ChildKinds known_from_face(std::size_t axis, std::uint32_t children) {
+  ChildKinds kinds = 0;
+  const std::uint32_t bit = axis_bit(axis);
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    if ((children >> k & 1U) == 0 || (k & bit) == 0) continue;
+    kinds += in_lane(k ^ bit, face_value(axis));
+    for (std::size_t other = 0; other < 3; ++other) {
+      if (other != axis && (k & axis_bit(other)) == 0)
+        kinds += in_lane(k ^ bit ^ axis_bit(other), kEdgeValue);
+    }
+  }
+  return kinds;
+}
+
+/// The same of the node down both other axes than `axis`.
+constexpr ChildKinds known_from_edge(std::size_t axis, std::uint32_t children) {
+  ChildKinds kinds = 0;
+  const std::uint32_t two = 7U ^ axis_bit(axis);
+  for (std::uint32_t k = 0; k < 8; ++k)
+    if ((children >> k & 1U) != 0 && (k & two) == two) kinds += in_lane(k ^ two, kEdgeValue);
+  return kinds;
+}
+
+/// `above`: the axes up which there is a node. A lower child may always have one beside it.
+constexpr ChildKinds known_from_above(std::uint32_t above) {
+  ChildKinds kinds = 0;
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t bit = axis_bit(axis);
+      if ((k & bit) == 0 || (above & bit) != 0) kinds += in_lane(k, above_value(axis));
+    }
+  }
+  return kinds;
+}
+
+/// The four functions for all that they are asked.
+struct ChildKindTables {
+  std::array<ChildKinds, 8> sibling{};
+  std::array<ChildKinds, 8> above{};
+  std::array<std::array<ChildKinds, 256>, 3> face{};
+  std::array<std::array<ChildKinds, 256>, 3> edge{};
+};
+inline constexpr ChildKindTables kChildKinds = [] {
+  ChildKindTables tables;
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    tables.sibling.at(k) = known_from_sibling(k);
+    tables.above.at(k) = known_from_above(k);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t children = 0; children < 256; ++children) {
+      tables.face.at(axis).at(children) = known_from_face(axis, children);
+      tables.edge.at(axis).at(children) = known_from_edge(axis, children);
+    }
+  }
+  return tables;
+}();
+
+/// The children of the node down `one` and `two`, which lies down `two` of that down `one` and the
+/// other way round; either may be missing.
+inline std::uint32_t edge_children(const CellLevel& level,
+                                   const CellNode& node,
+                                   std::size_t one,
+                                   std::size_t two) {
+  const CellNode& by_one = level[level[node.below[one]].below[two]];
+  const CellNode& by_two = level[level[node.below[two]].below[one]];
+  return std::uint32_t{by_one.children} | std::uint32_t{by_two.children};
+}
+
+/// All that the nodes beside a node, coded before it, say of its children.
+inline ChildKinds kinds_of_children(const CellLevel& level, const CellNode& node) {
+  ChildKinds kinds = 0;
+  std::uint32_t above = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (node.above[axis] != CellNode::kNone) above |= axis_bit(axis);
+    kinds += kChildKinds.face[axis][level[node.below[axis]].children];
+    kinds += kChildKinds.edge[axis][edge_children(level, node, (axis + 1) % 3, (axis + 2) % 3)];
+  }
+  return kinds + kChildKinds.above[above];
 }
 
 /// Half logarithms of a mean, 1 for 1; 0 for no mean.
@@ -104,17 +141,17 @@ inline std::size_t average_kind(std::uint64_t sum, std::uint64_t count) {
   return std::min(kNumAverages - 1, 2 * (width - 3) + half + 1);
 }
 
+/// `votes_before`: by the index of a cell; of no cell 0.
 inline std::size_t vote_kind(const CellNode& cell, const std::vector<std::uint32_t>& votes_before) {
   std::uint64_t sum = 0;
   std::size_t num_below = 0;
-  std::size_t num_beside = 0;
+  std::size_t num_above = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (cell.above[axis] != CellNode::kNone) ++num_beside;
-    if (cell.below[axis] == CellNode::kNone) continue;
-    ++num_beside;
-    ++num_below;
+    num_above += cell.above[axis] != CellNode::kNone ? 1U : 0U;
+    num_below += cell.below[axis] != CellNode::kNone ? 1U : 0U;
     sum += votes_before[cell.below[axis]];
   }
+  const std::size_t num_beside = num_below + num_above;
   return average_kind(sum, num_below) * 3 + std::min<std::size_t>(num_beside / 2, 2);
 }
 
@@ -131,19 +168,28 @@ class CellCoder {
                               int height,
                               std::uint32_t children) {
     auto& models = children_.at(static_cast<std::size_t>(std::min(height, 2)));
-    std::uint64_t around = surroundings_of(level, node);
-    std::uint32_t above = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (node.above[axis] != CellNode::kNone) above |= axis_bit(axis);
+    ChildKinds kinds = kinds_of_children(level, node);
+    auto bits = bits_.cursor();
+    std::uint32_t coded = 0;
     const auto code_child = [&](std::uint32_t k) {
-      BitModel& model = models[child_kind(around, above, kChildPlaces[k])];
-      const bool is_there = bits_.code(model, (children >> k & 1U) != 0);
-      around |= std::uint64_t{is_there} << k;
+      const bool is_there = bits.code(models[kinds >> 8U * k & 0xFFU], (children >> k & 1U) != 0);
+      kinds += kChildKinds.sibling[k] & (std::uint64_t{0} - std::uint64_t{is_there});
+      coded |= std::uint32_t{is_there} << k;
     };
-    for (std::uint32_t k = 0; k < 7; ++k) code_child(k);
-    if ((around & 0x7FU) == 0) return 1U << 7U;  // a node has a child
-    code_child(7);
-    return static_cast<std::uint32_t>(around & 0xFFU);
+    code_child(0);
+    code_child(1);
+    code_child(2);
+    code_child(3);
+    code_child(4);
+    code_child(5);
+    code_child(6);
+    if (coded == 0) {
+      coded = 1U << 7U;  // a node has a child
+    } else {
+      code_child(7);
+    }
+    bits_.keep(bits);
+    return coded;
   }
 
   /// The number of digits in the base of two, then those after the first one.
@@ -152,22 +198,27 @@ class CellCoder {
                            std::uint32_t votes) {
     const std::size_t kind = vote_kind(cell, votes_before);
     const auto width = static_cast<std::size_t>(std::bit_width(votes));
+    auto bits = bits_.cursor();
     std::size_t num_digits = 1;
-    while (num_digits < kVoteBits && bits_.code(more_digits_[kind][num_digits], width > num_digits))
+    while (num_digits < kVoteBits && bits.code(more_digits_[kind][num_digits], width > num_digits))
       ++num_digits;
     std::uint32_t coded = 1;
     for (std::size_t place = num_digits - 1; place-- > 0;) {
       const bool digit = (votes >> place & 1U) != 0;
-      coded = 2 * coded + (code_digit(kind, num_digits, coded, digit) ? 1U : 0U);
+      coded = 2 * coded + (code_digit(bits, kind, num_digits, coded, digit) ? 1U : 0U);
     }
+    bits_.keep(bits);
     return coded;
   }
 
  private:
-  bool code_digit(std::size_t kind, std::size_t num_digits, std::uint32_t before, bool digit) {
-    if (before == 1) return bits_.code(second_digit_[kind][num_digits - 1], digit);
-    if (before < 4) return bits_.code(third_digit_[num_digits - 1][before - 2], digit);
-    return bits_.code_even(digit);
+  using Cursor = typename Bits::Cursor;
+
+  bool code_digit(
+      Cursor& bits, std::size_t kind, std::size_t num_digits, std::uint32_t before, bool digit) {
+    if (before == 1) return bits.code(second_digit_[kind][num_digits - 1], digit);
+    if (before < 4) return bits.code(third_digit_[num_digits - 1][before - 2], digit);
+    return bits.code_even(digit);
   }
 
   Bits bits_;

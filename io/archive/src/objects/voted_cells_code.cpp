@@ -3,8 +3,8 @@
 
 #include "adaptive_bits.hpp"
 #include "cell_coder.hpp"
-#include "cell_splitter.hpp"
 #include "cell_tree.hpp"
+#include "sorted_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,21 +24,20 @@ std::uint32_t difference(std::int32_t value, std::int32_t origin) {
 
 std::string encoded(std::vector<RelativeCell> cells, int levels) {
   CellCoder coder{BitEncoder{}};
-  CellSplitter splitter(std::move(cells));
+  const SortedCells sorted(std::move(cells), levels);
   CellLevel level = root_level();
   for (int height = levels; height-- > 0;) {
     const auto shift = static_cast<unsigned>(height);
-    const std::vector<std::uint8_t> masks = splitter.split(shift);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      (void)coder.code_children(level, level[i], height, masks[i]);
-      level[i].children = masks[i];
+    auto children = sorted.children(shift).begin();
+    for (std::size_t i = 1; i < level.size(); ++i, ++children) {
+      (void)coder.code_children(level, level[i], height, *children);
+      level[i].children = *children;
     }
     level = next_level(level, shift);
   }
-  std::vector<std::uint32_t> votes;
-  votes.reserve(level.size());
-  for (const CellNode& cell : level)
-    votes.push_back(coder.code_votes(cell, votes, splitter.cells()[votes.size()].votes));
+  std::vector<std::uint32_t> votes(level.size());
+  for (std::size_t i = 1; i < level.size(); ++i)
+    votes[i] = coder.code_votes(level[i], votes, sorted.cells()[i - 1].votes);
   return coder.bits().finish();
 }
 
@@ -94,26 +93,26 @@ Result<std::vector<RelativeCell>> decoded(const VotedCellsCode& code) {
   CellLevel level = root_level();
   for (int height = code.levels; height-- > 0;) {
     std::size_t num_children = 0;
-    for (CellNode& node : level) {
-      const std::uint32_t children = coder.code_children(level, node, height, 0);
+    for (std::size_t i = 1; i < level.size(); ++i) {
+      const std::uint32_t children = coder.code_children(level, level[i], height, 0);
       num_children += num_in(children);
-      node.children = static_cast<std::uint8_t>(children);
+      level[i].children = static_cast<std::uint8_t>(children);
       if (num_children > code.num_cells)
         return malformed("bytes", "are of more than " + std::to_string(code.num_cells) + " cells");
     }
     level = next_level(level, static_cast<unsigned>(height));
   }
-  if (level.size() != code.num_cells)
+  const std::size_t num_cells = level.size() - 1;
+  if (num_cells != code.num_cells)
     return malformed("bytes",
-                     "are of " + std::to_string(level.size()) + " cells, expected " +
+                     "are of " + std::to_string(num_cells) + " cells, expected " +
                          std::to_string(code.num_cells));
-  std::vector<std::uint32_t> votes;
-  votes.reserve(level.size());
-  for (const CellNode& cell : level) votes.push_back(coder.code_votes(cell, votes, 0));
+  std::vector<std::uint32_t> votes(level.size());
+  for (std::size_t i = 1; i < level.size(); ++i) votes[i] = coder.code_votes(level[i], votes, 0);
   HYPERMAP_TRY(check_end(code, coder.bits().num_bytes_used()));
   std::vector<RelativeCell> cells;
-  cells.reserve(level.size());
-  for (std::size_t i = 0; i < level.size(); ++i)
+  cells.reserve(num_cells);
+  for (std::size_t i = 1; i < level.size(); ++i)
     cells.push_back({.at = level[i].low, .votes = votes[i]});
   return cells;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One node of an `.ot` file, byte for byte, and the way from the root to it.
+/// One node of an `.ot` file, byte for byte.
 #pragma once
 
 #include "hypermap/core/base/image.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
-#include "hypermap/octree_semantic/octree/voxel_key.hpp"
 #include "hypermap/octree_semantic/octree/voxel_label.hpp"
 
 #include <array>
@@ -63,9 +62,12 @@ static_assert(sizeof(StoredLabel) == 20 && sizeof(ClassWeight) == 4);
           .rest = label->rest,
           .classes = label->classes};
 }
+[[nodiscard]] inline bool is_blank(const StoredLabel& stored) {
+  static constexpr StoredLabel kBlank{};
+  return std::memcmp(&stored, &kBlank, sizeof(stored)) == 0;
+}
 [[nodiscard]] inline std::optional<VoxelLabel> label_of(const StoredLabel& stored) {
-  static const StoredLabel kBlank{};
-  if (std::memcmp(&stored, &kBlank, sizeof(stored)) == 0) return std::nullopt;
+  if (is_blank(stored)) return std::nullopt;
   VoxelLabel label;
   label.classes = stored.classes;
   label.rest = stored.rest;
@@ -82,21 +84,5 @@ static_assert(sizeof(StoredLabel) == 20 && sizeof(ClassWeight) == 4);
   if (kind == OctomapKind::kSemantic) payload = sizeof(StoredLabel);
   return sizeof(float) + payload + sizeof(std::uint8_t);
 }
-
-/// A cube of the tree: its depth and the Morton code of the voxel at its lower corner.
-struct OctomapCube {
-  std::uint64_t code = 0;
-  int depth = 0;
-
-  /// Voxels between the cubes of two neighbouring children, along the Morton order.
-  [[nodiscard]] std::uint64_t child_stride() const {
-    return std::uint64_t{1} << (3U * static_cast<unsigned>(kOctomapDepth - 1 - depth));
-  }
-  /// Child `i` of 8: bit 0 of i is the upper half in x, bit 1 in y, bit 2 in z.
-  [[nodiscard]] OctomapCube child(unsigned i) const {
-    return {.code = code + i * child_stride(), .depth = depth + 1};
-  }
-  [[nodiscard]] VoxelKey key() const { return VoxelKey::from_morton(code); }
-};
 
 }  // namespace hypermap

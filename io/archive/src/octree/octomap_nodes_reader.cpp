@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "octomap_nodes_reader.hpp"
 
+#include "hypermap/octree_semantic/octree/voxel_key.hpp"
+#include "node_cursor.hpp"
 #include "octomap_node.hpp"
 
 #include <algorithm>
@@ -14,68 +16,25 @@
 namespace hypermap {
 namespace {
 
-/// Hands out bytes and counts nodes, so that every error can name one.
-class NodeCursor {
- public:
-  NodeCursor(std::string_view bytes, std::uint64_t num_nodes, const LoadBudget& budget)
-      : bytes_(bytes), num_nodes_(num_nodes), budget_(budget) {}
+/// A cube of the tree: its depth and the voxel at its lower corner.
+struct ReadCube {
+  VoxelKey key = {};
+  int depth = 0;
 
-  [[nodiscard]] Unexpected error(std::string what) const {
-    return fail(ErrorCode::kMalformedFile,
-                std::move(what) + " at node " + std::to_string(num_counted_),
-                "octree");
+  /// Child `i` of 8: bit 0 of i is the upper half in x, bit 1 in y, bit 2 in z. Requires: depth
+  /// below that of voxels.
+  [[nodiscard]] ReadCube child(unsigned i) const {
+    const unsigned shift = static_cast<unsigned>(kOctomapDepth - 1 - depth);
+    return {.key = {.x = static_cast<std::uint16_t>(key.x | (i & 1U) << shift),
+                    .y = static_cast<std::uint16_t>(key.y | (i >> 1U & 1U) << shift),
+                    .z = static_cast<std::uint16_t>(key.z | (i >> 2U & 1U) << shift)},
+            .depth = depth + 1};
   }
-
-  /// Errors: there are more nodes than the header said; kInterrupted.
-  Result<void> count_node() {
-    constexpr std::uint64_t kNodesBetweenChecks = std::uint64_t{1} << 16U;
-    if (num_counted_ % kNodesBetweenChecks == 0) HYPERMAP_TRY(budget_.check_stop());
-    if (++num_counted_ > num_nodes_)
-      return fail(ErrorCode::kMalformedFile,
-                  "says " + std::to_string(num_nodes_) + " nodes, the tree has more",
-                  "size");
-    return {};
-  }
-
-  template <class T>
-  Result<T> take() {
-    if (bytes_.size() - at_ < sizeof(T)) return error("unexpected end of data");
-    const T value = load<T>(bytes_, at_);
-    at_ += sizeof(T);
-    return value;
-  }
-
-  /// The next bytes, all there.
-  Result<std::string_view> take_bytes(std::size_t count) {
-    if (bytes_.size() - at_ < count) return error("unexpected end of data");
-    at_ += count;
-    return bytes_.substr(at_ - count, count);
-  }
-
-  [[nodiscard]] Result<void> finish() const {
-    if (num_counted_ != num_nodes_)
-      return fail(ErrorCode::kMalformedFile,
-                  "says " + std::to_string(num_nodes_) + " nodes, the tree has " +
-                      std::to_string(num_counted_),
-                  "size");
-    if (at_ != bytes_.size())
-      return fail(ErrorCode::kMalformedFile,
-                  std::to_string(bytes_.size() - at_) + " bytes follow the last node",
-                  "octree");
-    return {};
-  }
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-  std::uint64_t num_nodes_;
-  std::uint64_t num_counted_ = 0;
-  const LoadBudget& budget_;
 };
 
 /// An inner node whose children are being read.
 struct OpenNode {
-  OctomapCube cube;
+  ReadCube cube;
   unsigned children = 0;  // bits of those still to come
   float log_odds = 0.0F;
   float max_of_children = -std::numeric_limits<float>::infinity();
@@ -104,14 +63,33 @@ class FullReader {
       }
       const auto next = static_cast<unsigned>(std::countr_zero(parent.children));
       parent.children &= parent.children - 1;
-      HYPERMAP_TRY(take_node(parent.cube.child(next)));
+      const ReadCube cube = parent.cube.child(next);
+      if (!take_plain_leaf(cube)) HYPERMAP_TRY(take_node(cube));
     }
     HYPERMAP_TRY(cursor_.finish());
     return std::move(nodes_);
   }
 
  private:
-  Result<void> take_node(const OctomapCube& cube) {
+  /// Most nodes are leaves without a label or colour: those it takes quickly. False, and nothing is
+  /// taken, for any other one.
+  bool take_plain_leaf(const ReadCube& cube) {
+    if (kind_ == OctomapKind::kColor) return false;
+    const std::size_t size = node_bytes(kind_);
+    const std::string_view node = cursor_.ahead(size);
+    if (node.size() < size || node.back() != '\0') return false;
+    const auto log_odds = load<float>(node, 0);
+    if (!(std::abs(log_odds) <= kMaxLogOdds)) return false;
+    if (kind_ == OctomapKind::kSemantic && !is_blank(load<StoredLabel>(node, sizeof(float))))
+      return false;
+    if (!cursor_.pass_node(size)) return false;
+    nodes_.tree.leaves.push_back(
+        {.key = cube.key, .depth = static_cast<std::uint8_t>(cube.depth), .log_odds = log_odds});
+    update_parent(log_odds);
+    return true;
+  }
+
+  Result<void> take_node(const ReadCube& cube) {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string_view node, cursor_.take_bytes(node_bytes(kind_)));
     const auto log_odds = load<float>(node, 0);
     if (!(std::abs(log_odds) <= kMaxLogOdds))
@@ -139,10 +117,10 @@ class FullReader {
     return {};
   }
 
-  void add_leaf(const OctomapCube& cube, float log_odds) {
+  void add_leaf(const ReadCube& cube, float log_odds) {
     OctomapTree& tree = nodes_.tree;
     OctomapLeaf leaf{
-        .key = cube.key(), .depth = static_cast<std::uint8_t>(cube.depth), .log_odds = log_odds};
+        .key = cube.key, .depth = static_cast<std::uint8_t>(cube.depth), .log_odds = log_odds};
     if (kind_ == OctomapKind::kColor) tree.colors.push_back(color_);
     if (label_) {
       leaf.label = static_cast<std::uint32_t>(tree.labels.size());
@@ -205,12 +183,12 @@ class BinaryReader {
 
  private:
   struct Open {
-    OctomapCube cube;
+    ReadCube cube;
     unsigned codes = 0;
     unsigned next_child = 0;
   };
 
-  Result<void> take_inner(const OctomapCube& cube) {
+  Result<void> take_inner(const ReadCube& cube) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto codes, cursor_.take<std::uint16_t>());
     if (codes == 0)
       return cursor_.error("neither free nor occupied nor with children, which says nothing");
@@ -219,12 +197,12 @@ class BinaryReader {
     return {};
   }
 
-  Result<void> take_child(BinaryChild what, const OctomapCube& cube) {
+  Result<void> take_child(BinaryChild what, const ReadCube& cube) {
     if (what == BinaryChild::kUnknown) return {};
     HYPERMAP_TRY(cursor_.count_node());
     if (what == BinaryChild::kInner) return take_inner(cube);
     nodes_.tree.leaves.push_back(
-        {.key = cube.key(),
+        {.key = cube.key,
          .depth = static_cast<std::uint8_t>(cube.depth),
          .log_odds = what == BinaryChild::kFree ? kBinaryFree : kBinaryOccupied});
     return {};

@@ -27,21 +27,20 @@ bool same_content(const OctomapTree& tree, std::size_t a, std::size_t b) {
   return !labelled || tree.labels[first.label] == tree.labels[second.label];
 }
 
-/// Whether the last eight leaves are all the children of one cube, alike.
+/// Whether the last eight leaves are all the children of one cube, alike. Requires: Morton order,
+/// disjoint; so eight of one size from a cube's lowest corner to its highest are its children.
 bool last_eight_are_one(const OctomapTree& tree) {
   if (tree.leaves.size() < 8) return false;
   const std::size_t first = tree.leaves.size() - 8;
   const OctomapLeaf& corner = tree.leaves[first];
   const OctomapLeaf& last = tree.leaves.back();
-  if ((last.key.x & last.key.y & last.key.z & last.edge_voxels()) == 0) return false;  // no eighth
-  if (corner.depth == 0 || corner.key.morton() % (8 * corner.num_voxels()) != 0) return false;
-  for (std::size_t i = 1; i < 8; ++i) {
-    const OctomapLeaf& leaf = tree.leaves[first + i];
-    if (leaf.depth != corner.depth ||
-        leaf.key.morton() != corner.key.morton() + i * corner.num_voxels() ||
-        !same_content(tree, first, first + i))
-      return false;
-  }
+  const std::uint32_t edge = last.edge_voxels();
+  if ((last.key.x & last.key.y & last.key.z & edge) == 0) return false;  // no eighth
+  if (corner.key.x + edge != last.key.x || corner.key.y + edge != last.key.y ||
+      corner.key.z + edge != last.key.z)
+    return false;
+  for (std::size_t i = first; i < tree.leaves.size(); ++i)
+    if (tree.leaves[i].depth != last.depth || !same_content(tree, first, i)) return false;
   return true;
 }
 
@@ -163,7 +162,10 @@ LeafSource leaf_source(const OctomapTree& tree) {
 }
 
 OctomapTree to_octomap_tree(const SemanticOctree& octree) {
+  constexpr std::size_t kMostAtOnce = std::size_t{1} << 24U;  // a quarter of a gigabyte
   OctomapTree tree{.kind = OctomapKind::kSemantic, .resolution_m = octree.resolution_m()};
+  const LeafCount num = octree.num_leaves();
+  tree.leaves.reserve(std::min(num.occupied + num.free, kMostAtOnce));
   octree.for_each_stored_leaf([&tree](const StoredLeaf& stored) {
     OctomapLeaf leaf{.key = stored.key,
                      .log_odds = static_cast<float>(from_milli(stored.log_odds).value())};

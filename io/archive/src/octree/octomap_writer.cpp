@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -12,6 +13,21 @@
 
 namespace hypermap {
 namespace {
+
+/// A cube of the tree: its depth and the Morton code of the voxel at its lower corner.
+struct OctomapCube {
+  std::uint64_t code = 0;
+  int depth = 0;
+
+  /// Voxels between the cubes of two neighbouring children, along the Morton order.
+  [[nodiscard]] std::uint64_t child_stride() const {
+    return std::uint64_t{1} << (3U * static_cast<unsigned>(kOctomapDepth - 1 - depth));
+  }
+  /// Child `i` of 8: bit 0 of i is the upper half in x, bit 1 in y, bit 2 in z.
+  [[nodiscard]] OctomapCube child(unsigned i) const {
+    return {.code = code + i * child_stride(), .depth = depth + 1};
+  }
+};
 
 /// Where a leaf lies. (Its key's code takes time and is asked for at every level.)
 OctomapCube cube_of(const OctomapLeaf& leaf) {

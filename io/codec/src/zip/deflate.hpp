@@ -22,8 +22,9 @@ enum class Packing : std::uint8_t {
 [[nodiscard]] Result<std::string> pack(std::string_view content, Packing packing);
 
 /// The content of a raw deflate stream, which must use all of `packed` and give exactly
-/// `num_bytes`. Memory grows with what was really inflated. Errors: kMalformedFile, kOutOfMemory,
-/// kInterrupted when `budget` is told to stop.
+/// `num_bytes`. Memory: up to 512 MiB what `packed` can stand for at most is taken at once, beyond
+/// that it grows with what was really inflated. Errors: kMalformedFile, kOutOfMemory, kInterrupted
+/// when `budget` is told to stop.
 [[nodiscard]] Result<std::string> unpack(std::string_view packed,
                                          std::uint64_t num_bytes,
                                          const LoadBudget& budget);

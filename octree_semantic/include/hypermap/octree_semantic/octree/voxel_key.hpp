@@ -6,6 +6,7 @@
 /// coordinate 0. Source: A. Hornung et al., "OctoMap", Autonomous Robots 34 (2013), section 4.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -82,7 +83,24 @@ struct BrickKey {
 
 /// Where a voxel lies within its brick, 0 .. 511, in Morton order.
 [[nodiscard]] constexpr std::size_t cell_in_brick(const VoxelKey& voxel) noexcept {
-  return static_cast<std::size_t>(voxel.morton() % kBrickVolume);
+  constexpr std::array<std::uint16_t, kBrickEdge> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
+  return static_cast<std::size_t>(kSpread[voxel.x & 7U] | kSpread[voxel.y & 7U] << 1 |
+                                  kSpread[voxel.z & 7U] << 2);
+}
+
+/// The voxel at position `cell` of the brick whose lower corner `corner` is.
+[[nodiscard]] constexpr VoxelKey voxel_in_brick(const VoxelKey& corner, std::size_t cell) noexcept {
+  const auto gather = [](std::size_t bits) {
+    return (bits & 1U) | (bits >> 2U & 2U) | (bits >> 4U & 4U);
+  };
+  return {static_cast<std::uint16_t>(corner.x | gather(cell)),
+          static_cast<std::uint16_t>(corner.y | gather(cell >> 1U)),
+          static_cast<std::uint16_t>(corner.z | gather(cell >> 2U))};
+}
+
+/// Whether two voxels lie in one brick.
+[[nodiscard]] constexpr bool in_one_brick(const VoxelKey& a, const VoxelKey& b) noexcept {
+  return ((a.x ^ b.x) | (a.y ^ b.y) | (a.z ^ b.z)) < kBrickEdge;
 }
 
 }  // namespace hypermap

@@ -169,6 +169,9 @@ struct SaveOptions {
   std::uint64_t max_verified_bytes = std::uint64_t{1} << 30;
   /// Types of layers that verification loads: all that the map has.
   LayerRegistry layers = archive_layer_types();
+  /// Threads that make the bytes and read them again; the bytes are the same at any number. 0: one
+  /// for each core.
+  int num_threads = 0;
 };
 
 /// Replaces the file atomically. Errors: those of write_archive and write_file_atomically;
