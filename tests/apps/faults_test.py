@@ -225,6 +225,11 @@ class Folders(FaultCase):
             return ["export", Inputs.objects(resolution), "--format", "tiles", "--output", self.out / "tiles"]
         self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
 
+    def test_a_bundle_for_nav2(self):
+        def export(resolution):
+            return ["export", Inputs.objects(resolution), "--format", "nav2", "--output", self.out / "nav2"]
+        self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
+
     def test_a_stack(self):
         def stack(resolution):
             return ["stack", Inputs.objects(resolution), "--output", self.out / "grids"]

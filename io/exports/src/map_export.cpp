@@ -17,7 +17,7 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 11> kExportFormats{"ros-map",
+constexpr std::array<std::string_view, 12> kExportFormats{"ros-map",
                                                           "class-grids",
                                                           "octomap",
                                                           "color-octomap",
@@ -27,7 +27,8 @@ constexpr std::array<std::string_view, 11> kExportFormats{"ros-map",
                                                           "relations",
                                                           "views",
                                                           "topological-map",
-                                                          "glb"};
+                                                          "glb",
+                                                          "nav2"};
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
@@ -77,11 +78,12 @@ Result<ExportFormat> parse_export_format(std::string_view name) {
 }
 
 Result<void> validate(const ExportRequest& request) {
-  const bool is_flat =
-      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson;
+  const bool is_flat = request.format == ExportFormat::kRosMap ||
+                       request.format == ExportFormat::kGeojson ||
+                       request.format == ExportFormat::kNav2;
   if (request.layer && !is_flat) {
     return fail(ErrorCode::kInvalidArgument,
-                "goes with --format ros-map and geojson, not with " + flag_of(request.format),
+                "goes with --format ros-map, geojson and nav2, not with " + flag_of(request.format),
                 "--layer");
   }
   if (request.complete && request.format != ExportFormat::kGeojson) {
@@ -93,6 +95,11 @@ Result<void> validate(const ExportRequest& request) {
     return fail(ErrorCode::kInvalidArgument,
                 "goes with --format ros-map, not with " + flag_of(request.format),
                 "--without-objects");
+  }
+  if (request.keep_rotation && request.format == ExportFormat::kNav2) {
+    return fail(ErrorCode::kInvalidArgument,
+                "does not go with --format nav2, whose filters do not turn masks",
+                "--keep-rotation");
   }
   if (request.with_voxels && request.format != ExportFormat::kGlb) {
     return fail(ErrorCode::kInvalidArgument,
@@ -209,6 +216,8 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_topological_map(archive, request);
     case ExportFormat::kGlb:
       return export_glb(archive, request);
+    case ExportFormat::kNav2:
+      return export_nav2(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }
