@@ -151,7 +151,7 @@ class Namespaces(Mapping):
 class Exports(FaultCase):
     def test_single_files(self):
         for form, name in (("octomap", "a.ot"), ("octomap", "a.bt"), ("color-octomap", "a.ot"), ("ply", "a.ply"),
-                           ("geojson", "a.local.geojson"), ("glb", "a.glb")):
+                           ("geojson", "a.local.geojson"), ("glb", "a.glb"), ("geopackage", "a.gpkg")):
             with self.subTest(form):
                 output = self.out / name
                 self.check_faults(lambda path=output: path.write_bytes(OLD),

@@ -103,7 +103,7 @@ void add_export_command(CLI::App& program, Action& action) {
           "file; for ros-map the stem or .yaml (the image beside it is named after its "
           "content), for class-grids, tiles, views and nav2 a folder, for geojson a name in "
           ".local.geojson, for relations such a name or one in .dot, for topological-map one in "
-          ".dot, for glb one in .glb")
+          ".dot, for glb one in .glb, for geopackage one in .gpkg")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -138,7 +138,8 @@ void add_export_command(CLI::App& program, Action& action) {
                  "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
                  "hypermap export lab.hmap --format relations --output lab.dot",
                  "hypermap export lab.hmap --format glb --with-voxels --output lab.glb",
-                 "hypermap export lab.hmap --format nav2 --output lab_nav2"});
+                 "hypermap export lab.hmap --format nav2 --output lab_nav2",
+                 "hypermap export lab.hmap --format geopackage --output lab.gpkg"});
   command.callback([arguments, &action] {
     const auto format = parse_export_format(arguments->format).value();
     const auto& output = arguments->request.output;

@@ -39,10 +39,12 @@ enum class ExportFormat {
           ///< and extras `id`, `class`, `confidence`, `box`; the occupied surface as another.
   kNav2,  ///< A folder for Nav2: an occupancy layer, masks of where robots keep out and go slowly
           ///< (`zone_masks`) and their parameters; an older one is replaced as a whole.
+  kGeopackage,  ///< A GeoPackage: a table of each semantic layer, in its own frame, and one of the
+                ///< 3D objects, `objects`.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations", "views", "topological-map", "glb", "nav2".
+/// "relations", "views", "topological-map", "glb", "nav2", "geopackage".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
