@@ -86,6 +86,40 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   return written;
 }
 
+/// Whether the options go together, and the output is no input. Throws: CLI::ValidationError.
+void check(const ExportArguments& arguments) {
+  const ExportFormat format = arguments.request.format;
+  const auto& output = arguments.request.output;
+  const bool is_ros_map = format == ExportFormat::kRosMap;
+  keep_apart("--output",
+             is_ros_map ? ros_map_yaml(output) : output,
+             {arguments.file,
+              arguments.palette,
+              arguments.rules,
+              arguments.zones,
+              arguments.class_names.file});
+  const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
+                         format == ExportFormat::kNav2;
+  if (is_folder) keep_out_of_datasets("--output", output);
+  if (format == ExportFormat::kGeojson &&
+      !arguments.request.output.string().ends_with(".local.geojson")) {
+    throw CLI::ValidationError("--output",
+                               "must end in .local.geojson: it is in metres of the map");
+  }
+  const auto fits = validate(arguments.request);
+  if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
+  const bool has_relations = format == ExportFormat::kGeojson || format == ExportFormat::kRelations;
+  if (!arguments.rules.empty() && !has_relations) {
+    throw CLI::ValidationError(
+        "--rules",
+        "goes with --format geojson and relations, not with --format " + arguments.format);
+  }
+  if (!arguments.zones.empty() && format != ExportFormat::kNav2) {
+    throw CLI::ValidationError("--zones",
+                               "goes with --format nav2, not with --format " + arguments.format);
+  }
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& program, Action& action) {
@@ -141,38 +175,8 @@ void add_export_command(CLI::App& program, Action& action) {
                  "hypermap export lab.hmap --format nav2 --output lab_nav2",
                  "hypermap export lab.hmap --format geopackage --output lab.gpkg"});
   command.callback([arguments, &action] {
-    const auto format = parse_export_format(arguments->format).value();
-    const auto& output = arguments->request.output;
-    const bool is_ros_map = format == ExportFormat::kRosMap;
-    keep_apart("--output",
-               is_ros_map ? ros_map_yaml(output) : output,
-               {arguments->file,
-                arguments->palette,
-                arguments->rules,
-                arguments->zones,
-                arguments->class_names.file});
-    const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
-                           format == ExportFormat::kNav2;
-    if (is_folder) keep_out_of_datasets("--output", output);
-    if (format == ExportFormat::kGeojson &&
-        !arguments->request.output.string().ends_with(".local.geojson")) {
-      throw CLI::ValidationError("--output",
-                                 "must end in .local.geojson: it is in metres of the map");
-    }
-    arguments->request.format = format;
-    const auto fits = validate(arguments->request);
-    if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
-    const bool has_relations =
-        format == ExportFormat::kGeojson || format == ExportFormat::kRelations;
-    if (!arguments->rules.empty() && !has_relations) {
-      throw CLI::ValidationError(
-          "--rules",
-          "goes with --format geojson and relations, not with --format " + arguments->format);
-    }
-    if (!arguments->zones.empty() && format != ExportFormat::kNav2) {
-      throw CLI::ValidationError("--zones",
-                                 "goes with --format nav2, not with --format " + arguments->format);
-    }
+    arguments->request.format = parse_export_format(arguments->format).value();
+    check(*arguments);
     action = [arguments] {
       const auto written = run(*arguments);
       if (!written) return report(written.error());
