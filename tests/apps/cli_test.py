@@ -519,7 +519,7 @@ class Pipeline(unittest.TestCase):
     def test_flags_that_a_format_does_without_are_a_wrong_command_line(self):
         rules = self.folder / "unused.yaml"
         rules.write_text("max_beside: 0\n")
-        for flags, told in ((("--layer", "semantic"), "--layer: goes with --format ros-map and geojson, not with --format tiles"),
+        for flags, told in ((("--layer", "semantic"), "--layer: goes with --format ros-map, geojson, nav2 and geopackage, not with --format tiles"),
                             (("--rules", rules), "--rules: goes with --format geojson and relations, not with --format tiles"),
                             (("--complete",), "--complete: goes with --format geojson, not with --format tiles")):
             with self.subTest(flags):
@@ -530,14 +530,15 @@ class Pipeline(unittest.TestCase):
 
     def test_exports_are_made_and_checked(self):
         for form in ("ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-                     "relations", "topological-map"):
+                     "relations", "topological-map", "nav2", "geopackage"):
             with self.subTest(form):
                 suffix = {"octomap": ".ot", "color-octomap": ".ot", "ply": ".ply",
                           "geojson": ".local.geojson", "relations": ".dot", "topological-map": ".dot"}.get(form, "")
                 output = self.folder / f"export-{form}{suffix}"
                 result = run("export", self.archive, "--format", form, "--output", output)
                 self.assertEqual(result.returncode, 0, result.stderr)
-        for pattern in ("export-tiles/*.tile", "export-ros-map*.yaml", "export-octomap.ot", "export-color-octomap.ot"):
+        for pattern in ("export-tiles/*.tile", "export-ros-map*.yaml", "export-nav2/map.yaml", "export-nav2/*_mask.yaml",
+                        "export-octomap.ot", "export-color-octomap.ot"):
             for made in self.folder.glob(pattern):
                 self.assertEqual(run("check", made).returncode, 0, made)
 

@@ -151,7 +151,7 @@ class Namespaces(Mapping):
 class Exports(FaultCase):
     def test_single_files(self):
         for form, name in (("octomap", "a.ot"), ("octomap", "a.bt"), ("color-octomap", "a.ot"), ("ply", "a.ply"),
-                           ("geojson", "a.local.geojson"), ("glb", "a.glb")):
+                           ("geojson", "a.local.geojson"), ("glb", "a.glb"), ("geopackage", "a.gpkg")):
             with self.subTest(form):
                 output = self.out / name
                 self.check_faults(lambda path=output: path.write_bytes(OLD),
@@ -233,6 +233,11 @@ class Folders(FaultCase):
     def test_tiles(self):
         def export(resolution):
             return ["export", Inputs.objects(resolution), "--format", "tiles", "--output", self.out / "tiles"]
+        self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
+
+    def test_a_bundle_for_nav2(self):
+        def export(resolution):
+            return ["export", Inputs.objects(resolution), "--format", "nav2", "--output", self.out / "nav2"]
         self.check_faults(lambda: Inputs.succeed(*export(0.1)), export(0.05), count=2 * SAMPLE)
 
     def test_a_stack(self):

@@ -6,14 +6,13 @@ Khronos (`npm install gltf-validator` in a folder that NODE_PATH names).
 Usage: glb_test.py PROGRAM [unittest args]"""
 
 import json
-import pathlib
 import shutil
 import struct
 import subprocess
-import tempfile
 import unittest
 
 from glb import Scene
+from laboratory import LaboratoryCase
 from program import DATA, run
 
 VALIDATE = """
@@ -32,22 +31,7 @@ def validator_issues(path):
     return json.loads(result.stdout) if result.returncode == 0 else None
 
 
-class Scenes(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-glb-"))
-        cls.map = cls.folder / "lab.hmap"
-        steps = [("simulate", "--frames", 40, "--seed", 1, "--detector", "perfect", "--output", cls.folder / "lab"),
-                 ("map", "--input", cls.folder / "lab", "--output", cls.map, "--resolution", 0.05)]
-        cls.failed = [result.stderr for result in (run(*step) for step in steps) if result.returncode not in (0, 1)]
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
-
-    def setUp(self):
-        self.assertEqual(self.failed, [])
-
+class Scenes(LaboratoryCase):
     def exported(self, *more, name="a.glb", archive=None):
         result = run("export", archive or self.map, "--format", "glb", "--output", self.folder / name, *more)
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -29,6 +29,7 @@ THIRD_PARTY = {
     "opencv2/freetype": ("opencv_freetype", ("viewer_offscreen",)),
     "opencv2/ml": ("opencv_ml", ("combiner",)),
     "opencv2/imgproc": ("opencv_imgproc", ("detector", "viewer_offscreen")),
+    "sqlite3.h": ("SQLite::SQLite3", ("geopackage",)),
     "yaml-cpp/": ("yaml-cpp", ("codec",)),
     "zlib.h": ("ZLIB::ZLIB", ("codec",)),
     "libdeflate.h": ("LibDeflate::LibDeflate", ("codec",)),

@@ -2,6 +2,8 @@
 #include "choices.hpp"
 #include "class_names.hpp"
 #include "command.hpp"
+#include "data_dir.hpp"
+#include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
@@ -21,10 +23,42 @@ struct ExportArguments {
   std::string format;
   std::string palette;
   std::string rules;
+  std::string zones;
   ClassNames class_names;
   ExportRequest request;
   LoadArguments load;
 };
+
+std::filesystem::path zones_file(const std::string& given) {
+  return given.empty() ? data_dir() / "nav2.yaml" : std::filesystem::path(given);
+}
+
+/// Whether any shape of the map has a rule, so that masks are not all empty.
+bool has_zones(const MapArchive& archive, const ZoneRules& zones) {
+  for (const Layer& layer : archive.hypermap.layers()) {
+    const auto* shapes = layer.content.as<SemanticLayer>();
+    if (shapes == nullptr) continue;
+    for (const SemanticObject& shape : shapes->objects()) {
+      if (zone_rule_of(shape.name, zones, archive.vocabulary)) return true;
+    }
+  }
+  return false;
+}
+
+/// What the user may want to know of an export that was done.
+void remark(const MapArchive& archive, const ExportRequest& request) {
+  if (request.format == ExportFormat::kClassGrids && archive.class_grids.empty()) {
+    std::fprintf(stderr,
+                 "export: the map has no class grids: these are made from the footprints in its "
+                 "semantic layer\n");
+  }
+  if (request.format == ExportFormat::kNav2 && !has_zones(archive, request.zones)) {
+    std::fprintf(
+        stderr,
+        "export: no zone is for a class of the map (--zones, --class-names): both masks are "
+        "empty\n");
+  }
+}
 
 Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
   ExportRequest request = arguments.request;
@@ -34,19 +68,56 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   if (!arguments.rules.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(request.rules, read_relation_options(arguments.rules));
   }
+  if (request.format == ExportFormat::kNav2) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.zones, read_zone_rules(zones_file(arguments.zones)));
+  }
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded,
       load_archive(
           arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
   HYPERMAP_TRY(arguments.class_names.replace(loaded.value.vocabulary));
+  if (request.format == ExportFormat::kNav2 && loaded.value.vocabulary.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(loaded.value.vocabulary,  // a robot keeps off chairs as off seats
+                              read_vocabulary(data_dir() / "vocabulary.yaml"));
+  }
   auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
-  if (request.format == ExportFormat::kClassGrids && loaded.value.class_grids.empty()) {
-    std::fprintf(stderr,
-                 "export: the map has no class grids: these are made from the footprints in its "
-                 "semantic layer\n");
-  }
+  remark(loaded.value, request);
   return written;
+}
+
+/// Whether the options go together, and the output is no input. Throws: CLI::ValidationError.
+void check(const ExportArguments& arguments) {
+  const ExportFormat format = arguments.request.format;
+  const auto& output = arguments.request.output;
+  const bool is_ros_map = format == ExportFormat::kRosMap;
+  keep_apart("--output",
+             is_ros_map ? ros_map_yaml(output) : output,
+             {arguments.file,
+              arguments.palette,
+              arguments.rules,
+              arguments.zones,
+              arguments.class_names.file});
+  const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
+                         format == ExportFormat::kNav2;
+  if (is_folder) keep_out_of_datasets("--output", output);
+  if (format == ExportFormat::kGeojson &&
+      !arguments.request.output.string().ends_with(".local.geojson")) {
+    throw CLI::ValidationError("--output",
+                               "must end in .local.geojson: it is in metres of the map");
+  }
+  const auto fits = validate(arguments.request);
+  if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
+  const bool has_relations = format == ExportFormat::kGeojson || format == ExportFormat::kRelations;
+  if (!arguments.rules.empty() && !has_relations) {
+    throw CLI::ValidationError(
+        "--rules",
+        "goes with --format geojson and relations, not with --format " + arguments.format);
+  }
+  if (!arguments.zones.empty() && format != ExportFormat::kNav2) {
+    throw CLI::ValidationError("--zones",
+                               "goes with --format nav2, not with --format " + arguments.format);
+  }
 }
 
 }  // namespace
@@ -64,9 +135,9 @@ void add_export_command(CLI::App& program, Action& action) {
           "--output",
           arguments->request.output,
           "file; for ros-map the stem or .yaml (the image beside it is named after its "
-          "content), for class-grids, tiles and views a folder, for geojson a name in "
+          "content), for class-grids, tiles, views and nav2 a folder, for geojson a name in "
           ".local.geojson, for relations such a name or one in .dot, for topological-map one in "
-          ".dot, for glb one in .glb")
+          ".dot, for glb one in .glb, for geopackage one in .gpkg")
       ->required();
   command.add_option(
       "--layer", arguments->request.layer, "2D layer (default: the first that fits)");
@@ -90,38 +161,22 @@ void add_export_command(CLI::App& program, Action& action) {
   arguments->load.add_to(command);
   command.add_option("--palette", arguments->palette, kPaletteHelp);
   command.add_option("--rules", arguments->rules, kRulesHelp);
+  command.add_option("--zones",
+                     arguments->zones,
+                     "nav2: YAML file of where robots keep out and go slowly by classes (default: "
+                     "data/nav2.yaml)");
   arguments->class_names.add_to(command);
   show_examples(command,
                 {"hypermap export lab.hmap --format ros-map --output lab_map",
                  "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
                  "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
                  "hypermap export lab.hmap --format relations --output lab.dot",
-                 "hypermap export lab.hmap --format glb --with-voxels --output lab.glb"});
+                 "hypermap export lab.hmap --format glb --with-voxels --output lab.glb",
+                 "hypermap export lab.hmap --format nav2 --output lab_nav2",
+                 "hypermap export lab.hmap --format geopackage --output lab.gpkg"});
   command.callback([arguments, &action] {
-    const auto format = parse_export_format(arguments->format).value();
-    const auto& output = arguments->request.output;
-    const bool is_ros_map = format == ExportFormat::kRosMap;
-    keep_apart(
-        "--output",
-        is_ros_map ? ros_map_yaml(output) : output,
-        {arguments->file, arguments->palette, arguments->rules, arguments->class_names.file});
-    const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews;
-    if (is_folder) keep_out_of_datasets("--output", output);
-    if (format == ExportFormat::kGeojson &&
-        !arguments->request.output.string().ends_with(".local.geojson")) {
-      throw CLI::ValidationError("--output",
-                                 "must end in .local.geojson: it is in metres of the map");
-    }
-    arguments->request.format = format;
-    const auto fits = validate(arguments->request);
-    if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
-    const bool has_relations =
-        format == ExportFormat::kGeojson || format == ExportFormat::kRelations;
-    if (!arguments->rules.empty() && !has_relations) {
-      throw CLI::ValidationError(
-          "--rules",
-          "goes with --format geojson and relations, not with --format " + arguments->format);
-    }
+    arguments->request.format = parse_export_format(arguments->format).value();
+    check(*arguments);
     action = [arguments] {
       const auto written = run(*arguments);
       if (!written) return report(written.error());

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/vocabulary_file.hpp"
 
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -38,13 +36,7 @@ Result<std::vector<VocabularyGroup>> groups_at(const YamlNode& root, std::string
 
 Result<ClassVocabulary> vocabulary_of(const YamlDocument& document) {
   const YamlNode root = document.root();
-  HYPERMAP_ASSIGN_OR_RETURN(const auto entries, root.as_map());
-  for (const auto& [name, node] : entries) {
-    if (std::ranges::find(kVocabularyKeys, name) != kVocabularyKeys.end()) continue;
-    return Unexpected(
-        node.error("unknown key \"" + printable(name) + "\"" + did_you_mean(name, kVocabularyKeys),
-                   ErrorCode::kMalformedFile));
-  }
+  HYPERMAP_TRY(root.refuse_other_keys(kVocabularyKeys, ErrorCode::kMalformedFile));
   VocabularyGroups groups;
   HYPERMAP_ASSIGN_OR_RETURN(groups.aliases, groups_at(root, kAliasesKey));
   HYPERMAP_ASSIGN_OR_RETURN(groups.super_classes, groups_at(root, kSuperClassesKey));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export_parts.hpp"
+#include "exported_objects.hpp"
 #include "hypermap/core/completion/completion.hpp"
-#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/object_completion.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -96,29 +95,6 @@ Json feature_json(const SemanticObject& object,
   return feature;
 }
 
-/// The object of the 3D map under the shape's number; only the layer that shows these objects, in
-/// their frame, names them so.
-const Object* object_of(const SemanticObject& shape,
-                        const Layer& layer,
-                        const MapArchive& archive) {
-  const bool is_shown =
-      layer.info.name == kSemanticLayer && layer.info.frame_id == shown_frame_id(archive);
-  if (!is_shown || shape.id > std::numeric_limits<std::uint32_t>::max()) return nullptr;
-  return archive.objects.find(ObjectId{static_cast<std::uint32_t>(shape.id)});
-}
-
-/// The names of what is wanted; none when all is. Every text asks for a class of the map or for the
-/// name of a shape.
-Result<std::optional<NameSelection>> names_wanted(const MapArchive& archive,
-                                                  const SemanticLayer& layer,
-                                                  const std::vector<std::string>& classes) {
-  if (classes.empty()) return std::optional<NameSelection>();
-  std::vector<std::string> known(archive.classes.names().begin(), archive.classes.names().end());
-  for (const SemanticObject& object : layer.objects()) known.push_back(object.name);
-  HYPERMAP_ASSIGN_OR_RETURN(NameSelection names, wanted_names(archive, known, classes));
-  return std::optional(std::move(names));
-}
-
 }  // namespace
 
 Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportRequest& request) {
@@ -131,13 +107,12 @@ Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportReque
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
                             wanted_layer<SemanticLayer>(archive, request, kSemanticLayerClass));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();
-  HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, names_wanted(archive, semantic, request.classes));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto shapes, exported_shapes(archive, semantic, request.classes));
   const ObjectRemarks remarks{.guesses = request.complete ? completed_boxes(archive) : Guesses(),
                               .graph = archive_relations(archive, request.rules)};
   Json features = Json::array();
-  for (const SemanticObject& object : semantic.objects()) {
-    if (wanted && !wanted->contains(object.name)) continue;
-    features.push_back(feature_json(object, object_of(object, *layer, archive), remarks));
+  for (const SemanticObject* shape : shapes) {
+    features.push_back(feature_json(*shape, object_of(*shape, *layer, archive), remarks));
   }
   if (features.empty()) return WrittenFiles{};
   const Json document{{"type", "FeatureCollection"},

@@ -84,5 +84,9 @@ template <class Content>
                                                 const ExportRequest& request);
 [[nodiscard]] Result<WrittenFiles> export_glb(const MapArchive& archive,
                                               const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_geopackage(const MapArchive& archive,
+                                                     const ExportRequest& request);
+[[nodiscard]] Result<WrittenFiles> export_nav2(const MapArchive& archive,
+                                               const ExportRequest& request);
 
 }  // namespace hypermap

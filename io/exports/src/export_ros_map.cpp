@@ -102,7 +102,7 @@ Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportReque
                             wanted_layer<OccupancyLayer>(archive, request, kOccupancyLayerClass));
   OccupancyLayer map = *layer->content.as<OccupancyLayer>();
   if (request.without_objects) {
-    HYPERMAP_ASSIGN_OR_RETURN(map, without_objects(archive, *layer));
+    HYPERMAP_ASSIGN_OR_RETURN(map, without_objects(archive, *layer, ObjectRims::kGo));
   }
   const OccupancyCounts counts = map.grid.counts();
   if (counts.occupied + counts.free + counts.between == 0) return WrittenFiles{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "export_parts.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
 
 #include <optional>
 #include <string>
@@ -21,5 +22,16 @@ struct ExportedObject {
 /// Valid as long as the archive is not changed. Errors: those of wanted_classes.
 [[nodiscard]] Result<std::vector<ExportedObject>> exported_objects(const MapArchive& archive,
                                                                    const ExportRequest& request);
+
+/// The shapes of a layer whose names are asked for, ascending by id; all when nothing is.
+/// Errors: those of wanted_names, of which the map's classes and the names of shapes are known.
+[[nodiscard]] Result<std::vector<const SemanticObject*>> exported_shapes(
+    const MapArchive& archive, const SemanticLayer& layer, const std::vector<std::string>& classes);
+
+/// The object of the 3D map under the shape's number; null when the map does not know one: only the
+/// layer that shows these objects, in their frame, names them so.
+[[nodiscard]] const Object* object_of(const SemanticObject& shape,
+                                      const Layer& layer,
+                                      const MapArchive& archive);
 
 }  // namespace hypermap

@@ -17,7 +17,7 @@ namespace hypermap {
 namespace {
 
 /// In the order of the enumerators.
-constexpr std::array<std::string_view, 11> kExportFormats{"ros-map",
+constexpr std::array<std::string_view, 13> kExportFormats{"ros-map",
                                                           "class-grids",
                                                           "octomap",
                                                           "color-octomap",
@@ -27,7 +27,9 @@ constexpr std::array<std::string_view, 11> kExportFormats{"ros-map",
                                                           "relations",
                                                           "views",
                                                           "topological-map",
-                                                          "glb"};
+                                                          "glb",
+                                                          "nav2",
+                                                          "geopackage"};
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
@@ -38,6 +40,7 @@ Result<void> check_suffix(const ExportRequest& request) {
   const auto required = [&]() -> std::string_view {
     if (request.format == ExportFormat::kPly) return ".ply";
     if (request.format == ExportFormat::kGlb) return ".glb";
+    if (request.format == ExportFormat::kGeopackage) return ".gpkg";
     return {};
   }();
   const std::string suffix = request.output.extension().string();
@@ -78,10 +81,12 @@ Result<ExportFormat> parse_export_format(std::string_view name) {
 
 Result<void> validate(const ExportRequest& request) {
   const bool is_flat =
-      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson;
+      request.format == ExportFormat::kRosMap || request.format == ExportFormat::kGeojson ||
+      request.format == ExportFormat::kNav2 || request.format == ExportFormat::kGeopackage;
   if (request.layer && !is_flat) {
     return fail(ErrorCode::kInvalidArgument,
-                "goes with --format ros-map and geojson, not with " + flag_of(request.format),
+                "goes with --format ros-map, geojson, nav2 and geopackage, not with " +
+                    flag_of(request.format),
                 "--layer");
   }
   if (request.complete && request.format != ExportFormat::kGeojson) {
@@ -93,6 +98,11 @@ Result<void> validate(const ExportRequest& request) {
     return fail(ErrorCode::kInvalidArgument,
                 "goes with --format ros-map, not with " + flag_of(request.format),
                 "--without-objects");
+  }
+  if (request.keep_rotation && request.format == ExportFormat::kNav2) {
+    return fail(ErrorCode::kInvalidArgument,
+                "does not go with --format nav2, whose filters do not turn masks",
+                "--keep-rotation");
   }
   if (request.with_voxels && request.format != ExportFormat::kGlb) {
     return fail(ErrorCode::kInvalidArgument,
@@ -209,6 +219,10 @@ Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& 
       return export_topological_map(archive, request);
     case ExportFormat::kGlb:
       return export_glb(archive, request);
+    case ExportFormat::kNav2:
+      return export_nav2(archive, request);
+    case ExportFormat::kGeopackage:
+      return export_geopackage(archive, request);
   }
   return fail(ErrorCode::kUnsupported, "unknown format");
 }

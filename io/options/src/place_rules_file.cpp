@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/options/place_rules_file.hpp"
 
-#include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/codec/bounded_yaml.hpp"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -17,17 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kPlaceKeys{
     "belongings", "metre_costs", "min_probability", "tempering"};
-
-Result<void> refuse_unknown_keys(const YamlNode& root) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto entries, root.as_map());
-  for (const auto& [name, node] : entries) {
-    if (std::ranges::find(kPlaceKeys, name) != kPlaceKeys.end()) continue;
-    return Unexpected(
-        node.error("unknown key \"" + printable(name) + "\"" + did_you_mean(name, kPlaceKeys),
-                   ErrorCode::kNotFound));
-  }
-  return {};
-}
 
 /// Numbers by place; ranges are those of `validate`.
 template <class Numbers>
@@ -68,7 +55,7 @@ std::vector<std::string> all_places(const PlaceRules& rules) {
 Result<PlaceRules> read_place_rules(const std::filesystem::path& path) {
   HYPERMAP_ASSIGN_OR_RETURN(const YamlDocument document, read_yaml(path));
   const YamlNode root = document.root();
-  HYPERMAP_TRY(refuse_unknown_keys(root));
+  HYPERMAP_TRY(root.refuse_other_keys(kPlaceKeys));
   PlaceRules rules;
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode belongings, root.at("belongings"));
   HYPERMAP_ASSIGN_OR_RETURN(rules.belongings, read_belongings(belongings));

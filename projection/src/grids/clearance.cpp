@@ -2,11 +2,12 @@
 #include "grids/clearance.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hypermap {
 namespace {
 
-/// Of a row or column with one cell that is not in the mask at either end, the lower envelope of
+/// Of a row or column with one cell beyond the grid at either end, the lower envelope of
 /// the parabolas over its cells: heights[q] + (p - q)^2 at each p.
 class ParabolaEnvelope {
  public:
@@ -53,30 +54,35 @@ class ParabolaEnvelope {
 
 }  // namespace
 
-std::vector<std::int64_t> squared_clearance(const CellMask& mask) {
+std::vector<std::int64_t> squared_clearance(const CellMask& mask, BeyondGrid beyond) {
   const auto cols = static_cast<std::size_t>(mask.cols);
   const auto rows = static_cast<std::size_t>(mask.rows);
   const auto far = static_cast<std::int64_t>(cols + rows + 2);
+  const std::int64_t at_rim = beyond == BeyondGrid::kIn ? far * far : 0;
   std::vector<std::int64_t> clearance(cols * rows, 0);
   ParabolaEnvelope along_column(rows + 2);
-  std::vector<std::int64_t> column(rows + 2, 0);
+  std::vector<std::int64_t> column(rows + 2, at_rim);
   for (std::size_t col = 0; col < cols; ++col) {
     for (std::size_t row = 0; row < rows; ++row) {
       column[row + 1] = mask.is_in[row * cols + col] != 0 ? far * far : 0;
     }
     along_column.apply(column);
     for (std::size_t row = 0; row < rows; ++row) clearance[row * cols + col] = column[row + 1];
-    column.front() = column.back() = 0;
+    column.front() = column.back() = at_rim;
   }
   ParabolaEnvelope along_row(cols + 2);
-  std::vector<std::int64_t> line(cols + 2, 0);
+  std::vector<std::int64_t> line(cols + 2, at_rim);
   for (std::size_t row = 0; row < rows; ++row) {
-    line.front() = line.back() = 0;
+    line.front() = line.back() = at_rim;
     for (std::size_t col = 0; col < cols; ++col) line[col + 1] = clearance[row * cols + col];
     along_row.apply(line);
     for (std::size_t col = 0; col < cols; ++col) clearance[row * cols + col] = line[col + 1];
   }
   return clearance;
+}
+
+double gap_in_cells(std::int64_t squared) {
+  return std::sqrt(static_cast<double>(squared)) - 0.5;
 }
 
 }  // namespace hypermap

@@ -4,11 +4,10 @@
 #include "grids/clearance.hpp"
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/projection/grids/near_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 namespace hypermap {
@@ -31,46 +30,9 @@ constexpr OptionRow kApproachRows[] = {
          .effect = "It has arrived where an object's footprint is so far from its rim at most."}),
 };
 
-/// From the middle of a cell to the nearest edge of one whose middle is so far away, in cells.
-double gap_cells(std::int64_t squared) {
-  return std::sqrt(static_cast<double>(squared)) - 0.5;
-}
-
 Standing state_of(std::int8_t occupancy) {
   if (occupancy == kUnknownCell) return Standing::kUnknown;
   return occupancy >= kLeastBlocked ? Standing::kOccupied : Standing::kFits;
-}
-
-/// Cells around a footprint, which may lie beyond the grid's edge.
-struct Window {
-  Cell first;  ///< Of the grid.
-  GridGeometry geometry;
-};
-
-/// `margin_cells` around the polygons, as far as the grid is near. None when it is not.
-std::optional<Window> window_around(const GridGeometry& grid,
-                                    std::span<const Polygon> polygons,
-                                    double margin_cells) {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-  for (const Polygon& polygon : polygons) {
-    for (const Eigen::Vector2d& corner : polygon.outer) {
-      const Eigen::Vector2d cells = to_cells(grid, corner);
-      low = low.cwiseMin(cells);
-      high = high.cwiseMax(cells);
-    }
-  }
-  const Eigen::Vector2d size(grid.cols, grid.rows);
-  low = (low.array() - margin_cells).max(-margin_cells);
-  high = (high.array() + margin_cells).min(size.array() + margin_cells);
-  if (!((high - low).minCoeff() > 0.0)) return std::nullopt;
-  const Eigen::Vector2d corner = low.array().floor();
-  Window window{.first = {static_cast<int>(corner.x()), static_cast<int>(corner.y())},
-                .geometry = grid};
-  window.geometry.origin = from_cells(grid, corner);
-  window.geometry.cols = static_cast<int>(std::ceil(high.x() - corner.x()));
-  window.geometry.rows = static_cast<int>(std::ceil(high.y() - corner.y()));
-  return window;
 }
 
 /// As places_to_reach; what a library throws is thrown.
@@ -79,32 +41,13 @@ Result<std::vector<std::size_t>> near_places(const FreeSpace& space,
                                              double reach_m) {
   const GridGeometry& grid = space.geometry();
   const double most = (space.robot_radius_m() + reach_m) / grid.resolution_m;
-  // To `squared_clearance` the window's edge is a footprint, too: what is as near to it as the
-  // reach is beyond the reach of the footprint, and is not looked at.
-  const auto window = window_around(grid, footprint, 2.0 * most + 4.0);
-  if (!window) return std::vector<std::size_t>{};
-  HYPERMAP_TRY(validate(window->geometry));
-  CellMask around{.cols = window->geometry.cols,
-                  .rows = window->geometry.rows,
-                  .is_in = std::vector<std::uint8_t>(window->geometry.num_cells(), 1)};
-  for (const Polygon& part : footprint) {
-    for_each_covered_cell(window->geometry, part, [&](Cell cell, double) {
-      around.is_in[window->geometry.index(cell)] = 0;
-    });
-  }
-  const std::vector<std::int64_t> distance = squared_clearance(around);
   std::vector<std::pair<std::size_t, double>> near;
   double nearest = most;
-  const int rim = static_cast<int>(std::ceil(most)) + 1;
-  for (int row = rim; row < window->geometry.rows - rim; ++row) {
-    for (int col = rim; col < window->geometry.cols - rim; ++col) {
-      const Cell cell{window->first.col + col, window->first.row + row};
-      const double gap = gap_cells(distance[window->geometry.index({col, row})]);
-      if (gap > most || !space.fits(cell)) continue;
-      near.emplace_back(grid.index(cell), gap);
-      nearest = std::min(nearest, gap);
-    }
-  }
+  HYPERMAP_TRY(for_each_near_cell(grid, footprint, most, [&](Cell cell, double gap) {
+    if (!space.fits(cell)) return;
+    near.emplace_back(grid.index(cell), gap);
+    nearest = std::min(nearest, gap);
+  }));
   const double enough = nearest + std::max(kGenerousM / grid.resolution_m, kGenerousCells);
   std::vector<std::size_t> places;
   places.reserve(near.size());
@@ -140,7 +83,7 @@ Result<FreeSpace> FreeSpace::create(const OccupancyGrid& grid, double robot_radi
     const double radius_cells = robot_radius_m / geometry.resolution_m - kRounding;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] != Standing::kFits) continue;
-      if (gap_cells(clearance[i]) < radius_cells) cells[i] = Standing::kTooNarrow;
+      if (gap_in_cells(clearance[i]) < radius_cells) cells[i] = Standing::kTooNarrow;
     }
     return FreeSpace(geometry, robot_radius_m, std::move(cells));
   });

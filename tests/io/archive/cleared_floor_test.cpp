@@ -40,6 +40,24 @@ TEST(ClearedFloor, WhatAnObjectCoversByHalfIsFreeAndTheRestStays) {
   EXPECT_EQ(cleared.at({3, 0}), kUnknownCell);
 }
 
+// Beside the cell that is covered by 0.4 lie one that nobody saw and the grid's edge: it might be a
+// wall. As an obstacle in the open it goes.
+TEST(ClearedFloor, RimsGoWhereThatIsAskedFor) {
+  MapArchive archive = cupboard_map("map");
+  const Layer& walled = *archive.hypermap.find("occupancy");
+  EXPECT_EQ(without_objects(archive, walled, ObjectRims::kGo)->grid.at({2, 1}), kOccupiedCell);
+  OccupancyGrid open =
+      OccupancyGrid::create({.resolution_m = 1.0, .origin = {0, -2}, .cols = 6, .rows = 6},
+                            kFreeCell)
+          .value();
+  for (const Cell cell : {Cell{1, 2}, Cell{2, 2}, Cell{1, 3}, Cell{2, 3}}) {
+    open.set(cell, kOccupiedCell);
+  }
+  const Layer occupancy{.info = {.name = "open"}, .content = OccupancyLayer(std::move(open))};
+  EXPECT_EQ(without_objects(archive, occupancy)->grid.counts().occupied, 2U);
+  EXPECT_EQ(without_objects(archive, occupancy, ObjectRims::kGo)->grid.counts().occupied, 0U);
+}
+
 TEST(ClearedFloor, AnotherFrameIsRefusedAndNoObjectsChangeNothing) {
   const MapArchive elsewhere = cupboard_map("attic");
   const auto refused = without_objects(elsewhere, *elsewhere.hypermap.find("occupancy"));

@@ -177,6 +177,20 @@ TEST(MapServer, TheTrinaryFormReadsTheSameInBothDialectsAndWithNav2sThreshold) {
   }
 }
 
+TEST(MapServer, TheRawFormReadsTheSameInBothDialects) {
+  const OccupancyLayer layer = all_values();
+  const auto files = write_raw_map(layer, "x.pgm");
+  const auto metadata = parse_map_metadata(files->yaml, kMapSource);
+  EXPECT_EQ(metadata->value.mode, MapMode::kRaw);
+  const auto image = decode_image(files->image, {.file = "x.pgm"});
+  for (const MapDialect dialect : {MapDialect::kHypermap, MapDialect::kMapServer}) {
+    EXPECT_EQ(grid_from_image(*image, metadata->value, dialect)->value, layer.grid);
+  }
+  EXPECT_TRUE(files->image.starts_with(std::string("P5\n51 2\n255\n\x32\x33", 14)))
+      << "row 1 on top";
+  EXPECT_FALSE(write_raw_map({}, "x.pgm"));
+}
+
 TEST(MapServer, AGridIsTurnedBackWithoutLosingWalls) {
   // A 2 x 1 grid turned by 90 degrees: cells (0, 0) and (1, 0) stand on x in [-1, 0], y 0..1, 1..2.
   const auto grid = OccupancyGrid::create(

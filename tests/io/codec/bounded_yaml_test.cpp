@@ -249,6 +249,21 @@ TEST(BoundedYaml, UnknownKeysAreFoundAndTheNearestNameIsGiven) {
   EXPECT_EQ(findings[1].error.what, "unknown key, kept");
 }
 
+TEST(BoundedYaml, OtherKeysAreRefusedWhereNoneMayBe) {
+  constexpr std::string_view kKnown[] = {"resolution", "mode"};
+  const YamlDocument known = parsed("mode: raw\n");
+  EXPECT_TRUE(known.root().refuse_other_keys(kKnown));
+  const YamlDocument other = parsed("mode: raw\nresolutoin: 1\n");
+  const Error error = other.root().refuse_other_keys(kKnown).error();
+  EXPECT_EQ(error.code, ErrorCode::kNotFound);
+  EXPECT_EQ(error.line, 2);
+  EXPECT_EQ(error.what, "unknown key \"resolutoin\", did you mean \"resolution\"?");
+  EXPECT_EQ(other.root().refuse_other_keys(kKnown, ErrorCode::kMalformedFile).error().code,
+            ErrorCode::kMalformedFile);
+  const YamlDocument list = parsed("[mode]\n");
+  EXPECT_EQ(list.root().refuse_other_keys(kKnown).error().code, ErrorCode::kMalformedFile);
+}
+
 TEST(BoundedYaml, AFileOnDiskIsNamedInErrors) {
   const test::TempDir dir;
   std::ofstream(dir / "x.yaml") << "a: [";

@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/cleared_floor.hpp"
 
 #include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/projection/grids/obstacle_rims.hpp"
 #include "hypermap/projection/grids/rooms.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
@@ -11,7 +12,9 @@
 
 namespace hypermap {
 
-Result<OccupancyLayer> without_objects(const MapArchive& archive, const Layer& occupancy) {
+Result<OccupancyLayer> without_objects(const MapArchive& archive,
+                                       const Layer& occupancy,
+                                       ObjectRims rims) {
   OccupancyLayer cleared = *occupancy.content.as<OccupancyLayer>();
   const Layer* semantic = archive.hypermap.find(kSemanticLayer);
   const auto* shapes = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
@@ -28,6 +31,7 @@ Result<OccupancyLayer> without_objects(const MapArchive& archive, const Layer& o
     furniture.insert(furniture.end(), object.parts.begin(), object.parts.end());
   }
   cleared.grid = without_obstacles(std::move(cleared.grid), furniture);
+  if (rims == ObjectRims::kGo) cleared.grid = without_rims(std::move(cleared.grid), furniture);
   return cleared;
 }
 

@@ -22,6 +22,10 @@ std::uint8_t trinary_pixel(std::int8_t occupancy) {
   return occupancy == kOccupiedCell ? 0 : 205;
 }
 
+std::uint8_t raw_pixel(std::int8_t occupancy) {
+  return static_cast<std::uint8_t>(occupancy);  // -1 is 255
+}
+
 template <class Pixel, class PixelOf>
 Image<Pixel> image_of(const OccupancyGrid& grid, const PixelOf& pixel_of) {
   const GridGeometry& geometry = grid.geometry();
@@ -89,6 +93,12 @@ Result<MapFiles> write_trinary_map(const OccupancyLayer& layer, const std::strin
   HYPERMAP_ASSIGN_OR_RETURN(std::string image,
                             encode_pgm(image_of<std::uint8_t>(layer.grid, trinary_pixel)));
   return MapFiles{metadata_of(layer, image_name, {0.65, 0.196, "trinary"}), std::move(image)};
+}
+
+Result<MapFiles> write_raw_map(const OccupancyLayer& layer, const std::string& image_name) {
+  HYPERMAP_ASSIGN_OR_RETURN(std::string image,
+                            encode_pgm(image_of<std::uint8_t>(layer.grid, raw_pixel)));
+  return MapFiles{metadata_of(layer, image_name, {0.65, 0.196, "raw"}), std::move(image)};
 }
 
 Result<OccupancyGrid> without_rotation(const OccupancyGrid& grid) {

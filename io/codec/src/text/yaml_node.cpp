@@ -161,6 +161,17 @@ Error YamlNode::error(std::string what, ErrorCode code) const {
           .line = value_->line};
 }
 
+Result<void> YamlNode::refuse_other_keys(std::span<const std::string_view> known,
+                                         ErrorCode code) const {
+  HYPERMAP_ASSIGN_OR_RETURN(const auto children, as_map());
+  for (const auto& [key, child] : children) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    return Unexpected(
+        child.error("unknown key \"" + printable(key) + "\"" + did_you_mean(key, known), code));
+  }
+  return {};
+}
+
 std::vector<Finding> YamlNode::unknown_keys(std::span<const std::string_view> known) const {
   std::vector<Finding> findings;
   for (const auto& [key, value] : value_->entries) {

@@ -93,6 +93,12 @@ struct MapFiles {
 [[nodiscard]] Result<MapFiles> write_trinary_map(const OccupancyLayer& layer,
                                                  const std::string& image_name);
 
+/// The form of filter masks: raw, PGM P5 whose grey values are the occupancies, unknown 255. All
+/// readers of either dialect give the same grid. Errors: kInvalidArgument when the grid has no
+/// cells.
+[[nodiscard]] Result<MapFiles> write_raw_map(const OccupancyLayer& layer,
+                                             const std::string& image_name);
+
 /// The same area without a turn, for consumers that ignore the origin's yaw: each new cell takes
 /// the most occupied of the old cells that it meets, unknown before free. Boundary: a grid without
 /// yaw is returned as it is. Errors: kLimit when the new grid would be too large.

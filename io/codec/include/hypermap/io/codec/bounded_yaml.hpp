@@ -76,6 +76,10 @@ class YamlNode {
 
   /// An error about this value, with file, entry, line and field filled in.
   [[nodiscard]] Error error(std::string what, ErrorCode code = ErrorCode::kMalformedFile) const;
+  /// Whether all keys of this map are in `known`. Errors: kMalformedFile when this is no map;
+  /// `code` for the first that is not, with the nearest known one.
+  [[nodiscard]] Result<void> refuse_other_keys(std::span<const std::string_view> known,
+                                               ErrorCode code = ErrorCode::kNotFound) const;
   /// A finding for each key of this map that is not in `known`, naming the nearest known key.
   /// Boundary: not a map gives none.
   [[nodiscard]] std::vector<Finding> unknown_keys(std::span<const std::string_view> known) const;

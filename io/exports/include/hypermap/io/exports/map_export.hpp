@@ -7,6 +7,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/places/relation_options.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/exports/zone_masks.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -34,12 +35,16 @@ enum class ExportFormat {
                   ///< one is replaced as a whole.
   kTopologicalMap,  ///< Where the sensor came to, with the objects at each vertex: Graphviz'
                     ///< `.dot`.
-  kGlb,  ///< A scene for viewers, glTF 2.0 binary: a node an object, `<class> <id>`, with its box
-         ///< and extras `id`, `class`, `confidence`, `box`; the occupied surface as another.
+  kGlb,   ///< A scene for viewers, glTF 2.0 binary: a node an object, `<class> <id>`, with its box
+          ///< and extras `id`, `class`, `confidence`, `box`; the occupied surface as another.
+  kNav2,  ///< A folder for Nav2: an occupancy layer, masks of where robots keep out and go slowly
+          ///< (`zone_masks`) and their parameters; an older one is replaced as a whole.
+  kGeopackage,  ///< A GeoPackage: a table of each semantic layer, in its own frame, and one of the
+                ///< 3D objects, `objects`.
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations", "views", "topological-map", "glb".
+/// "relations", "views", "topological-map", "glb", "nav2", "geopackage".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
@@ -61,6 +66,7 @@ struct ExportRequest {
   bool complete = false;         ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
   bool with_voxels = false;      ///< kGlb: objects bear their voxels, which the surface then lacks.
   ClassPalette palette = {};     ///< Of formats in colour.
+  ZoneRules zones = {};          ///< kNav2: of its masks.
   RelationOptions rules = {};    ///< kGeojson and kRelations: of relations.
 };
 
@@ -74,8 +80,8 @@ struct ExportRequest {
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
 /// is not known; kUnsupported for a layer of another kind than the format needs; those of validate;
-/// kInvalidArgument for an output name that the format does not allow, or, as kTiles and kViews, a
-/// folder with other files; kIo.
+/// kInvalidArgument for an output name that the format does not allow, or, as kTiles, kViews and
+/// kNav2, a folder with other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 

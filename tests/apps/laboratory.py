@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cases that all ask the same small map of the simulated laboratory."""
+
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+from program import run
+
+
+class LaboratoryCase(unittest.TestCase):
+    """`map`, made once a class in `folder`, where cases may write."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-laboratory-"))
+        cls.map = cls.folder / "lab.hmap"
+        steps = [("simulate", "--frames", 40, "--seed", 1, "--detector", "perfect", "--output", cls.folder / "lab"),
+                 ("map", "--input", cls.folder / "lab", "--output", cls.map, "--resolution", 0.05)]
+        cls.failed = [result.stderr for result in (run(*step) for step in steps) if result.returncode not in (0, 1)]
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def setUp(self):
+        self.assertEqual(self.failed, [])
