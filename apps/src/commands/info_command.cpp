@@ -4,12 +4,14 @@
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/archive/archive_sizes.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "hypermap/io/archive/supercell_layer.hpp"
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "load_arguments.hpp"
 #include "sizes_text.hpp"
 #include "tables.hpp"
+#include "time_arguments.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -76,6 +78,17 @@ std::string bounds_text(const LayerSummary& layer) {
   return text + " m";
 }
 
+/// "morning: 0.0 s to 33.2 s, from lab".
+std::string session_text(const MapSession& session) {
+  std::string text = printable(name_of(session)) + ": ";
+  if (session.first && session.last) {
+    text += moment_text(*session.first) + " to " + moment_text(*session.last);
+  } else {
+    text += "times unknown";
+  }
+  return text + ", from " + printable(session.input);
+}
+
 void print(const ArchiveInfo& info) {
   Table table({"layer", "class", "frame", "extent", "content"});
   for (const LayerSummary& layer : info.layers) {
@@ -140,6 +153,9 @@ void print(const ArchiveInfo& info) {
                 printable(run.tool).c_str(),
                 printable(run.input).c_str(),
                 printable(run.input_hash).c_str());
+  }
+  for (const MapSession& session : sessions_of(info.provenance)) {
+    std::printf("session %s\n", session_text(session).c_str());
   }
 }
 

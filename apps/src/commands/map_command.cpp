@@ -18,6 +18,7 @@
 #include "placement_argument.hpp"
 #include "places.hpp"
 #include "progress.hpp"
+#include "time_arguments.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -219,6 +220,11 @@ void add_options(CLI::App& command, MapArguments& arguments) {
       "YAML file with what belongs where, as data/places.yaml: what stands around an "
       "object then counts for its class (prior.source places)");
   arguments.class_names.add_to(command, "which the map keeps");
+  command
+      .add_option("--session",
+                  arguments.job.session,
+                  "name of this run in the map, by which query --session asks for what it saw")
+      ->check(name_of_session());
   command.add_flag("--views",
                    arguments.job.keep_views,
                    "keep the best colour view of each object, a small image");

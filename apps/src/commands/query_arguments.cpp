@@ -2,6 +2,7 @@
 #include "query_arguments.hpp"
 
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 
 namespace hypermap::app {
 namespace {
@@ -34,9 +35,28 @@ std::optional<std::string> fault_of_nearest(const QueryArguments& arguments) {
   return "--nearest asks the objects of the 3D map, not --layer " + *arguments.layer;
 }
 
+/// What goes with another time than now.
+std::optional<std::string> fault_of_time(const QueryArguments& arguments) {
+  if (!arguments.time.is_asked()) return std::nullopt;
+  const std::string flags = "--since, --until, --as-of and --session";
+  if (arguments.why_not || asks_places(arguments.places) || arguments.approach.free_space) {
+    return flags +
+           " go without --why-not, --free-space, --rooms, --place and --route: occupied and free "
+           "space is not kept through time";
+  }
+  if (arguments.why && !arguments.time.as_of) return "--why asks of a moment, by --as-of";
+  if (arguments.similar.is_asked() && arguments.time.as_of)
+    return "--embedding goes without --as-of: embeddings are not kept through time";
+  const std::string layer = arguments.layer.value_or(std::string(kObjectsLayer));
+  if (layer == kObjectsLayer || layer == kSemanticLayer) return std::nullopt;
+  return flags + " ask objects and the layer semantic: --layer " + printable(layer) +
+         " is not kept through time";
+}
+
 }  // namespace
 
 std::optional<std::string> usage_fault(const QueryArguments& arguments) {
+  if (auto fault = fault_of_time(arguments)) return fault;
   if (arguments.why || arguments.why_not) {
     const bool asks_more = asks_layers(arguments) || asks_places(arguments.places);
     if (asks_more || (arguments.why && arguments.why_not)) {
@@ -56,9 +76,10 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
     return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
   }
-  if (!arguments.layer && arguments.related.empty()) {
+  if (!arguments.layer && arguments.related.empty() && !arguments.time.is_asked()) {
     return "one of --layer, --nearest, --embedding, --why, --why-not, --on, --in, --under, "
-           "--beside, --part-of, --rooms, --place and --route is needed";
+           "--beside, --part-of, --rooms, --place, --route, --since, --until, --as-of and "
+           "--session is needed";
   }
   if (arguments.complete && arguments.layer.value_or(std::string(kObjectsLayer)) != kObjectsLayer) {
     return "--complete asks the objects of the 3D map, not --layer " + *arguments.layer;

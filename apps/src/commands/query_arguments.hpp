@@ -9,6 +9,7 @@
 #include "load_arguments.hpp"
 #include "places.hpp"
 #include "similar_arguments.hpp"
+#include "time_arguments.hpp"
 
 #include <cstdint>
 #include <map>
@@ -27,6 +28,7 @@ struct QueryArguments {
   std::optional<std::string> nearest;
   ApproachArguments approach = {};
   std::string frame;
+  TimeArguments time = {};
   bool json = false;
   bool complete = false;
   /// By kind: the class or the id of what others are on, in, under, beside, part of.

@@ -2,8 +2,7 @@
 // Long because: the flags of one command, and which of them go together, are read side by side.
 #include "command.hpp"
 #include "completeness.hpp"
-#include "hypermap/core/vocabulary/asked_names.hpp"
-#include "hypermap/io/archive/asked_of_map.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 #include "hypermap/io/archive/nearest_routes.hpp"
@@ -12,8 +11,10 @@
 #include "hypermap/io/options/relation_rules_file.hpp"
 #include "nearest_text.hpp"
 #include "number_lists.hpp"
+#include "past_text.hpp"
 #include "places.hpp"
 #include "query_arguments.hpp"
+#include "query_hints.hpp"
 #include "query_text.hpp"
 #include "why.hpp"
 
@@ -47,6 +48,7 @@ struct QueryRequest {
   MapQuery query;
   std::optional<PlanPoint> why_not = std::nullopt;
   std::optional<SimilarTo> similar_to = std::nullopt;
+  AskedTime time = {};
 };
 
 Result<std::optional<Polygon>> area_of(const QueryArguments& arguments) {
@@ -76,6 +78,7 @@ Result<QueryRequest> request_of(QueryArguments arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(request.why_not, point_of(arguments.why_not, "--why-not"));
   HYPERMAP_ASSIGN_OR_RETURN(query.area, area_of(arguments));
   query.frame_id = arguments.frame;
+  HYPERMAP_ASSIGN_OR_RETURN(request.time, arguments.time.time());
   request.arguments = std::move(arguments);
   return request;
 }
@@ -122,23 +125,6 @@ ExitCode report_refusal(Error error, const QueryArguments& arguments) {
   return ExitCode::kUsage;
 }
 
-/// Says, when nothing of the map has a name that the text asks for, that it may be misspelt;
-/// whether it did. The states of space are no names of objects.
-bool print_hint(const MapArchive& archive, const MapQuery& query) {
-  const std::string& text = *query.text;
-  std::vector<std::string> known = names_in(archive);
-  if (query.layer == kObjectsLayer) {
-    known.assign(archive.classes.names().begin(), archive.classes.names().end());
-  }
-  const auto names = asked_of_map(archive, text);
-  const auto is_asked = [&](const std::string& name) { return names->contains(name); };
-  if (!names || std::ranges::any_of(known, is_asked)) return false;
-  std::fprintf(stderr,
-               "query: %s\n",
-               nothing_asked(text, known, archive.vocabulary, "no class of this map").c_str());
-  return true;
-}
-
 /// What objects are to each other, by the rules of the file when one was given; none of other
 /// layers.
 Result<RelationGraph> relations_for(const PartialMap& partial, const QueryRequest& request) {
@@ -151,25 +137,23 @@ Result<RelationGraph> relations_for(const PartialMap& partial, const QueryReques
   return archive_relations(partial.map, options);
 }
 
-/// Nothing is related as it was asked.
-void print_no_relation(const QueryArguments& arguments) {
-  std::string text = "nothing";
-  if (arguments.text) text += " called \"" + printable(*arguments.text) + "\"";
-  if (arguments.value) text += " with the id " + std::to_string(*arguments.value);
-  if (arguments.at) text += " at " + printable(*arguments.at);
-  if (arguments.area) text += " in that area";
-  std::string_view between = " that is ";
-  for (const auto& [kind, name] : arguments.related) {
-    text += std::string(between) + std::string(name_of(kind)) + " " + printable(name);
-    between = " and ";
-  }
-  std::fprintf(stderr, "query: the map knows of %s\n", text.c_str());
-}
-
 ExitCode tell_why(const MapArchive& archive, const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
   const auto printed = arguments.why ? print_why(archive, ObjectId{*arguments.why}, arguments.json)
                                      : print_why_not(archive, *request.why_not, arguments.json);
+  return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
+}
+
+/// Why an object was shown at a moment, or not.
+ExitCode tell_why_then(const MapArchive& archive,
+                       const QueryRequest& request,
+                       const ShownPast& past) {
+  const QueryArguments& arguments = request.arguments;
+  const ObjectId id{*arguments.why};
+  const auto known = check_known_then(past, archive, id);
+  if (!known) return report_refusal(known.error(), arguments);
+  if (!arguments.json) std::printf("%s:\n", text_of(past.asked).c_str());
+  const auto printed = print_why(past.past.map, id, arguments.json);
   return printed ? ExitCode::kDone : report_refusal(printed.error(), arguments);
 }
 
@@ -199,11 +183,12 @@ ExitCode tell_routes(const MapArchive& archive, const QueryRequest& request) {
   return ExitCode::kDone;
 }
 
-/// What the question needs. The nearest object is told without the octree, unless boxes are
-/// guessed, and the way to it by the 2D layers alone.
+/// What the question needs. Other times and the nearest object are told without the octree, unless
+/// boxes are guessed, and the way to it by the 2D layers alone.
 Result<PartialMap> load_for(const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
-  if (!arguments.nearest || arguments.complete) {
+  const bool asks_now = !arguments.time.is_asked();
+  if (asks_now && (!arguments.nearest || arguments.complete)) {
     HYPERMAP_ASSIGN_OR_RETURN(
         auto loaded,
         load_archive(
@@ -221,6 +206,56 @@ Result<PartialMap> load_for(const QueryRequest& request) {
   return std::move(loaded.value);
 }
 
+/// The error, and of which time it is.
+Error of_time(Error error, const ShownPast* past) {
+  if (past == nullptr || error.code != ErrorCode::kNotFound || error.field == "frame_id")
+    return error;
+  error.what += " " + text_of(past->asked);
+  if (!past->unknown.empty())
+    error.what += "; of " + count_text(past->unknown.size(), "object") + " it cannot be told";
+  return error;
+}
+
+/// `past`: null when it is asked for now.
+ExitCode tell_found(const PartialMap& partial, const QueryRequest& request, ShownPast* past) {
+  const QueryArguments& arguments = request.arguments;
+  const MapArchive& archive = partial.map;
+  const auto graph = relations_for(partial, request);
+  if (!graph) return report(graph.error());
+  if (past != nullptr) {
+    auto unknown = unknown_answers(past->past, request.query, arguments.nearest.has_value());
+    if (!unknown) return report_refusal(std::move(unknown).error(), arguments);
+    past->unknown = std::move(*unknown);
+  }
+  auto answers = run_query(archive, *graph, request);
+  if (!answers) return report_refusal(of_time(std::move(answers).error(), past), arguments);
+  const auto seen = completeness_of(archive, request.query, *answers, arguments.complete);
+  if (!seen) return report_refusal(seen.error(), arguments);
+  const ShownAnswers shown{.answers = *answers,
+                           .seen = *seen,
+                           .archive = archive,
+                           .graph = *graph,
+                           .complete = arguments.complete,
+                           .past = past,
+                           .sentences = !arguments.related.empty()};
+  arguments.json ? print_json(shown) : print_table(shown);
+  if (!answers->found.empty()) return ExitCode::kDone;
+  const bool is_unknown = request.query.text && print_hint(archive, request.query);
+  if (past != nullptr && !is_unknown) print_times_hint(archive, request.time);
+  if (shown.sentences && !is_unknown) print_no_relation(arguments);
+  return ExitCode::kDone;
+}
+
+/// The map at another time than now answers.
+ExitCode tell_past(const PartialMap& partial, const QueryRequest& request) {
+  const QueryArguments& arguments = request.arguments;
+  auto past = shown_past(partial.map, request.time);
+  if (!past) return report_refusal(std::move(past).error(), arguments);
+  if (arguments.why) return tell_why_then(partial.map, request, *past);
+  const PartialMap then{.map = past->past.map, .octree_resolution_m = partial.octree_resolution_m};
+  return tell_found(then, request, &*past);
+}
+
 ExitCode run(QueryRequest request) {
   if (request.arguments.similar.is_asked()) {
     auto similar_to = read_vector(request.arguments.similar);
@@ -233,23 +268,11 @@ ExitCode run(QueryRequest request) {
   if (const auto read = request.arguments.class_names.replace(archive.vocabulary); !read) {
     return report(read.error());
   }
+  if (request.arguments.time.is_asked()) return tell_past(*loaded, request);
   if (request.arguments.why || request.why_not) return tell_why(archive, request);
   if (asks_places(request.arguments.places)) return tell_places(*loaded, request);
   if (request.arguments.approach.free_space) return tell_routes(archive, request);
-  const auto graph = relations_for(*loaded, request);
-  if (!graph) return report(graph.error());
-  auto answers = run_query(archive, *graph, request);
-  if (!answers) return report_refusal(std::move(answers).error(), request.arguments);
-  const bool complete = request.arguments.complete;
-  const auto seen = completeness_of(archive, request.query, *answers, complete);
-  if (!seen) return report_refusal(seen.error(), request.arguments);
-  const bool sentences = !request.arguments.related.empty();
-  const ShownAnswers shown{*answers, *seen, archive, *graph, complete, sentences};
-  request.arguments.json ? print_json(shown) : print_table(shown);
-  if (!answers->found.empty()) return ExitCode::kDone;
-  const bool is_unknown = request.query.text && print_hint(archive, request.query);
-  if (sentences && !is_unknown) print_no_relation(request.arguments);
-  return ExitCode::kDone;
+  return tell_found(*loaded, request, nullptr);
 }
 
 }  // namespace
@@ -276,6 +299,7 @@ void add_query_command(CLI::App& program, Action& action) {
       "the object of this class, alias, super-class, prefix or expression nearest to "
       "--at, by the straight line to its centroid; --top of them");
   arguments->approach.add_to(command);
+  arguments->time.add_to(command);
   arguments->similar.add_to(command);
   command
       .add_option("--why",
@@ -317,7 +341,9 @@ void add_query_command(CLI::App& program, Action& action) {
        "hypermap query flat.hmap --place cup",
        "hypermap query flat.hmap --route kitchen,bed",
        "hypermap query lab.hmap --embedding mug.npy --top 3",
-       "hypermap query lab.hmap --why 4"});
+       "hypermap query lab.hmap --why 4",
+       "hypermap query lab.hmap --string chair --as-of 12.5",
+       "hypermap query lab.hmap --session morning"});
   command.callback([arguments, &action] {
     if (const auto fault = usage_fault(*arguments)) throw CLI::ValidationError("query", *fault);
     const auto request = request_of(*arguments);

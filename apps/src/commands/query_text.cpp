@@ -47,6 +47,13 @@ void add_beliefs(Json& entry, const ObjectBeliefs& beliefs, const ClassRegistry&
   for (const ClassEvidence& c : all) entry["classes"].push_back(json_of(c, classes));
 }
 
+/// Adds when it was seen; nothing to answers that are no objects of the 3D map.
+void add_times(Json& entry, const MapAnswer& one, const ShownAnswers& shown) {
+  if (!one.beliefs && shown.past == nullptr) return;
+  const Object* object = shown.archive.objects.find(ObjectId{static_cast<std::uint32_t>(one.id)});
+  if (object != nullptr) add_seen(entry, *object, shown.past);
+}
+
 /// Adds what was seen of an object; nothing to answers that are no objects.
 void add_completeness(Json& entry, const MapAnswer& one, const ShownAnswers& shown) {
   const auto object = shown.seen.find(one.id);
@@ -121,6 +128,10 @@ class AnswerTable {
     if (has_similarity_)
       row.insert(row.begin() + 2, one.similarity ? fixed(*one.similarity, 4) : "-");
     if (has_distance_) row.insert(row.begin() + 2, fixed(one.distance_m, 2));
+    if (shown_.past != nullptr) {
+      row.push_back(first_seen_text(*shown_.past, one.id));
+      row.push_back(last_seen_text(*shown_.past, one.id));
+    }
     add_completeness(row, one.id);
     if (has_beliefs_) add_beliefs(row, one);
     table_.add(std::move(row));
@@ -138,6 +149,7 @@ class AnswerTable {
                                  "size m"};
     if (has_similarity_) out.insert(out.begin() + 2, "similarity");
     if (has_distance_) out.insert(out.begin() + 2, "distance m");
+    if (shown_.past != nullptr) out.insert(out.end(), {"first seen s", "last seen s"});
     if (!shown_.seen.empty()) out.emplace_back("seen");
     if (!shown_.seen.empty() && shown_.complete) out.emplace_back("completed size m (guess)");
     if (has_beliefs_) out.insert(out.end(), {"P(real)", "entropy nats", "runner-up", "classes"});
@@ -183,10 +195,12 @@ void print_json(const ShownAnswers& shown) {
     if (one.distance_m) entry["distance_m"] = *one.distance_m;
     if (one.size_m) entry["size_m"] = numbers_of(*one.size_m);
     if (one.beliefs) add_beliefs(entry, *one.beliefs, shown.archive.classes);
+    add_times(entry, one, shown);
     add_completeness(entry, one, shown);
     add_relations(entry, one, shown);
     json["results"].push_back(std::move(entry));
   }
+  if (shown.past != nullptr) add_past(json, *shown.past);
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
@@ -194,6 +208,7 @@ void print_table(const ShownAnswers& shown) {
   AnswerTable table(shown);
   for (const MapAnswer& one : shown.answers.found) table.add(one);
   std::printf("%s%zu found\n", table.text().c_str(), shown.answers.found.size());
+  if (shown.past != nullptr) std::printf("%s", past_text(*shown.past).c_str());
   if (!shown.sentences) return;
   for (const MapAnswer& one : shown.answers.found) {
     std::printf("%s\n", printable(sentence(one, shown)).c_str());

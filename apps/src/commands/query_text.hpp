@@ -6,6 +6,7 @@
 #include "completeness.hpp"
 #include "hypermap/core/places/relations.hpp"
 #include "hypermap/io/archive/map_query.hpp"
+#include "past_text.hpp"
 
 namespace hypermap::app {
 
@@ -16,7 +17,8 @@ struct ShownAnswers {
   const MapArchive& archive;
   const RelationGraph& graph;  ///< Of the confirmed objects; empty when another layer was asked.
   bool complete = false;       ///< Guesses of boxes are shown.
-  bool sentences = false;      ///< A sentence for each object is shown to people.
+  const ShownPast* past = nullptr;  ///< Null when it is asked for now.
+  bool sentences = false;           ///< A sentence for each object is shown to people.
 };
 
 /// To standard output, one JSON document.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/archive_info.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/json_text.hpp"
+#include "hypermap/io/codec/time_text.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -86,6 +88,14 @@ std::string json_of(const ValueTree& tree) {
   return "null";
 }
 
+std::string name_or_null(const std::string& name) {
+  return name.empty() ? "null" : json_quoted(name);
+}
+
+std::string seconds_or_null(const std::optional<Stamp>& stamp) {
+  return stamp ? seconds_text(*stamp) : "null";
+}
+
 std::string json_of(const Provenance& provenance) {
   const Eigen::Matrix4d matrix = provenance.map_from_input.isometry().matrix();
   std::string rows;
@@ -99,7 +109,16 @@ std::string json_of(const Provenance& provenance) {
                       {"options", json_of(provenance.options)},
                       {"map_from_input", "[" + rows + "]]"},
                       {"world", json_quoted(provenance.world)},
-                      {"next_frame_index", std::to_string(provenance.next_frame_index)}});
+                      {"next_frame_index", std::to_string(provenance.next_frame_index)},
+                      {"session", name_or_null(provenance.session)}});
+}
+
+std::string json_of(const MapSession& session) {
+  return json_object({{"number", std::to_string(session.number)},
+                      {"name", name_or_null(session.name)},
+                      {"input", json_quoted(session.input)},
+                      {"first_s", seconds_or_null(session.first)},
+                      {"last_s", seconds_or_null(session.last)}});
 }
 
 /// The newest run, with those before it.
@@ -170,6 +189,7 @@ std::string to_json(const ArchiveInfo& info) {
                       {"topological_map",
                        json_object({{"vertices", std::to_string(info.num_vertices)},
                                     {"edges", std::to_string(info.num_edges)}})},
+                      {"sessions", json_array(sessions_of(info.provenance), json)},
                       {"provenance", json_of_runs(info.provenance)}});
 }
 

@@ -7,10 +7,12 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -18,16 +20,20 @@
 namespace hypermap {
 namespace {
 
-constexpr std::array<std::string_view, 9> kProvenanceKeys{"tool",
-                                                          "input",
-                                                          "input_hash",
-                                                          "options",
-                                                          "map_from_input",
-                                                          "world",
-                                                          "first_frame_hash",
-                                                          "next_frame_index",
-                                                          "earlier"};
+constexpr std::array<std::string_view, 12> kProvenanceKeys{"tool",
+                                                           "input",
+                                                           "input_hash",
+                                                           "options",
+                                                           "map_from_input",
+                                                           "world",
+                                                           "first_frame_hash",
+                                                           "next_frame_index",
+                                                           "session",
+                                                           "first_stamp_ns",
+                                                           "last_stamp_ns",
+                                                           "earlier"};
 constexpr std::int64_t kMaxFrameIndex = std::int64_t{1} << 62;
+constexpr std::size_t kMaxSessionBytes = 100;
 constexpr double kRigidTolerance = 1e-6;
 
 /// A rotation and a finite translation. Errors: kInvalidArgument.
@@ -79,6 +85,25 @@ Result<std::string> optional_string(const YamlNode& root, std::string_view key) 
   return node->as_string();
 }
 
+/// None when the key is absent.
+Result<std::optional<Stamp>> optional_stamp(const YamlNode& root, std::string_view key) {
+  const auto node = root.find(key);
+  if (!node) return std::optional<Stamp>();
+  using Ns = std::numeric_limits<std::int64_t>;
+  HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t ns, node->as_int(Ns::min(), Ns::max()));
+  return std::optional(Stamp{ns});
+}
+
+/// Empty when the key is absent.
+Result<std::string> optional_session(const YamlNode& root) {
+  const auto node = root.find("session");
+  if (!node) return std::string{};
+  HYPERMAP_ASSIGN_OR_RETURN(std::string name, node->as_string());
+  if (const auto sound = check_session_name(name); !sound)
+    return tl::make_unexpected(node->error(sound.error().what));
+  return name;
+}
+
 /// A run without those before it.
 Result<Provenance> parse_run(const YamlNode& root) {
   HYPERMAP_TRY(root.as_map());
@@ -98,6 +123,9 @@ Result<Provenance> parse_run(const YamlNode& root) {
     HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t index, next->as_int(0, kMaxFrameIndex));
     run.next_frame_index = static_cast<std::uint64_t>(index);
   }
+  HYPERMAP_ASSIGN_OR_RETURN(run.session, optional_session(root));
+  HYPERMAP_ASSIGN_OR_RETURN(run.first_stamp, optional_stamp(root, "first_stamp_ns"));
+  HYPERMAP_ASSIGN_OR_RETURN(run.last_stamp, optional_stamp(root, "last_stamp_ns"));
   run.extra = other_keys(root.value(), kProvenanceKeys);
   return run;
 }
@@ -114,7 +142,8 @@ Result<std::vector<YamlNode>> earlier_runs(const YamlNode& root) {
 }
 
 /// In digits alone, however large.
-ValueTree integer(std::uint64_t number) {
+template <class Integer>
+ValueTree integer(Integer number) {
   return {.kind = ValueKind::kScalar, .text = std::to_string(number)};
 }
 
@@ -136,6 +165,12 @@ Result<std::vector<ValueTree::Entry>> entries_of(const Provenance& run) {
     entries.emplace_back("first_frame_hash", make_text(run.first_frame_hash));
   if (run.next_frame_index > 0)
     entries.emplace_back("next_frame_index", integer(run.next_frame_index));
+  if (!run.session.empty()) {
+    HYPERMAP_TRY(check_session_name(run.session));
+    entries.emplace_back("session", make_text(run.session));
+  }
+  if (run.first_stamp) entries.emplace_back("first_stamp_ns", integer(run.first_stamp->ns));
+  if (run.last_stamp) entries.emplace_back("last_stamp_ns", integer(run.last_stamp->ns));
   return entries;
 }
 
@@ -144,8 +179,25 @@ Result<std::vector<ValueTree::Entry>> entries_of(const Provenance& run) {
 bool operator==(const Provenance& a, const Provenance& b) {
   return a.tool == b.tool && a.input == b.input && a.input_hash == b.input_hash &&
          a.options == b.options && a.world == b.world && a.first_frame_hash == b.first_frame_hash &&
-         a.next_frame_index == b.next_frame_index && a.extra == b.extra &&
+         a.next_frame_index == b.next_frame_index && a.session == b.session &&
+         a.first_stamp == b.first_stamp && a.last_stamp == b.last_stamp && a.extra == b.extra &&
          a.map_from_input.isometry().matrix() == b.map_from_input.isometry().matrix();
+}
+
+Result<void> check_session_name(std::string_view name) {
+  const auto refuse = [](std::string what) {
+    return fail(ErrorCode::kInvalidArgument, std::move(what), "session");
+  };
+  if (name.empty() || name.size() > kMaxSessionBytes) {
+    return refuse("must be a name of 1 .. " + std::to_string(kMaxSessionBytes) + " bytes, has " +
+                  std::to_string(name.size()));
+  }
+  const std::string shown = printable(name);
+  if (shown != name || name.front() == ' ' || name.back() == ' ')
+    return refuse("must print, without blanks at its ends, is '" + shown + "'");
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (!std::ranges::all_of(name, is_digit)) return {};
+  return refuse("must be no number, which stands for a run without a name, is " + shown);
 }
 
 Result<Loaded<std::vector<Provenance>>> parse_provenance(std::string_view bytes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "appended_input.hpp"
 
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "input_fingerprint.hpp"
 
 #include <algorithm>
@@ -112,6 +113,14 @@ Result<void> refuse_input_hash(const std::string& input_hash, std::span<const Pr
       newest_run(runs, [&](const Provenance& known) { return known.input_hash == input_hash; });
   if (run == nullptr) return {};
   return mapped_already(*run, "the same frames are");
+}
+
+Result<void> refuse_known_session(const std::string& name, std::span<const Provenance> runs) {
+  const bool is_known =
+      std::ranges::any_of(runs, [&](const Provenance& run) { return run.session == name; });
+  if (!is_known) return {};
+  return refused("the map has a session of that name; it has " + to_string(sessions_of(runs)),
+                 "--session");
 }
 
 Result<std::uint64_t> index_offset(const MapArchive& map, std::uint64_t first) {

@@ -37,6 +37,10 @@ namespace hypermap {
 [[nodiscard]] Result<void> refuse_input_hash(const std::string& input_hash,
                                              std::span<const Provenance> runs);
 
+/// Errors: kInvalidArgument naming those that there are when a run has that name.
+[[nodiscard]] Result<void> refuse_known_session(const std::string& name,
+                                                std::span<const Provenance> runs);
+
 /// What the index of each frame of an input grows by, so that it is later than all that the map has
 /// seen; 0 when it is later as it is. `first`: the input's first frame.
 /// Errors: kLimit when the indices of the map leave no room for others.

@@ -63,6 +63,8 @@ Result<FrameReport> map_frame(MappingRun& run,
   report.num_looks += prepared->is_looked_at ? 1U : 0U;
   run.last = {.position = index, .hash = run.fingerprint.add(frame)};
   run.next_frame_index = frame.index + 1;
+  run.first_stamp = std::min(run.first_stamp.value_or(frame.stamp), frame.stamp);
+  run.last_stamp = std::max(run.last_stamp.value_or(frame.stamp), frame.stamp);
   if (run.first.hash.empty()) run.first = run.last;
   run.places.push_back({index, frame.map_from_camera.origin().xyz});
   run.views.follow(done, run.mapper->objects());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping_job_checks.hpp"
 
+#include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "run_checkpoint.hpp"
 
@@ -35,6 +36,7 @@ Result<void> check_job(const MappingJob& job) {
   HYPERMAP_TRY(refuse_deadline(job.mapper.deadline));
   HYPERMAP_TRY(refuse_two_worlds(job));
   HYPERMAP_TRY(refuse_mixed_poses(job));
+  if (job.session) HYPERMAP_TRY(check_session_name(*job.session));
   HYPERMAP_TRY(validate(job.layers));
   HYPERMAP_TRY(validate(job.looks));
   HYPERMAP_TRY(check_target(job.output));

@@ -176,6 +176,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   if (job.append) {
     HYPERMAP_ASSIGN_OR_RETURN(
         auto loaded, load_archive(job.output, job.limits, archive_layer_types(), job.stop));
+    if (job.session) HYPERMAP_TRY(refuse_known_session(*job.session, loaded.value.provenance));
     run.classes = loaded.value.classes;
     HYPERMAP_ASSIGN_OR_RETURN(run.detectors, known_detectors(loaded.value));
     run.previous = std::move(loaded.value);
@@ -247,7 +248,10 @@ Provenance provenance_of(const MappingRun& run, const MappingJob& job) {
           .map_from_input = run.dataset->map_from_input(),
           .world = run.dataset->summary().world,
           .first_frame_hash = run.fingerprint.first_frame(),
-          .next_frame_index = run.next_frame_index};
+          .next_frame_index = run.next_frame_index,
+          .session = job.session.value_or(""),
+          .first_stamp = run.first_stamp,
+          .last_stamp = run.last_stamp};
 }
 
 std::vector<FramePlace> all_places(const MappingRun& run) {

@@ -41,6 +41,8 @@ struct MappingRun {
   InputFingerprint fingerprint;
   std::uint64_t index_offset = 0;         ///< What the index of each frame grows by.
   std::uint64_t next_frame_index = 0;     ///< After the newest frame in the map.
+  std::optional<Stamp> first_stamp;       ///< Of the frames in the map of this run, the earliest
+  std::optional<Stamp> last_stamp;        ///< and the latest.
   std::size_t num_resumed_positions = 0;  ///< Frames of the input before those of this process.
   std::vector<FramePlace> places;         ///< Of the frames in the map, but those before.
   NotedFrame first;                       ///< That was mapped, if any was.

@@ -136,6 +136,8 @@ void take_over(MappingRun& run, const SavedRun& saved, MappingReport& report) {
   const Provenance& newest = saved.map.provenance.back();
   run.fingerprint = InputFingerprint(newest.input_hash, newest.first_frame_hash);
   run.next_frame_index = newest.next_frame_index;
+  run.first_stamp = newest.first_stamp;
+  run.last_stamp = newest.last_stamp;
   run.num_resumed_positions = checkpoint.num_positions;
   run.views = BestViews(saved.map.views);
   run.first = checkpoint.first;

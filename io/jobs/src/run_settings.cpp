@@ -171,6 +171,7 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("append", make_text(job.append ? "yes" : "no"));
   entries.emplace_back("same_world", make_text(job.same_world ? "yes" : "no"));
   entries.emplace_back("transform", make_text(placement_text(job.placement)));
+  entries.emplace_back("session", make_text(job.session.value_or(kNone)));
   entries.emplace_back("views", make_text(job.keep_views ? "yes" : "no"));
   entries.emplace_back("places", make_text(rules_text(job.place_rules)));
   entries.emplace_back("class_names", make_text(vocabulary_text(job.vocabulary)));

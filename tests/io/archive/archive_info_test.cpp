@@ -83,13 +83,26 @@ TEST(ArchiveInfo, TellsOfTheDetectors) {
                         R"("architecture":null,"classes":null}])"));
 }
 
+TEST(ArchiveInfo, TellsOfTheSessions) {
+  MapArchive archive;
+  archive.provenance.resize(2);
+  archive.provenance[0].input = "lab";
+  archive.provenance[0].session = "morning";
+  archive.provenance[0].first_stamp = Stamp{1'500'000'000};
+  archive.provenance[0].last_stamp = Stamp{2'000'000'000};
+  EXPECT_THAT(to_json(describe(archive)),
+              HasSubstr(R"("sessions":[{"number":1,"name":"morning","input":"lab","first_s":1.5,)"
+                        R"("last_s":2.0},{"number":2,"name":null,"input":"","first_s":null,)"
+                        R"("last_s":null}])"));
+}
+
 TEST(ArchiveInfo, ItsJsonHasTheFieldsThatScriptsRelyOn) {
   const std::string text = to_json(describe(test::sample_archive()));
   const auto document = JsonDocument::parse(text, "info");
   ASSERT_TRUE(document) << to_string(document.error());
   const JsonNode root = document->root();
   for (const char* key :
-       {"format_version", "layers", "classes", "detectors", "transforms", "provenance"})
+       {"format_version", "layers", "classes", "detectors", "transforms", "sessions", "provenance"})
     EXPECT_TRUE(root.find(key)) << key;
   const JsonNode first = root.find("layers")->at(0);
   EXPECT_EQ(first.find("class")->string().value(), "OccupancyGridLayer");

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +78,9 @@ std::vector<Provenance> three_runs() {
     run.world = i == 1 ? "" : "house " + std::to_string(i);
     run.first_frame_hash = "xxh3-128:" + std::to_string(i);
     run.next_frame_index = std::uint64_t{1'000'000'000'000'000} * static_cast<std::uint64_t>(i + 1);
+    run.session = i == 1 ? "" : "Tag " + std::to_string(i);
+    run.first_stamp = Stamp{i == 1 ? std::numeric_limits<std::int64_t>::min() : i};
+    if (i != 1) run.last_stamp = Stamp{std::numeric_limits<std::int64_t>::max()};
     runs.push_back(std::move(run));
   }
   return runs;
@@ -101,6 +107,35 @@ TEST(Provenance, EachKeyOfARunCounts) {
   other = run;
   other.next_frame_index += 1;
   EXPECT_FALSE(other == run);
+  other = run;
+  other.session = "Tag 9";
+  EXPECT_FALSE(other == run);
+  other = run;
+  other.first_stamp = Stamp{9};
+  EXPECT_FALSE(other == run);
+  other = run;
+  other.last_stamp = std::nullopt;
+  EXPECT_FALSE(other == run);
+}
+
+TEST(Provenance, ASessionHasANameForPeople) {
+  for (const char* name : {"morning", "2026-11-25, hall B", "7b", "K\u00FCche"}) {
+    EXPECT_TRUE(check_session_name(name)) << name;
+  }
+  for (const std::string& name : {std::string(),
+                                  std::string("12"),
+                                  std::string(" a"),
+                                  std::string("a "),
+                                  std::string("a\nb"),
+                                  std::string("\xff"),
+                                  std::string(101, 'a')}) {
+    const auto refused = check_session_name(name);
+    ASSERT_FALSE(refused) << name;
+    EXPECT_EQ(refused.error().field, "session");
+    std::vector<Provenance> runs{sample_provenance()};
+    runs[0].session = name;
+    EXPECT_EQ(write_provenance(runs).has_value(), name.empty()) << name;
+  }
 }
 
 TEST(Provenance, UnknownKeysOfEarlierRunsSurvive) {
@@ -136,6 +171,10 @@ TEST(Provenance, AnEarlierRunIsReadAsStrictlyAsTheNewest) {
   EXPECT_THAT(refused("earlier: 3\n"), HasSubstr("earlier"));
   EXPECT_THAT(refused("next_frame_index: -1\n"), HasSubstr("next_frame_index"));
   EXPECT_THAT(refused("next_frame_index: 4611686018427387905\n"), HasSubstr("next_frame_index"));
+  EXPECT_THAT(refused("session: \"12\"\n"), HasSubstr("session"));
+  EXPECT_THAT(refused("session: [a]\n"), HasSubstr("session"));
+  EXPECT_THAT(refused("first_stamp_ns: 1.5\n"), HasSubstr("first_stamp_ns"));
+  EXPECT_THAT(refused("last_stamp_ns: 9223372036854775808\n"), HasSubstr("last_stamp_ns"));
 }
 
 TEST(Provenance, AMatrixThatIsNoRigidTransformIsRefusedBothWays) {

@@ -59,7 +59,8 @@ struct ArchiveInfo {
 /// `type`, `architecture`, `classes`; null what is not stated}], `class_names` {`aliases`,
 /// `super_classes`: how many}, `transforms`, `relations` {`on`,
 /// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
-/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `provenance` (of the
+/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `sessions` [{`number`,
+/// `name`, `input`, `first_s`, `last_s`; null what is not known}], `provenance` (of the
 /// newest run, with the others, oldest first, in its list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);
 

@@ -3,6 +3,7 @@
 /// Where a map came from: enough to make it again.
 #pragma once
 
+#include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/value_tree.hpp"
 #include "hypermap/core/geometry/frames.hpp"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,9 +35,19 @@ struct Provenance {
   std::string first_frame_hash = {};
   /// Frames of later runs count from here on, 0 .. 2^62; 0: unknown.
   std::uint64_t next_frame_index = 0;
+  /// What people call the run; empty: it has no name. See `check_session_name`.
+  std::string session = {};
+  /// Stamps of its earliest and its latest frame in the map; none: unknown.
+  std::optional<Stamp> first_stamp = std::nullopt;
+  std::optional<Stamp> last_stamp = std::nullopt;
   ValueTree extra = {};  ///< Unknown keys, as a map; null when there are none.
   friend bool operator==(const Provenance& a, const Provenance& b);
 };
+
+/// Errors: kInvalidArgument naming `session` for a name that is empty, longer than 100 bytes,
+/// begins or ends with a blank, has characters that do not print, or is a number: those stand for
+/// runs without a name.
+[[nodiscard]] Result<void> check_session_name(std::string_view name);
 
 /// Runs that a file holds at most.
 inline constexpr std::size_t kMaxRuns = 256;

@@ -68,6 +68,9 @@ struct MappingJob {
   /// they are aligned as that one was.
   bool same_world = false;
   std::optional<WorldPlacement> placement = std::nullopt;
+  /// What people call the run (`check_session_name`); none: it goes by its number. No other run of
+  /// the map has that name.
+  std::optional<std::string> session = std::nullopt;
   /// What is found before the first frame ends the run as an error.
   bool strict = false;
   /// Frames that are in the map already are mapped once more.
@@ -199,17 +202,18 @@ struct MappingReport {
 /// checkpoint that could not be saved, as are frames to append that show nothing of the map or
 /// another place. Errors: kInvalidArgument when the mapper has a deadline, when a map is to be gone
 /// on from with corrected poses (what it holds has the old ones), when nothing says where the world
-/// of what is to be appended lies, and, unless forced, when its first frame was the first of a run
-/// of the map (told before the work) or all its frames are those of one (told after it); with
-/// `strict` the first finding that there is before the first frame; those of
-/// check_target, open_dataset, with_corrected_poses, OnnxDetector::load, SemanticMapper::create and
-/// save_archive; with `resume` kNotFound when there is no checkpoint and kInvalidArgument, naming
-/// it, when its run had another version, input, settings or options, or was appended to another
-/// map; as soon as more frames were skipped than allowed kLimit, naming the first, or kIo,
-/// naming one that is there and that the system did not give; kInterrupted. `output` is not written
-/// on an error. When the map cannot be saved or memory ends after a frame, the map is at
-/// `rescue_path(output)`, else in the working folder or that for temporary files, and the error
-/// says where: without layers when it cannot be saved with them. Checkpoints stay and are named.
+/// of what is to be appended lies, when a run of the map has the session's name, and, unless
+/// forced, when its first frame was the first of a run of the map (told before the work) or all its
+/// frames are those of one (told after it); with `strict` the first finding that there is before
+/// the first frame; those of check_target, open_dataset, with_corrected_poses, OnnxDetector::load,
+/// SemanticMapper::create and save_archive; with `resume` kNotFound when there is no checkpoint and
+/// kInvalidArgument, naming it, when its run had another version, input, settings or options, or
+/// was appended to another map; as soon as more frames were skipped than allowed kLimit, naming the
+/// first, or kIo, naming one that is there and that the system did not give; kInterrupted. `output`
+/// is not written on an error. When the map cannot be saved or memory ends after a frame, the map
+/// is at `rescue_path(output)`, else in the working folder or that for temporary files, and the
+/// error says where: without layers when it cannot be saved with them. Checkpoints stay and are
+/// named.
 [[nodiscard]] Result<MappingReport> run_mapping(const MappingJob& job,
                                                 const JobProgress& progress = {});
 

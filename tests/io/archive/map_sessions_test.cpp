@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/map_sessions.hpp"
+
+#include "io/archive/two_sessions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hypermap {
+namespace {
+
+using test::two_sessions;
+using ::testing::HasSubstr;
+
+TEST(MapSessions, GoByNameElseByNumber) {
+  const auto runs = two_sessions(30);
+  EXPECT_EQ(find_session(runs, "morning")->number, 1U);
+  EXPECT_EQ(find_session(runs, "2")->frames, (FrameRange{.first = 30}));
+  const auto unknown = find_session(runs, "evening");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(to_string(unknown.error()),
+              HasSubstr("'evening'; it has morning (0.0 .. 29.0 s), 2 (30.0 .. 59.0 s)"));
+  EXPECT_FALSE(find_session(runs, "1")) << "it has a name";
+  EXPECT_THAT(to_string(find_session({}, "1").error()), HasSubstr("does not tell of any"));
+}
+
+TEST(MapSessions, FollowEachOtherWhereEachBeginsAfterTheOneBefore) {
+  EXPECT_TRUE(follow_each_other(sessions_of(two_sessions(30))));
+  EXPECT_TRUE(follow_each_other(sessions_of(two_sessions(29)))) << "at the same moment";
+  EXPECT_FALSE(follow_each_other(sessions_of(two_sessions(28))));
+  EXPECT_FALSE(follow_each_other(sessions_of(two_sessions(-100)))) << "mapped in another order";
+  auto runs = two_sessions(0);
+  runs[1].first_stamp.reset();
+  EXPECT_TRUE(follow_each_other(sessions_of(runs))) << "as far as the map tells";
+}
+
+TEST(MapSessions, OneWithoutTimesGoesByItsName) {
+  auto runs = two_sessions(30);
+  runs[0].last_stamp.reset();
+  EXPECT_EQ(to_string(sessions_of(runs)), "morning, 2 (30.0 .. 59.0 s)");
+}
+
+}  // namespace
+}  // namespace hypermap
