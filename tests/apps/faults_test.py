@@ -163,15 +163,12 @@ class Exports(FaultCase):
         self.check_faults(lambda: shutil.copy(Inputs.objects(0.1), archive),
                           ["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], count=SAMPLE)
 
-    def test_maps_of_others_in_one_archive(self):
+    def test_maps_of_others_and_what_changed(self):
         archive, grid = self.out / "a.hmap", self.folder / "grid"
         Inputs.succeed("export", Inputs.objects(0.1), "--format", "ros-map", "--output", grid)
-        self.check_faults(lambda: archive.write_bytes(OLD), ["import", next(grid.glob("*.yaml")), "--output", archive], count=SAMPLE)
-
-    def test_what_changed_as_a_layer(self):
-        archive = self.out / "a.hmap"
-        self.check_faults(lambda: archive.write_bytes(OLD),
-                          ["diff", Inputs.objects(0.1), Inputs.objects(0.1), "--output", archive], count=SAMPLE)
+        for made in (["import", next(grid.glob("*.yaml"))], ["diff", Inputs.objects(0.1), Inputs.objects(0.1)]):
+            with self.subTest(made[0]):
+                self.check_faults(lambda: archive.write_bytes(OLD), [*made, "--output", archive], count=SAMPLE)
 
     def test_an_archive_that_cannot_be_read(self):
         archive = self.folder / "in" / "a.hmap"

@@ -104,8 +104,7 @@ Result<std::string> drawn(const ComparedArchives& compared,
   scene.semantic.assign(changes.objects().begin(), changes.objects().end());
   scene.title = std::filesystem::path(arguments.before).filename().string() + " to " +
                 std::filesystem::path(arguments.after).filename().string();
-  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image,
-                            render_snapshot(scene, {.view = TopView{}}));
+  HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image, render_snapshot(scene, {.view = TopView{}}));
   return encode_png(image);
 }
 
@@ -169,9 +168,9 @@ void add_change_options(CLI::App& command, ChangeOptions& options) {
       ->capture_default_str();
   command
       .add_option("--min-overlap",
-                  options.min_overlap,
+                  options.min_overlap_share,
                   "of the boxes of two classes, over their union, where they are one thing")
-      ->check(value_of_field(table, "min_overlap"))
+      ->check(value_of_field(table, "min_overlap_share"))
       ->capture_default_str();
 }
 

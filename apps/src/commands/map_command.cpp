@@ -247,9 +247,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command.add_flag("--strict",
                    arguments.job.strict,
                    "a finding before the first frame ends the run; any finding ends with 2");
-  command
-      .add_option(
-          "--threads", arguments.num_threads, "for mapping and saving; 0: one for each core")
+  command.add_option("--threads", arguments.num_threads, "mapping, saving; 0: one for each core")
       ->check(CLI::Range(0, 256).description("0 .. 256"))
       ->capture_default_str();
   arguments.times.add_to(command);

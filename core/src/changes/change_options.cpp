@@ -10,8 +10,8 @@ constexpr OptionRow kChangeRows[] = {
         "same_place_m",
         {0, 100},
         {.unit = "m", .effect = "Objects of a class nearer than this may be one that stayed."}),
-    option::number<&ChangeOptions::min_overlap>(
-        "min_overlap",
+    option::number<&ChangeOptions::min_overlap_share>(
+        "min_overlap_share",
         option::above(0, 1),
         {.effect = "Of boxes of two classes, over their union: one thing."}),
     option::number<&ChangeOptions::min_known_share>(

@@ -119,13 +119,13 @@ class Comparison {
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
       const double overlap = intersection_over_union(before_.object(i).box, after_.object(j).box);
-      return !is_left[i] && overlap >= options_->min_overlap ? 1.0 - overlap : kForbiddenPair;
+      return !is_left[i] && overlap >= options_->min_overlap_share ? 1.0 - overlap : kForbiddenPair;
     });
     for (const IndexPair& pair : pairs) add_pair(ChangeKind::kReclassed, pair);
   }
 
   /// What neither map shares with the other; what is gone and what was added may be one thing.
-  void judge_the_rest() {
+  void explain_the_rest() {
     std::vector<ChangeKind> was(before_.map->objects.size(), ChangeKind::kSame);
     std::vector<ChangeKind> is(after_.map->objects.size(), ChangeKind::kSame);
     for (const std::size_t i : before_.open()) {
@@ -267,7 +267,7 @@ std::vector<ObjectChange> find_changes(const MapOfPlace& before,
   Comparison comparison(before, after, options);
   comparison.pair_in_place();
   comparison.pair_across_classes();
-  comparison.judge_the_rest();
+  comparison.explain_the_rest();
   return std::move(comparison).sorted();
 }
 

@@ -17,15 +17,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using namespace testing_support;  // NOLINT(google-build-using-namespace): builders in words
 
-struct Thing {
+struct PlacedBox {
   std::string class_name;
   Box box;
 };
 
-/// A room of 4 m by 4 m of free voxels of 5 cm, of which those with a point of a thing are filled.
-MapArchive room_with(const std::vector<Thing>& things) {
+/// A room of 4 m by 4 m of free voxels of 5 cm, of which those in the boxes are filled.
+MapArchive room_with(const std::vector<PlacedBox>& placed) {
   FurnishedRoom room;
-  for (const Thing& thing : things) room.add(thing.class_name, thing.box);
+  for (const PlacedBox& one : placed) room.add(one.class_name, one.box);
   MapArchive archive;
   archive.octree = SemanticOctree::create({}).value();
   for (int i = 0; i < 80 * 80 * 20; ++i) {
@@ -33,7 +33,7 @@ MapArchive room_with(const std::vector<Thing>& things) {
     const Eigen::Vector3d centre = 0.05 * (cell + Eigen::Vector3d::Constant(0.5));
     const auto key = archive.octree->grid().key(PointInMap{centre});
     const bool is_filled = std::ranges::any_of(
-        things, [&](const Thing& thing) { return grown(thing.box, 0.04).contains(centre); });
+        placed, [&](const PlacedBox& one) { return grown(one.box, 0.04).contains(centre); });
     StoredLeaf leaf;
     leaf.key = key.value();
     leaf.log_odds = static_cast<MilliLogOdds>(is_filled ? 2000 : -1000);

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 constexpr const char* kGridYaml =
     "image: grid.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
-constexpr const char* kThingsYaml =
+constexpr const char* kShapesYaml =
     "- {name: table, shape: \"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\"}\n";
 
 class ImportFiles : public testing::Test {
@@ -27,7 +27,7 @@ class ImportFiles : public testing::Test {
     std::filesystem::create_directories(folder());
     write("grid.pgm", std::string("P5 2 1 255\n") + '\0' + '\xfe');
     write("grid.yaml", kGridYaml);
-    write("things.yaml", kThingsYaml);
+    write("things.yaml", kShapesYaml);
   }
   void TearDown() override { std::filesystem::remove_all(folder()); }
 
