@@ -6,7 +6,7 @@
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 
-#include <CLI/Validators.hpp>
+#include <CLI/App.hpp>
 
 #include <optional>
 #include <string>
