@@ -107,19 +107,19 @@ Result<PastMap> past_of(const MapArchive& archive, const AskedTime& asked) {
 std::string text_of(const AskedTime& asked) {
   std::string text;
   const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : " ") + words; };
-  if (asked.as_of) add("as of " + moment_text(asked.as_of->stamp));
+  if (asked.as_of) add("as of " + dated_text(asked.as_of->stamp));
   if (asked.since && asked.until) {
-    add("from " + moment_text(asked.since->stamp) + " to " + moment_text(asked.until->stamp));
+    add("from " + dated_text(asked.since->stamp) + " to " + dated_text(asked.until->stamp));
   } else if (asked.since) {
-    add("from " + moment_text(asked.since->stamp) + " on");
+    add("from " + dated_text(asked.since->stamp) + " on");
   } else if (asked.until) {
-    add("up to " + moment_text(asked.until->stamp));
+    add("up to " + dated_text(asked.until->stamp));
   }
   if (asked.session) add("in session " + printable(*asked.session));
   return text;
 }
 
-std::string moment_text(Stamp stamp) {
+std::string dated_text(Stamp stamp) {
   const std::string text = seconds_text(stamp) + " s";
   return is_since_1970(stamp) ? text + " (" + date_text(stamp) + ")" : text;
 }

@@ -49,6 +49,6 @@ struct TimeArguments {
 [[nodiscard]] std::string text_of(const AskedTime& asked);
 
 /// "12.5 s", with the date where the stamp counts from 1970.
-[[nodiscard]] std::string moment_text(Stamp stamp);
+[[nodiscard]] std::string dated_text(Stamp stamp);
 
 }  // namespace hypermap::app

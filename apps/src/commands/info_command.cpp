@@ -82,7 +82,7 @@ std::string bounds_text(const LayerSummary& layer) {
 std::string session_text(const MapSession& session) {
   std::string text = printable(name_of(session)) + ": ";
   if (session.first && session.last) {
-    text += moment_text(*session.first) + " to " + moment_text(*session.last);
+    text += dated_text(*session.first) + " to " + dated_text(*session.last);
   } else {
     text += "times unknown";
   }

@@ -16,7 +16,9 @@ using Json = nlohmann::ordered_json;
 /// Summed, as nanoseconds since 1970 are no double: the nearest one to the seconds as written.
 double in_seconds(Stamp stamp) {
   constexpr std::int64_t kNsPerS = 1'000'000'000;
-  return static_cast<double>(stamp.ns / kNsPerS) + static_cast<double>(stamp.ns % kNsPerS) / 1e9;
+  const std::int64_t whole_s = stamp.ns / kNsPerS;
+  const std::int64_t rest_ns = stamp.ns % kNsPerS;
+  return static_cast<double>(whole_s) + static_cast<double>(rest_ns) / 1e9;
 }
 
 Json seconds_json(const std::optional<Stamp>& stamp) {

@@ -49,8 +49,8 @@ void print_times_hint(const MapArchive& archive, const AskedTime& asked) {
   std::fprintf(stderr,
                "query: nothing was found %s; the map's frames are from %s to %s\n",
                text_of(asked).c_str(),
-               moment_text(times->first).c_str(),
-               moment_text(times->last).c_str());
+               dated_text(times->first).c_str(),
+               dated_text(times->last).c_str());
 }
 
 }  // namespace hypermap::app

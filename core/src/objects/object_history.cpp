@@ -109,7 +109,8 @@ ClassBelief without_newly_named(const ClassBelief& belief,
     return named_now.contains(entry.id) && !named_then.contains(entry.id);
   });
   auto known = ClassBelief::from_entries(belief.options(), std::move(entries));
-  return known ? std::move(*known) : belief;
+  if (!known) return belief;
+  return std::move(*known);
 }
 
 /// What the entries after a moment gave to the existence. Unit: log-odds.
