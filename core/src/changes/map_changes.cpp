@@ -2,7 +2,6 @@
 #include "hypermap/core/changes/map_changes.hpp"
 
 #include "changes/sparse_assignment.hpp"
-#include "hypermap/core/objects/assignment.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -76,6 +75,13 @@ bool is_empty(const SpaceShares& shares, const ChangeOptions& options) {
          shares.free >= options.min_free_share * (shares.free + shares.occupied);
 }
 
+/// What a pair costs; none: it must not be made.
+using PairCost = std::optional<double>;
+
+PairCost cost_if(bool may_be, double cost) {
+  return may_be ? PairCost(cost) : std::nullopt;
+}
+
 /// The pairs of open objects with the least sum of costs; they are closed.
 template <class Cost>
 std::vector<IndexPair> closed_pairs(Side& before, Side& after, const Cost& cost) {
@@ -83,11 +89,10 @@ std::vector<IndexPair> closed_pairs(Side& before, Side& after, const Cost& cost)
   const auto others = after.open();
   for (const std::size_t i : before.open()) {
     for (const std::size_t j : others) {
-      const double of_pair = cost(i, j);
-      if (of_pair < kForbiddenPair) candidates.push_back({{i, j}, of_pair});
+      if (const PairCost of_pair = cost(i, j)) candidates.push_back({{i, j}, *of_pair});
     }
   }
-  const auto pairs = assign_sparse(candidates);
+  auto pairs = assign_sparse(candidates);
   for (const IndexPair& pair : pairs) {
     before.is_open[pair.row] = false;
     after.is_open[pair.column] = false;
@@ -106,7 +111,7 @@ class Comparison {
       const ObjectInPlace& a = before_.object(i);
       const ObjectInPlace& b = after_.object(j);
       const double away_m = distance_m(a, b);
-      return a.class_name == b.class_name && away_m <= gate_m(a, b) ? away_m : kForbiddenPair;
+      return cost_if(a.class_name == b.class_name && away_m <= gate_m(a, b), away_m);
     });
     for (const IndexPair& pair : pairs) add_pair(kind_in_place(pair), pair);
   }
@@ -119,7 +124,7 @@ class Comparison {
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
       const double overlap = intersection_over_union(before_.object(i).box, after_.object(j).box);
-      return !is_left[i] && overlap >= options_->min_overlap_share ? 1.0 - overlap : kForbiddenPair;
+      return cost_if(!is_left[i] && overlap >= options_->min_overlap_share, 1.0 - overlap);
     });
     for (const IndexPair& pair : pairs) add_pair(ChangeKind::kReclassed, pair);
   }
@@ -140,7 +145,7 @@ class Comparison {
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
       const bool may_be = was[i] == ChangeKind::kGone && is[j] == ChangeKind::kAdded;
-      return may_be ? cost_of_move(i, j) : kForbiddenPair;
+      return may_be ? cost_of_move(i, j) : std::nullopt;
     });
     for (const IndexPair& pair : pairs) add_pair(ChangeKind::kMoved, pair);
     for (const std::size_t i : before_.open()) {
@@ -201,13 +206,13 @@ class Comparison {
     return is_flat || is_empty(shares, *options_) ? kinds.empty : kinds.filled;
   }
 
-  [[nodiscard]] double cost_of_move(std::size_t i, std::size_t j) const {
+  [[nodiscard]] PairCost cost_of_move(std::size_t i, std::size_t j) const {
     const ObjectInPlace& a = before_.object(i);
     const ObjectInPlace& b = after_.object(j);
     const auto [less_m, more_m] = std::minmax({a.box.extent().norm(), b.box.extent().norm()});
     const bool may_be = a.class_name == b.class_name && distance_m(a, b) <= options_->max_move_m &&
                         less_m >= options_->min_size_ratio * more_m;
-    return may_be ? distance_m(a, b) : kForbiddenPair;
+    return cost_if(may_be, distance_m(a, b));
   }
 
   void add_pair(ChangeKind kind, const IndexPair& pair) {

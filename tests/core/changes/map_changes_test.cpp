@@ -21,7 +21,7 @@ ObjectInPlace cube_at(std::uint32_t id, const std::string& class_name, double x_
   object.box = {{x_m - 0.2, y_m - 0.2, 0.0}, {x_m + 0.2, y_m + 0.2, 0.4}};
   object.centroid_in_map = object.box.centre();
   for (int i = 0; i < 8 * 8 * 8; ++i) {
-    const Eigen::Vector3d cell(i % 8, i / 8 % 8, i / 64);
+    const Eigen::Vector3d cell = Eigen::Vector3i(i % 8, i / 8 % 8, i / 64).cast<double>();
     object.points_in_map.emplace_back(object.box.min_in_map +
                                       0.05 * (cell + Eigen::Vector3d::Constant(0.5)));
   }

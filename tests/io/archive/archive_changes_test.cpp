@@ -29,7 +29,8 @@ MapArchive room_with(const std::vector<PlacedBox>& placed) {
   MapArchive archive;
   archive.octree = SemanticOctree::create({}).value();
   for (int i = 0; i < 80 * 80 * 20; ++i) {
-    const Eigen::Vector3d cell(i % 80 - 40, i / 80 % 80 - 40, i / 6400);
+    const Eigen::Vector3d cell =
+        Eigen::Vector3i(i % 80 - 40, i / 80 % 80 - 40, i / 6400).cast<double>();
     const Eigen::Vector3d centre = 0.05 * (cell + Eigen::Vector3d::Constant(0.5));
     const auto key = archive.octree->grid().key(PointInMap{centre});
     const bool is_filled = std::ranges::any_of(

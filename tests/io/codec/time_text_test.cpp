@@ -23,7 +23,7 @@ TEST(TimeText, SecondsAreReadToTheNanosecond) {
 /// By hand: 15530 days from 1970 to 2012-07-09 (42 years of 365 days, 10 leap days, 190 days of
 /// that leap year before it), 13:41:18 of the day.
 constexpr std::int64_t kJulyMorningNs =
-    ((42 * 365 + 10 + 190) * 86400LL + 13 * 3600 + 41 * 60 + 18) * 1'000'000'000;
+    ((42LL * 365 + 10 + 190) * 86400LL + 13LL * 3600 + 41LL * 60 + 18) * 1'000'000'000;
 
 TEST(TimeText, DatesAreReadInUtc) {
   EXPECT_EQ(kJulyMorningNs, 1'341'841'278'000'000'000);

@@ -104,9 +104,9 @@ struct ChangeOptions {
   /// Objects of a class whose centroids are nearer than this, or than half of the larger one's
   /// longest horizontal side, may be one that stayed.
   double same_place_m = 0.25;
-  double min_overlap_share = 0.3;      ///< Of boxes, over their union: one thing under two classes.
-  double min_known_share = 0.5;  ///< Less of the points is known: not looked at.
-  double min_free_share = 0.5;   ///< At least so much of the known points is free: nothing there.
+  double min_overlap_share = 0.3;  ///< Of boxes, over their union: one thing under two classes.
+  double min_known_share = 0.5;    ///< Less of the points is known: not looked at.
+  double min_free_share = 0.5;     ///< At least so much of the known points is free: nothing there.
   /// Unit: edge of a voxel. A thing that is flatter is not told from what it lies on.
   double min_height_voxels = 1.0;
   double max_move_m = 5.0;      ///< Farther: one is gone, another one was added.

@@ -28,8 +28,8 @@ struct MapSession {
   std::optional<FrameRange> frames = std::nullopt;
 };
 
-/// Of all runs, oldest first. Boundary: the frames of a run that was forgotten (`kMaxRuns`) count to
-/// the one after it.
+/// Of all runs, oldest first. Boundary: the frames of a run that was forgotten (`kMaxRuns`) count
+/// to the one after it.
 [[nodiscard]] std::vector<MapSession> sessions_of(std::span<const Provenance> runs);
 
 /// By what name it goes: its own, else its number.
