@@ -66,10 +66,10 @@ Result<Loaded<MapArchive>> load(const DiffArguments& arguments, const std::strin
   return loaded;
 }
 
-/// The error names the file that its field stands for.
+/// The error names the map that its field stands for; any other field is of the later map.
 Error of_file(Error error, const DiffArguments& arguments) {
   error.file = error.field == "before" ? arguments.before : arguments.after;
-  error.field.clear();
+  if (error.field == "before" || error.field == "after") error.field.clear();
   return error;
 }
 
@@ -108,31 +108,41 @@ Result<std::string> drawn(const ComparedArchives& compared,
   return encode_png(image);
 }
 
-/// Writes what is asked for. The layer goes into a copy of the later map.
-Result<void> write_outputs(ComparedArchives& compared, const DiffArguments& arguments) {
-  if (arguments.output.empty() && arguments.image.empty()) return {};
+/// Writes what is asked for, and tells the files. The layer goes into a copy of the later map.
+Result<std::vector<std::filesystem::path>> write_outputs(const ComparedArchives& compared,
+                                                         const DiffArguments& arguments) {
+  std::vector<std::filesystem::path> files;
+  if (arguments.output.empty() && arguments.image.empty()) return files;
   HYPERMAP_ASSIGN_OR_RETURN(SemanticLayer changes,
                             changes_layer(compared.before, compared.after, compared.found));
   if (!arguments.image.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, drawn(compared, changes, arguments));
     HYPERMAP_TRY(write_file_atomically(arguments.image, bytes));
+    files.emplace_back(arguments.image);
   }
-  if (arguments.output.empty()) return {};
+  if (arguments.output.empty()) return files;
   MapArchive marked = compared.after;
   HYPERMAP_TRY(marked.hypermap.put_layer(
       {LayerInfo{.name = std::string(kChangesLayer), .frame_id = compared.found.frame_id},
        std::move(changes)}));
-  return save_archive(marked, arguments.output, {.limits = arguments.load.limits});
+  if (auto saved = save_archive(marked, arguments.output, {.limits = arguments.load.limits});
+      !saved) {
+    return Unexpected(with_written(saved.error(), files));
+  }
+  files.emplace_back(arguments.output);
+  return files;
 }
 
 ExitCode run_diff(const DiffArguments& arguments) {
-  auto compared = compare(arguments);
+  const auto compared = compare(arguments);
   if (!compared) return report(compared.error());
-  if (const auto written = write_outputs(*compared, arguments); !written) {
-    return report(written.error());
-  }
-  arguments.json ? print_changes_json(compared->before, compared->after, compared->found)
+  const auto files = write_outputs(*compared, arguments);
+  if (!files) return report(files.error());
+  arguments.json ? print_changes_json(compared->before, compared->after, compared->found, *files)
                  : print_changes(compared->before, compared->after, compared->found, arguments.all);
+  if (!arguments.json) {
+    for (const auto& file : *files) std::printf("%s\n", file.string().c_str());
+  }
   const bool is_changed = std::ranges::any_of(
       compared->found.changes, [](const auto& change) { return is_change(change.kind); });
   ExitCode worst = is_changed ? ExitCode::kFindings : ExitCode::kDone;

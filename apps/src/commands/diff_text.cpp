@@ -2,7 +2,7 @@
 #include "diff_text.hpp"
 
 #include "command.hpp"
-#include "hypermap/core/base/count_text.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "tables.hpp"
 
@@ -57,10 +57,9 @@ Json shares_json(const std::optional<SpaceShares>& shares) {
 Json object_json(const MapArchive& archive, const std::optional<ObjectId>& id) {
   if (!id) return nullptr;
   const Object& object = archive.objects.at(*id);
-  const auto best = best_class(object);
   const Eigen::Vector3d& at = object.centroid_in_map;
   return {{"id", id->value},
-          {"name", best ? Json(archive.classes.name(best->id)) : Json()},
+          {"name", best_class_name(object, archive.classes)},
           {"position", {at.x(), at.y(), at.z()}}};
 }
 
@@ -94,7 +93,8 @@ void print_changes(const MapArchive& before,
 
 void print_changes_json(const MapArchive& before,
                         const MapArchive& after,
-                        const ArchiveChanges& found) {
+                        const ArchiveChanges& found,
+                        std::span<const std::filesystem::path> files) {
   Json counts = Json::object();
   for (const ChangeKind kind : kChangeKinds) counts[key_of(kind)] = count_of(found, kind);
   Json changes = Json::array();
@@ -106,10 +106,13 @@ void print_changes_json(const MapArchive& before,
                        {"old_place", shares_json(change.old_place)},
                        {"new_place", shares_json(change.new_place)}});
   }
+  Json written = Json::array();
+  for (const auto& file : files) written.push_back(file.string());
   const Json document{{"frame", found.frame_id},
                       {"goes_on", found.goes_on},
                       {"counts", std::move(counts)},
-                      {"changes", std::move(changes)}};
+                      {"changes", std::move(changes)},
+                      {"files", std::move(written)}};
   std::printf("%s\n", document.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 

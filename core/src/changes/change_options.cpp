@@ -22,10 +22,6 @@ constexpr OptionRow kChangeRows[] = {
         "min_free_share",
         option::above(0, 1),
         {.effect = "At least so much of what is known is free: nothing is there."}),
-    option::number<&ChangeOptions::min_height_voxels>(
-        "min_height_voxels",
-        {0, 100},
-        {.unit = "voxels", .effect = "A flatter thing is not told from what it lies on."}),
     option::number<&ChangeOptions::max_move_m>(
         "max_move_m",
         {0, 100000},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -12,25 +13,6 @@ namespace hypermap {
 namespace {
 
 constexpr std::size_t kMaxAskedPoints = 1024;
-
-/// A map and which of its objects nothing is said of yet.
-struct Side {
-  const MapOfPlace* map;
-  std::vector<bool> is_open;
-
-  explicit Side(const MapOfPlace& compared)
-      : map(&compared), is_open(compared.objects.size(), true) {}
-
-  [[nodiscard]] const ObjectInPlace& object(std::size_t index) const { return map->objects[index]; }
-
-  [[nodiscard]] std::vector<std::size_t> open() const {
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < is_open.size(); ++i) {
-      if (is_open[i]) indices.push_back(i);
-    }
-    return indices;
-  }
-};
 
 double distance_m(const ObjectInPlace& a, const ObjectInPlace& b) {
   return (a.centroid_in_map - b.centroid_in_map).norm();
@@ -65,6 +47,28 @@ SpaceShares shares_of(const ObjectInPlace& object, const MapOfPlace& other) {
           .occupied = share(SpaceState::kOccupied),
           .unknown = share(SpaceState::kUnknown)};
 }
+
+/// The objects of a map, what the other map knows of their places, and of which of them nothing is
+/// said yet.
+struct Side {
+  std::span<const ObjectInPlace> objects;
+  std::vector<SpaceShares> places;
+  std::vector<bool> is_open;
+
+  Side(const MapOfPlace& map, const MapOfPlace& other)
+      : objects(map.objects), is_open(map.objects.size(), true) {
+    places.reserve(objects.size());
+    for (const ObjectInPlace& object : objects) places.push_back(shares_of(object, other));
+  }
+
+  [[nodiscard]] std::vector<std::size_t> open() const {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < is_open.size(); ++i) {
+      if (is_open[i]) indices.push_back(i);
+    }
+    return indices;
+  }
+};
 
 bool is_known(const SpaceShares& shares, const ChangeOptions& options) {
   return shares.free + shares.occupied >= options.min_known_share;
@@ -104,12 +108,12 @@ std::vector<IndexPair> closed_pairs(Side& before, Side& after, const Cost& cost)
 class Comparison {
  public:
   Comparison(const MapOfPlace& before, const MapOfPlace& after, const ChangeOptions& options)
-      : before_(before), after_(after), options_(&options) {}
+      : before_(before, after), after_(after, before), options_(&options) {}
 
   void pair_in_place() {
     const auto pairs = closed_pairs(before_, after_, [this](std::size_t i, std::size_t j) {
-      const ObjectInPlace& a = before_.object(i);
-      const ObjectInPlace& b = after_.object(j);
+      const ObjectInPlace& a = before_.objects[i];
+      const ObjectInPlace& b = after_.objects[j];
       const double away_m = distance_m(a, b);
       return cost_if(a.class_name == b.class_name && away_m <= gate_m(a, b), away_m);
     });
@@ -117,13 +121,12 @@ class Comparison {
   }
 
   void pair_across_classes() {
-    std::vector<bool> is_left(before_.map->objects.size(), false);
+    std::vector<bool> is_left(before_.objects.size(), false);
     for (const std::size_t i : before_.open()) {
-      const ObjectInPlace& object = before_.object(i);
-      is_left[i] = object.was_seen_gone || is_empty(shares_of(object, *after_.map), *options_);
+      is_left[i] = before_.objects[i].was_seen_gone || is_empty(before_.places[i], *options_);
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
-      const double overlap = intersection_over_union(before_.object(i).box, after_.object(j).box);
+      const double overlap = intersection_over_union(before_.objects[i].box, after_.objects[j].box);
       return cost_if(!is_left[i] && overlap >= options_->min_overlap_share, 1.0 - overlap);
     });
     for (const IndexPair& pair : pairs) add_pair(ChangeKind::kReclassed, pair);
@@ -131,17 +134,15 @@ class Comparison {
 
   /// What neither map shares with the other; what is gone and what was added may be one thing.
   void explain_the_rest() {
-    std::vector<ChangeKind> was(before_.map->objects.size(), ChangeKind::kSame);
-    std::vector<ChangeKind> is(after_.map->objects.size(), ChangeKind::kSame);
+    std::vector<ChangeKind> was(before_.objects.size(), ChangeKind::kSame);
+    std::vector<ChangeKind> is(after_.objects.size(), ChangeKind::kSame);
     for (const std::size_t i : before_.open()) {
-      was[i] = kind_alone(before_.object(i),
-                          *after_.map,
-                          {ChangeKind::kNotLookedAt, ChangeKind::kGone, ChangeKind::kNotFound});
+      was[i] = kind_alone(
+          before_, i, {ChangeKind::kNotLookedAt, ChangeKind::kGone, ChangeKind::kNotFound});
     }
     for (const std::size_t j : after_.open()) {
-      is[j] = kind_alone(after_.object(j),
-                         *before_.map,
-                         {ChangeKind::kFirstSeen, ChangeKind::kAdded, ChangeKind::kNewlyNamed});
+      is[j] = kind_alone(
+          after_, j, {ChangeKind::kFirstSeen, ChangeKind::kAdded, ChangeKind::kNewlyNamed});
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
       const bool may_be = was[i] == ChangeKind::kGone && is[j] == ChangeKind::kAdded;
@@ -149,14 +150,12 @@ class Comparison {
     });
     for (const IndexPair& pair : pairs) add_pair(ChangeKind::kMoved, pair);
     for (const std::size_t i : before_.open()) {
-      const ObjectInPlace& object = before_.object(i);
       changes_.push_back(
-          {.kind = was[i], .before = object.id, .old_place = shares_of(object, *after_.map)});
+          {.kind = was[i], .before = before_.objects[i].id, .old_place = before_.places[i]});
     }
     for (const std::size_t j : after_.open()) {
-      const ObjectInPlace& object = after_.object(j);
       changes_.push_back(
-          {.kind = is[j], .after = object.id, .new_place = shares_of(object, *before_.map)});
+          {.kind = is[j], .after = after_.objects[j].id, .new_place = after_.places[j]});
     }
   }
 
@@ -184,11 +183,9 @@ class Comparison {
 
   /// A thing that was pushed aside by less than its size has left its old place, too.
   [[nodiscard]] ChangeKind kind_in_place(const IndexPair& pair) const {
-    const ObjectInPlace& before = before_.object(pair.row);
-    const ObjectInPlace& after = after_.object(pair.column);
-    if (!after.was_looked_at) return ChangeKind::kNotLookedAt;
-    const bool has_left = is_empty(shares_of(before, *after_.map), *options_) &&
-                          !is_filled(shares_of(after, *before_.map));
+    if (!after_.objects[pair.column].was_looked_at) return ChangeKind::kNotLookedAt;
+    const bool has_left =
+        is_empty(before_.places[pair.row], *options_) && !is_filled(after_.places[pair.column]);
     return has_left ? ChangeKind::kMoved : ChangeKind::kSame;
   }
 
@@ -196,19 +193,18 @@ class Comparison {
     return is_known(shares, *options_) && !is_empty(shares, *options_);
   }
 
-  [[nodiscard]] ChangeKind kind_alone(const ObjectInPlace& object,
-                                      const MapOfPlace& other,
+  [[nodiscard]] ChangeKind kind_alone(const Side& side,
+                                      std::size_t index,
                                       const KindsAlone& kinds) const {
-    if (object.was_seen_gone) return kinds.empty;
-    const SpaceShares shares = shares_of(object, other);
-    if (!is_known(shares, *options_)) return kinds.unknown;
-    const bool is_flat = object.box.extent().z() < options_->min_height_voxels * other.voxel_m;
-    return is_flat || is_empty(shares, *options_) ? kinds.empty : kinds.filled;
+    const SpaceShares& place = side.places[index];
+    if (side.objects[index].was_seen_gone) return kinds.empty;
+    if (!is_known(place, *options_)) return kinds.unknown;
+    return is_empty(place, *options_) ? kinds.empty : kinds.filled;
   }
 
   [[nodiscard]] PairCost cost_of_move(std::size_t i, std::size_t j) const {
-    const ObjectInPlace& a = before_.object(i);
-    const ObjectInPlace& b = after_.object(j);
+    const ObjectInPlace& a = before_.objects[i];
+    const ObjectInPlace& b = after_.objects[j];
     const auto [less_m, more_m] = std::minmax({a.box.extent().norm(), b.box.extent().norm()});
     const bool may_be = a.class_name == b.class_name && distance_m(a, b) <= options_->max_move_m &&
                         less_m >= options_->min_size_ratio * more_m;
@@ -216,14 +212,14 @@ class Comparison {
   }
 
   void add_pair(ChangeKind kind, const IndexPair& pair) {
-    const ObjectInPlace& before = before_.object(pair.row);
-    const ObjectInPlace& after = after_.object(pair.column);
+    const ObjectInPlace& before = before_.objects[pair.row];
+    const ObjectInPlace& after = after_.objects[pair.column];
     changes_.push_back({.kind = kind,
                         .before = before.id,
                         .after = after.id,
                         .distance_m = distance_m(before, after),
-                        .old_place = shares_of(before, *after_.map),
-                        .new_place = shares_of(after, *before_.map)});
+                        .old_place = before_.places[pair.row],
+                        .new_place = after_.places[pair.column]});
   }
 
   Side before_;

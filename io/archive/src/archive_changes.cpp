@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/archive_changes.hpp"
 
-#include "hypermap/core/objects/object.hpp"
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 
 #include <algorithm>
@@ -11,8 +11,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr std::string_view kUnnamed = "unknown";
 
 Result<void> check_compared(const MapArchive& archive, const char* field) {
   if (!archive.octree) {
@@ -25,17 +23,26 @@ Result<void> check_compared(const MapArchive& archive, const char* field) {
   return {};
 }
 
+/// Whether one of the eight voxels around that of the point, at its height, is occupied.
+bool is_beside_occupied(const SemanticOctree& octree, const PointInMap& point) {
+  const double step_m = octree.resolution_m();
+  for (const double x_m : {-step_m, 0.0, step_m}) {
+    for (const double y_m : {-step_m, 0.0, step_m}) {
+      const auto leaf = octree.at(PointInMap{point.xyz + Eigen::Vector3d(x_m, y_m, 0.0)});
+      if (leaf && leaf->occupied) return true;
+    }
+  }
+  return false;
+}
+
+/// Two maps place one surface a voxel apart, by noise of depth and poses: free is what no occupied
+/// voxel is beside. Above and below none counts, or a cup would not leave its table.
 SpaceQuery space_of(const SemanticOctree& octree) {
   return [&octree](const PointInMap& point) {
     const auto leaf = octree.at(point);
     if (!leaf) return SpaceState::kUnknown;
-    return leaf->occupied ? SpaceState::kOccupied : SpaceState::kFree;
+    return is_beside_occupied(octree, point) ? SpaceState::kOccupied : SpaceState::kFree;
   };
-}
-
-std::string class_name_of(const Object& object, const ClassRegistry& classes) {
-  const auto best = best_class(object);
-  return best ? classes.name(best->id) : std::string(kUnnamed);
 }
 
 /// Whether a frame from `first_index` on saw it or should have.
@@ -45,12 +52,11 @@ bool was_observed_since(const Object& object, std::uint64_t first_index) {
 }
 
 MapOfPlace map_of_place(const MapArchive& archive, const ClassVocabulary& vocabulary) {
-  MapOfPlace map{
-      .objects = {}, .space = space_of(*archive.octree), .voxel_m = archive.octree->resolution_m()};
+  MapOfPlace map{.objects = {}, .space = space_of(*archive.octree)};
   for (const Object* object : confirmed_objects_of(archive)) {
     map.objects.push_back(
         {.id = object->id,
-         .class_name = vocabulary.class_of(class_name_of(*object, archive.classes)),
+         .class_name = vocabulary.class_of(best_class_name(*object, archive.classes)),
          .box = object->box,
          .centroid_in_map = object->centroid_in_map,
          .points_in_map = object->points.agreed_points()});
@@ -111,8 +117,8 @@ SemanticObject shape_of_change(const MapArchive& before,
   const MapArchive& shown = change.after ? after : before;
   const ObjectId id = change.after ? *change.after : change.before.value_or(kNoObject);
   SemanticObject shape;
-  shape.name =
-      std::string(name_of(change.kind)) + " " + class_name_of(shown.objects.at(id), shown.classes);
+  shape.name = std::string(name_of(change.kind)) + " " +
+               best_class_name(shown.objects.at(id), shown.classes);
   shape.parts = shape_of(shown, id);
   shape.tags.emplace_back(key_of(change.kind));
   if (change.before) shape.tags.push_back("before " + std::to_string(change.before->value));

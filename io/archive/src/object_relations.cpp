@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/object_relations.hpp"
 
+#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/core/places/vocabulary_rules.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 
@@ -17,9 +18,7 @@ RelationGraph archive_relations(const MapArchive& archive, RelationOptions optio
 }
 
 std::string called(const MapArchive& archive, ObjectId id) {
-  const auto best = best_class(archive.objects.at(id));
-  const std::string name = best ? archive.classes.name(best->id) : "unknown";
-  return name + " " + std::to_string(id.value);
+  return best_class_name(archive.objects.at(id), archive.classes) + " " + std::to_string(id.value);
 }
 
 }  // namespace hypermap

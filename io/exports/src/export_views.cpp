@@ -37,10 +37,9 @@ Result<WrittenFiles> export_views(const MapArchive& archive, const ExportRequest
   for (const ObjectId id : confirmed_objects(archive.objects, ConfirmationOptions{})) {
     const Object& object = archive.objects.at(id);
     if (!archive.views.contains(id) || !is_wanted(object, classes)) continue;
-    const auto best = best_class(object);
-    const std::string name = best ? archive.classes.name(best->id) : "unknown";
-    files.emplace_back(names.add(std::to_string(id.value) + "-" + name) + std::string(kViewEnding),
-                       id);
+    const std::string name =
+        std::to_string(id.value) + "-" + best_class_name(object, archive.classes);
+    files.emplace_back(names.add(name) + std::string(kViewEnding), id);
   }
   WrittenFiles written;
   if (files.empty()) return written;

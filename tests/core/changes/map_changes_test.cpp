@@ -97,16 +97,6 @@ TEST(MapChanges, WhatIsFilledAndHasNoNameIsNotGone) {
   EXPECT_THAT(changes(after, before), ElementsAre("newly named - 1"));
 }
 
-/// A keyboard shares its voxels with the table that it lies on.
-TEST(MapChanges, AFlatThingIsGoneWhereItIsNotFound) {
-  auto flat = cube_at(1, "keyboard", 0, 0);
-  flat.box.max_in_map.z() = 0.04;
-  const auto before = map_of({flat});
-  const auto after = filled(map_of({}), {{-1, -1, 0}, {1, 1, 0.5}});
-  EXPECT_THAT(changes(before, after), ElementsAre("gone 1 -"));
-  EXPECT_THAT(changes(after, before), ElementsAre("added - 1"));
-}
-
 TEST(MapChanges, WhatIsGoneHereAndAddedThereMoved) {
   const auto before = map_of({cube_at(1, "chair", 0, 0), cube_at(2, "sofa", 5, 5)});
   const auto after = map_of({cube_at(3, "chair", 2, 0), cube_at(4, "sofa", 5, 5)});

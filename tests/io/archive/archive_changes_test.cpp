@@ -96,6 +96,17 @@ TEST(ArchiveChanges, AMapThatGoesOnSaysWhatItDidNotLookAtAgain) {
   EXPECT_THAT(kinds_of(archive_changes(before, after).value()), ElementsAre("not looked at"));
 }
 
+/// A sheet of 2 cm on both sides of the border of two voxels, and one of another name beside it.
+TEST(ArchiveChanges, ASurfaceAVoxelAsideFillsThePlace) {
+  const Eigen::Vector3d sheet(0.02, 0.6, 0.5);
+  const MapArchive before = room_with({{"tv", standing(0, 0, 0, sheet)}});
+  const MapArchive beside = room_with({{"mirror", standing(0.06, 0, 0, sheet)}});
+  EXPECT_THAT(kinds_of(archive_changes(before, beside).value()),
+              ElementsAre("not found", "newly named"));
+  const MapArchive apart = room_with({{"mirror", standing(0.3, 0, 0, sheet)}});
+  EXPECT_THAT(kinds_of(archive_changes(before, apart).value()), ElementsAre("gone", "added"));
+}
+
 TEST(ArchiveChanges, AsALayerBearNamesIdsAndShapes) {
   const MapArchive before =
       room_with({{"chair", standing(0, 0, 0, kCrate)}, {"vase", standing(-1, 1, 0, kCrate)}});

@@ -108,6 +108,26 @@ TEST_F(ImportFiles, WithVoxelsOrObjectsAreOneMapAtMost) {
   EXPECT_THAT(why_refused({.files = {named}}), HasSubstr("keeps its names and its frame"));
 }
 
+TEST_F(ImportFiles, OfAMapHaveTheHashOfBothItsFiles) {
+  const auto hash = [] {
+    return run_import({.files = {file("grid.yaml")}}).value().value.provenance.front().input_hash;
+  };
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  write("grid.pgm", std::string("P5 2 1 255\n") + '\0' + '\0');
+  EXPECT_NE(hash(), before);
+}
+
+TEST_F(ImportFiles, TogetherAreWithinTheLimits) {
+  ImportedFile other = file("grid.yaml");
+  other.name = "other";
+  ImportJob job{.files = {file("grid.yaml"), other}};
+  job.limits.sums.max_pixels = 4;  // two images of two pixels
+  EXPECT_EQ(why_refused(job), "imported");
+  job.limits.sums.max_pixels = 3;
+  EXPECT_THAT(why_refused(job), HasSubstr("grid.pgm: "));
+}
+
 TEST_F(ImportFiles, ThatAreNoPartOfAMapAreRefusedByTheirKind) {
   EXPECT_THAT(why_refused({.files = {file("grid.pgm")}}),
               HasSubstr("grid.pgm: is a file of kind image, which is no part of a map"));

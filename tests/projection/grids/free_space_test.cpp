@@ -3,6 +3,7 @@
 // by side.
 #include "hypermap/projection/grids/free_space.hpp"
 
+#include "drawn_plan.hpp"
 #include "grids/grid_search.hpp"
 #include "hypermap/core/base/random_numbers.hpp"
 #include "support/sanitized.hpp"
@@ -21,23 +22,10 @@
 namespace hypermap {
 namespace {
 
+using test::drawn_plan;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// A plan by rows, the uppermost first: '.' free, '#' occupied, '?' unknown. Cells of a metre.
-OccupancyGrid drawn_plan(const std::vector<std::string>& rows, double resolution_m = 1.0) {
-  GridGeometry geometry{.resolution_m = resolution_m,
-                        .cols = static_cast<int>(rows.front().size()),
-                        .rows = static_cast<int>(rows.size())};
-  std::vector<std::int8_t> cells;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    for (const char one : *row) {
-      cells.push_back(one == '#' ? kOccupiedCell : one == '?' ? kUnknownCell : kFreeCell);
-    }
-  }
-  return OccupancyGrid::create(geometry, cells).value();
-}
 
 FreeSpace space_of(const OccupancyGrid& grid, double robot_radius_m = 0.0) {
   return FreeSpace::create(grid, robot_radius_m).value();

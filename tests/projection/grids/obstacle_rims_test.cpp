@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/grids/obstacle_rims.hpp"
 
+#include "drawn_plan.hpp"
 #include "hypermap/projection/grids/rooms.hpp"
 
 #include <gmock/gmock.h>
@@ -12,23 +13,10 @@
 namespace hypermap {
 namespace {
 
+using test::drawn_plan;
 using testing::ElementsAreArray;
 
 using Rows = std::vector<std::string>;
-
-/// Rows, the uppermost first: '.' free, '#' occupied, '?' unknown. Cells of a metre.
-OccupancyGrid grid_of_rows(const Rows& rows) {
-  const GridGeometry geometry{.resolution_m = 1.0,
-                              .cols = static_cast<int>(rows.front().size()),
-                              .rows = static_cast<int>(rows.size())};
-  std::vector<std::int8_t> cells;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    for (const char one : *row) {
-      cells.push_back(one == '#' ? kOccupiedCell : one == '?' ? kUnknownCell : kFreeCell);
-    }
-  }
-  return OccupancyGrid::create(geometry, cells).value();
-}
 
 Rows rows_of_grid(const OccupancyGrid& grid) {
   Rows rows;
@@ -47,7 +35,7 @@ Polygon box_between(double x0, double y0, double x1, double y1) {
 }
 
 Rows cleared(const Rows& rows, const std::vector<Polygon>& obstacles) {
-  return rows_of_grid(without_rims(without_obstacles(grid_of_rows(rows), obstacles), obstacles));
+  return rows_of_grid(without_rims(without_obstacles(drawn_plan(rows), obstacles), obstacles));
 }
 
 // The chair covers the middle cell, and 0.4 or 0.16 of those around it.
@@ -60,7 +48,7 @@ TEST(WithoutRims, WhatStandsByItselfGoesAsAWhole) {
                   "..###..",
                   "......."};
   const std::vector<Polygon> chair{box_between(2.6, 1.6, 4.4, 3.4)};
-  EXPECT_THAT(rows_of_grid(without_obstacles(grid_of_rows(rows), chair)),
+  EXPECT_THAT(rows_of_grid(without_obstacles(drawn_plan(rows), chair)),
               ElementsAreArray(Rows{
                   "#######", ".......", ".......", "..###..", "..#.#..", "..###..", "......."}));
   EXPECT_THAT(cleared(rows, chair),

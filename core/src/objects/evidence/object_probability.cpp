@@ -166,4 +166,9 @@ ObjectBeliefs object_beliefs(const Object& object) {
           .confidence = confidence_of(real, best)};
 }
 
+std::string best_class_name(const Object& object, const ClassRegistry& classes) {
+  const auto best = best_class(object);
+  return best ? classes.name(best->id) : "unknown";
+}
+
 }  // namespace hypermap

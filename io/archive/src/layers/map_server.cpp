@@ -154,7 +154,8 @@ Result<Loaded<OccupancyGrid>> grid_from_image(const DecodedImage& image,
 
 Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
                                         MapDialect dialect,
-                                        FileReach reach) {
+                                        FileReach reach,
+                                        const LoadBudget& budget) {
   const SourceName source{.file = yaml_path.string()};
   HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(yaml_path, YamlLimits{}.max_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(Loaded<MapMetadata> metadata, parse_map_metadata(yaml, source));
@@ -166,9 +167,14 @@ Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
   const std::filesystem::path image_path = folder / metadata.value.image;
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes,
                             read_file(image_path, ImageLimits().max_file_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image,
-                            decode_image(bytes, {.file = image_path.string()}));
-  auto grid = grid_from_image(image, metadata.value, dialect);
+  const SourceName of_image{.file = image_path.string()};
+  if (const auto header = read_image_header(bytes, of_image)) {
+    if (const auto drawn = budget.draw_pixels(header->num_pixels()); !drawn) {
+      return tl::make_unexpected(with_source(drawn.error(), of_image));
+    }
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const DecodedImage image, decode_image(bytes, of_image));
+  auto grid = grid_from_image(image, metadata.value, dialect, budget);
   if (!grid) return tl::make_unexpected(with_source(grid.error(), source));
   std::vector<Finding> findings = std::move(metadata.findings);
   if (auto other = other_content(image_path, bytes)) findings.push_back(std::move(*other));

@@ -48,17 +48,16 @@ struct ObjectInPlace {
 struct MapOfPlace {
   std::vector<ObjectInPlace> objects = {};
   SpaceQuery space = {};
-  double voxel_m = 0.05;  ///< Edge of what `space` tells apart.
 };
 
 enum class ChangeKind : std::uint8_t {
   kSame,         ///< In both, where it was.
   kMoved,        ///< From a place that is free now to one that was free.
   kReclassed,    ///< In both, where it was, by another class.
-  kGone,         ///< Its place was looked at and is free, or a thin thing is not found there.
+  kGone,         ///< Its place was looked at and is free.
   kNotFound,     ///< Its place was looked at and is filled; nothing there has a name.
   kNotLookedAt,  ///< Most of its place is unknown to the later map.
-  kAdded,        ///< Where it is was free, or a thin thing was not found there.
+  kAdded,        ///< Where it is was free.
   kNewlyNamed,   ///< Where it is was filled; nothing there had a name.
   kFirstSeen,    ///< Most of where it is was unknown to the earlier map.
 };
@@ -107,10 +106,8 @@ struct ChangeOptions {
   double min_overlap_share = 0.3;  ///< Of boxes, over their union: one thing under two classes.
   double min_known_share = 0.5;    ///< Less of the points is known: not looked at.
   double min_free_share = 0.5;     ///< At least so much of the known points is free: nothing there.
-  /// Unit: edge of a voxel. A thing that is flatter is not told from what it lies on.
-  double min_height_voxels = 1.0;
-  double max_move_m = 5.0;      ///< Farther: one is gone, another one was added.
-  double min_size_ratio = 0.5;  ///< Of the boxes' diagonals of a thing that moved.
+  double max_move_m = 5.0;         ///< Farther: one is gone, another one was added.
+  double min_size_ratio = 0.5;     ///< Of the boxes' diagonals of a thing that moved.
   friend bool operator==(const ChangeOptions&, const ChangeOptions&) = default;
 };
 /// Errors: kInvalidArgument naming the field.
@@ -125,7 +122,8 @@ struct ChangeOptions {
 /// overlap are one thing, unless its old place is free; the others are judged by the space that the
 /// other map knows there; what is gone and what was added, of one class and about one size, moved.
 /// Boundary: at most 1,024 points of an object are asked for, spread evenly.
-/// Requires: validate(options). Cost: O(n^3) in objects of a class, and the questions.
+/// Requires: validate(options). Cost: a question for each such point, a look at each pair of
+/// objects, and that of `assign` for those that are near each other.
 [[nodiscard]] std::vector<ObjectChange> find_changes(const MapOfPlace& before,
                                                      const MapOfPlace& after,
                                                      const ChangeOptions& options = {});

@@ -3,12 +3,14 @@
 /// All that is believed of one object at once, as probabilities, and how undecided its class is.
 #pragma once
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace hypermap {
@@ -36,5 +38,9 @@ struct ObjectBeliefs {
 
 /// Cost: that of `class_distribution` and of sorting it.
 [[nodiscard]] ObjectBeliefs object_beliefs(const Object& object);
+
+/// What an object is called wherever it has a name: that of its `best_class`, "unknown" without any
+/// evidence of one. Requires: its classes are of the registry.
+[[nodiscard]] std::string best_class_name(const Object& object, const ClassRegistry& classes);
 
 }  // namespace hypermap

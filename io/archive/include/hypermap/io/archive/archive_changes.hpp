@@ -24,7 +24,8 @@ struct ArchiveChanges {
   std::vector<ObjectChange> changes;
 };
 
-/// `find_changes` of the confirmed objects; space is what the octrees know. Classes are equal when
+/// `find_changes` of the confirmed objects; space is what the octrees know,
+/// within a voxel to each side. Classes are equal when
 /// the vocabulary of the later map, or of the earlier if that has none, says so.
 ///
 /// Where the later map goes on from the earlier one, an object that it neither saw nor missed since

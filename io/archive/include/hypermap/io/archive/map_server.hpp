@@ -69,12 +69,15 @@ struct MapMetadata {
                                                             MapDialect dialect,
                                                             const LoadBudget& budget = {});
 
-/// A map on disk; the image is looked for beside the YAML file, within `reach`.
+/// A map on disk; the image is looked for beside the YAML file, within `reach`. The pixels that its
+/// header declares are drawn from `budget` before it is decoded.
 /// Findings: also an image whose name says that it is another (hashed_image_name).
-/// Errors: those above, of read_image_file and check_reach, and kIo. Nothing is half loaded.
+/// Errors: those above, of read_image_file, check_reach and LoadBudget, and kIo. Nothing is half
+/// loaded.
 [[nodiscard]] Result<Loaded<OccupancyLayer>> read_map(const std::filesystem::path& yaml_path,
                                                       MapDialect dialect = MapDialect::kMapServer,
-                                                      FileReach reach = FileReach::kAnywhere);
+                                                      FileReach reach = FileReach::kAnywhere,
+                                                      const LoadBudget& budget = {});
 
 /// The bytes of a map's two files.
 struct MapFiles {

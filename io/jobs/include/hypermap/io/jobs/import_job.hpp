@@ -34,7 +34,7 @@ struct ImportJob {
   /// How the frames lie to each other, beside what archives say of theirs.
   std::vector<FrameTransform> transforms = {};
   MapDialect dialect = MapDialect::kMapServer;  ///< Of maps of map_server.
-  ArchiveLimits limits = {};
+  ArchiveLimits limits = {};  ///< Of each archive; their sums of all other files together, too.
   StopCheck stop = {};
 };
 
