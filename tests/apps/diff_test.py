@@ -35,7 +35,7 @@ class Changes(unittest.TestCase):
         cls.on, cls.part = cls.folder / "on.hmap", cls.folder / "part.hmap"
         of_pass = ("--max-frames", PASS, "--resolution", 0.05)
         steps = [("simulate", "--frames", PASS, "--seed", 3, "--passes", 2, "--moved", 2, "--removed", 2, "--added", 1,
-                  "--detector", "perfect", "--output", cls.data),
+                  "--detector", "perfect", "--size", "480x360", "--output", cls.data),
                  ("map", "--input", cls.data, "--output", cls.before, *of_pass),
                  ("map", "--input", cls.data, "--output", cls.after, *of_pass, "--first", PASS),
                  ("map", "--input", cls.data, "--output", cls.part, "--resolution", 0.05, "--first", PASS, "--max-frames", PASS // 6)]

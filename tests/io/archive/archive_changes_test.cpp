@@ -22,24 +22,24 @@ struct PlacedBox {
   Box box;
 };
 
-/// A room of 4 m by 4 m of free voxels of 5 cm, of which those in the boxes are filled.
+/// A room of 3 m by 3 m of free voxels of 5 cm, of which those in the boxes are filled.
 MapArchive room_with(const std::vector<PlacedBox>& placed) {
   FurnishedRoom room;
   for (const PlacedBox& one : placed) room.add(one.class_name, one.box);
   MapArchive archive;
   archive.octree = SemanticOctree::create({}).value();
-  for (int i = 0; i < 80 * 80 * 20; ++i) {
+  std::vector<StoredLeaf> leaves(std::size_t{60} * 60 * 12);
+  for (int i = 0; i < 60 * 60 * 12; ++i) {
     const Eigen::Vector3d cell =
-        Eigen::Vector3i(i % 80 - 40, i / 80 % 80 - 40, i / 6400).cast<double>();
+        Eigen::Vector3i(i % 60 - 30, i / 60 % 60 - 30, i / 3600).cast<double>();
     const Eigen::Vector3d centre = 0.05 * (cell + Eigen::Vector3d::Constant(0.5));
-    const auto key = archive.octree->grid().key(PointInMap{centre});
     const bool is_filled = std::ranges::any_of(
         placed, [&](const PlacedBox& one) { return grown(one.box, 0.04).contains(centre); });
-    StoredLeaf leaf;
-    leaf.key = key.value();
+    StoredLeaf& leaf = leaves[static_cast<std::size_t>(i)];
+    leaf.key = archive.octree->grid().key(PointInMap{centre}).value();
     leaf.log_odds = static_cast<MilliLogOdds>(is_filled ? 2000 : -1000);
-    EXPECT_TRUE(archive.octree->set_leaf(leaf));
   }
+  EXPECT_TRUE(archive.octree->set_leaves(leaves));
   archive.objects = std::move(room.objects);
   archive.classes = std::move(room.classes);
   return archive;
