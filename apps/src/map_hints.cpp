@@ -16,7 +16,7 @@ namespace {
 void warn_of_slow_options(const MappingJob& job) {
   if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
   std::fprintf(stderr,
-               "map: segmentation by region growing takes a second or more for each frame\n");
+               "map: segmentation by region growing takes a tenth of a second or more for each frame\n");
 }
 
 bool is_checkpoint_there(const MappingJob& job) {

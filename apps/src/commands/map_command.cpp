@@ -175,7 +175,7 @@ void add_options(CLI::App& command, MapArguments& arguments) {
   command
       .add_option("--preset",
                   arguments.preset,
-                  "where options start from; hypermap takes a second or more a frame")
+                  "where options start from; hypermap takes a tenth of a second or more a frame")
       ->transform(one_of(preset_names()))
       ->capture_default_str();
   command.add_option("--config", arguments.config, "YAML file of options, see `hypermap config`");

@@ -3,13 +3,11 @@
 
 // The templates themselves: PCL's libraries hold them for every type of point, and loading those
 // takes longer than a short run of a program.
-#include <pcl/features/impl/normal_3d.hpp>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/impl/statistical_outlier_removal.hpp>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/impl/extract_clusters.hpp>
-#include <pcl/segmentation/impl/region_growing.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -81,31 +79,6 @@ std::vector<PointIndices> euclidean_clusters(std::span<const Eigen::Vector3f> po
   std::vector<pcl::PointIndices> clusters;
   extraction.extract(clusters);
   return largest_first(clusters);
-}
-
-std::vector<PointIndices> grow_regions(std::span<const Eigen::Vector3f> points,
-                                       const RegionGrowingOptions& options) {
-  if (points.empty()) return {};
-  const Cloud::Ptr cloud = to_cloud(points);
-  const auto tree = pcl::make_shared<Tree>();
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setInputCloud(cloud);
-  estimation.setSearchMethod(tree);
-  estimation.setKSearch(options.normal_neighbours);
-  estimation.compute(*normals);
-
-  pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
-  growing.setInputCloud(cloud);
-  growing.setInputNormals(normals);
-  growing.setSearchMethod(tree);
-  growing.setNumberOfNeighbours(static_cast<unsigned int>(options.region_neighbours));
-  growing.setSmoothnessThreshold(static_cast<float>(options.angle_threshold_rad));
-  growing.setCurvatureThreshold(static_cast<float>(options.curvature_threshold));
-  growing.setMinClusterSize(static_cast<pcl::uindex_t>(options.region_min_points));
-  std::vector<pcl::PointIndices> regions;
-  growing.extract(regions);
-  return largest_first(regions);
 }
 
 }  // namespace hypermap

@@ -3,8 +3,6 @@
 /// The steps that PCL does, behind an interface without PCL's types.
 #pragma once
 
-#include "hypermap/core/segmentation/geometric_segmentation.hpp"
-
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -32,9 +30,5 @@ using PointIndices = std::vector<std::uint32_t>;
                                                            double gap_m,
                                                            int min_points,
                                                            int max_points);
-
-/// Smooth regions, in the same order. Source: [hypermap] 2.4.1, 3.4.4.
-[[nodiscard]] std::vector<PointIndices> grow_regions(std::span<const Eigen::Vector3f> points,
-                                                     const RegionGrowingOptions& options);
 
 }  // namespace hypermap

@@ -4,6 +4,7 @@
 #include "segmentation/point_clusters.hpp"
 #include "segmentation/voxel_grid.hpp"
 #include "segmentation_policies.hpp"
+#include "smooth_regions.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -120,7 +121,7 @@ Result<Segment> segment_by_region_growing(const RgbdFrame& frame,
   if (cloud.pixels.empty()) return nothing_left("range");
 
   const std::vector<PointIndices> regions =
-      grow_regions(cloud.points_in_camera, options.region_growing);
+      smooth_regions(cloud, frame.camera, options.region_growing);
   const std::size_t best_size = regions.empty() ? 0 : regions.front().size();
   if (recorder != nullptr) {
     const auto labels = labels_of(cloud.pixels.size(), all_of(cloud.pixels.size()), regions);
