@@ -3,6 +3,7 @@
 
 import json
 import math
+import shutil
 import statistics
 import subprocess
 
@@ -17,10 +18,21 @@ def simulated(program, folder, seed, *options):
     run(program, "simulate", "--seed", seed, "--output", folder, *options)
 
 
-def mapped(program, preset, folder, archive, *options):
-    """Returns what `--stats` says."""
+def kept_sequence(program, folder, scene, seed):
+    """The scene's sequence in `folder`; one that is there is not made again."""
+    data = folder / f"{scene}-{seed}"
+    if not data.exists():
+        making = folder / f"making-{scene}-{seed}"
+        shutil.rmtree(making, ignore_errors=True)  # of a run that was interrupted
+        simulated(program, making, seed, "--scene", scene)
+        making.rename(data)
+    return data
+
+
+def mapped(program, preset, folder, archive, *options, data=None):
+    """Maps the sequence `data`, the folder itself where none is given; returns what `--stats` says, which stays there."""
     stats = f"{folder}/stats.json"
-    run(program, "map", "--input", folder, "--output", archive, "--preset", preset, "--stats", stats, *options)
+    run(program, "map", "--input", data or folder, "--output", archive, "--preset", preset, "--stats", stats, *options)
     with open(stats, encoding="utf-8") as file:
         return json.load(file)
 

@@ -377,7 +377,7 @@ class Pipeline(unittest.TestCase):
         self.assertGreaterEqual(beside["precision"], 0.7)
         self.assertAlmostEqual(beside["precision"], beside["right"] / beside["map"])
 
-    def test_eval_compares_voxels_and_probabilities(self):
+    def test_eval_compares_objects_voxels_and_probabilities(self):
         truth = self.dataset / "truth.hmap"
         report = json.loads(self.evaluated().stdout)
         voxels = report["voxels"]
@@ -387,6 +387,14 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(voxels["true"], sum(counts["true"] for counts in voxels["classes"].values()))
         self.assertAlmostEqual(voxels["precision"], voxels["right"] / voxels["labelled"])
         self.assertTrue(report["knows_frames_named"])
+        truths, scores = report["truths"], report["one_to_one"]
+        self.assertEqual(sum(one["counts"] for one in truths), scores["truths"])
+        matched = [one for one in truths if one["counts"] and one["matched"] is not None]
+        self.assertEqual(len(matched), scores["matched"])
+        self.assertAlmostEqual(sum(one["distance_m"] for one in matched) / len(matched), scores["distance_m"])
+        thesis = [one["thesis"]["jaccard"] for one in truths if one["thesis"]["jaccard"] is not None]
+        self.assertEqual((len(thesis), len(truths)), (report["all"]["n"], report["all"]["truths"]))
+        self.assertAlmostEqual(sum(thesis) / len(thesis), report["all"]["jaccard"])
         real = report["calibration"]["real"]
         self.assertEqual(sum(bin["n"] for bin in real["bins"]), real["n"])
         plot = self.folder / "reliability.png"

@@ -114,6 +114,21 @@ EvaluationJson json_of(const ObjectOutcome& object) {
           {"truth", std::move(truth)}};
 }
 
+EvaluationJson json_of(const TrueObjectOutcome& truth) {
+  return {
+      {"id", truth.id},
+      {"class", truth.class_name},
+      {"counts", truth.counts},
+      {"matched", truth.matched_id ? EvaluationJson(*truth.matched_id) : EvaluationJson(nullptr)},
+      {"distance_m", number(truth.distance_m)},
+      {"jaccard_in_place", truth.jaccard_in_place},
+      {"box_iou", number(truth.box_iou)},
+      {"off_height_m", number(truth.off_height_m)},
+      {"thesis",
+       {{"distance_m", number(truth.nearest_distance_m)},
+        {"jaccard", number(truth.aligned_jaccard)}}}};
+}
+
 }  // namespace
 
 std::string json_text_of(const EvaluationOutcome& outcome) {
@@ -130,6 +145,8 @@ std::string json_text_of(const EvaluationOutcome& outcome) {
   json["relations"] = outcome.relations ? json_of(*outcome.relations) : EvaluationJson(nullptr);
   json["calibration"] = {{"best_class", json_of(outcome.best_class)},
                          {"real", json_of(outcome.real)}};
+  json["truths"] = EvaluationJson::array();
+  for (const TrueObjectOutcome& truth : outcome.truths) json["truths"].push_back(json_of(truth));
   json["objects"] = EvaluationJson::array();
   for (const ObjectOutcome& object : outcome.objects) json["objects"].push_back(json_of(object));
   if (outcome.against) {

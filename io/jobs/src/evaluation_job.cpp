@@ -135,6 +135,37 @@ std::vector<ObjectOutcome> object_outcomes(std::span<const BelievedObject> belie
   return outcomes;
 }
 
+/// How much higher the middle of the map's box lies.
+std::optional<double> off_height_m(const EvaluatedObject& found, const EvaluatedObject& truth) {
+  if (!found.box || !truth.box) return std::nullopt;
+  return found.box->centre().z() - truth.box->centre().z();
+}
+
+std::vector<TrueObjectOutcome> true_object_outcomes(const EvaluationReport& report,
+                                                    const EvaluatedArchive& map,
+                                                    const EvaluatedArchive& truth) {
+  std::vector<TrueObjectOutcome> outcomes;
+  outcomes.reserve(report.truths.size());
+  for (const TruthResult& result : report.truths) {
+    const EvaluatedObject& object = truth.objects[result.truth_index];
+    TrueObjectOutcome& outcome =
+        outcomes.emplace_back(TrueObjectOutcome{.id = truth.ids[result.truth_index],
+                                                .class_name = object.class_name,
+                                                .counts = !object.excluded,
+                                                .jaccard_in_place = result.jaccard_in_place,
+                                                .box_iou = result.box_iou});
+    if (const auto matched = result.matched_map_index) {
+      outcome.matched_id = map.ids[*matched];
+      outcome.distance_m = result.matched_distance_m;
+      outcome.off_height_m = off_height_m(map.objects[*matched], object);
+    }
+    if (!result.nearest_map_index) continue;
+    outcome.nearest_distance_m = result.nearest_distance_m;
+    outcome.aligned_jaccard = result.aligned_jaccard;
+  }
+  return outcomes;
+}
+
 bool knows_frames_named(const std::vector<EvaluatedObject>& truth) {
   return !truth.empty() && std::all_of(truth.begin(), truth.end(), [](const auto& object) {
     return object.frames_named.has_value();
@@ -155,6 +186,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
                             understood_options(job.options, map, truth));
   EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, options),
                             .knows_frames_named = knows_frames_named(truth.objects)};
+  outcome.truths = true_object_outcomes(outcome.report, map, truth);
   outcome.why_no_voxels = why_no_voxels(map.archive, truth.archive);
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));

@@ -48,6 +48,27 @@ TEST(OverlapPolicy, SeveralMatchesAreCombined) {
   EXPECT_DOUBLE_EQ(map.at(ObjectId{1}).existence.value(), 3.0);
 }
 
+// [hypermap] 3.4.5, the other way: each object has the evidence, 1 + 1.
+TEST(OverlapPolicy, SeveralMatchesAreKeptApartWhereThatIsAskedFor) {
+  ObjectMap map;
+  AssociationOptions options = with(AssociationPolicy::kOverlap);
+  options.several_matches = SeveralMatches::kKeepApart;
+  (void)associate(map,
+                  std::array{seen(box_at({-0.2, 0, 0.2}, {0.4, 0.4, 0.4}), kChairClass),
+                             seen(box_at({0.2, 0, 0.2}, {0.36, 0.4, 0.4}), kChairClass)},
+                  options);
+  ASSERT_EQ(map.size(), 2U);
+  const auto report =
+      associate(map, std::array{seen(box_at({0, 0, 0.2}, {0.8, 0.4, 0.4}), kChairClass)}, options);
+  ASSERT_EQ(map.size(), 2U);
+  EXPECT_TRUE(report.merged.empty());
+  EXPECT_EQ(report.object_of_observation, (std::vector{ObjectId{1}}));
+  EXPECT_EQ(report.matched, (std::vector{ObjectId{1}, ObjectId{2}}));
+  for (const std::uint32_t id : {1U, 2U}) {
+    EXPECT_DOUBLE_EQ(map.at(ObjectId{id}).existence.value(), 2.0);
+  }
+}
+
 TEST(OverlapPolicy, AnotherClassIsAnotherObject) {
   ObjectMap map;
   const auto options = with(AssociationPolicy::kOverlap);

@@ -86,6 +86,8 @@ constexpr OptionRow kCarvingRows[] = {
 
 constexpr std::string_view kAssociationNames[] = {"assignment", "overlap", "radius", "smap"};
 
+constexpr std::string_view kSeveralMatchesNames[] = {"combine", "keep_apart"};
+
 constexpr OptionRow kAssociationRows[] = {
     option::choice<&Association::policy>("policy",
                                          kAssociationNames,
@@ -104,6 +106,14 @@ constexpr OptionRow kAssociationRows[] = {
                                            {.unit = "m",
                                             .source = "[hypermap] 3.4.5",
                                             .effect = "Policy radius: half side of the square."}),
+    option::choice<&Association::several_matches>(
+        "several_matches",
+        kSeveralMatchesNames,
+        {.source = "[hypermap] 3.4.5",
+         .effect =
+             "Policies overlap and radius: whether objects that one observation matches become "
+             "one.",
+         .hypermap = SeveralMatches::kCombine}),
     option::number<&Association::position_error_m>("position_error_m",
                                                    option::above(0, 1000),
                                                    {.unit = "m",

@@ -13,8 +13,21 @@ namespace {
 
 using CandidateFinder = std::function<std::vector<ObjectId>(const Observation&, const Polygon&)>;
 
-/// One observation after the other; several matches are combined. Source: [hypermap] 3.4.5.
-void associate_and_combine(AssociationRun& run, const CandidateFinder& candidates_of) {
+/// The observation is evidence of all `ids`, which become one or stay apart.
+/// Source: [hypermap] 3.4.5.
+void match_several(AssociationRun& run, std::size_t observation, const std::vector<ObjectId>& ids) {
+  if (run.options.several_matches == SeveralMatches::kKeepApart) {
+    for (const ObjectId id : ids) run.match(observation, id);
+    run.report.object_of_observation[observation] = ids.front();
+    return;
+  }
+  ObjectId into = ids.front();
+  for (std::size_t k = 1; k < ids.size(); ++k) into = run.merge(into, ids[k]);
+  run.match(observation, into);
+}
+
+/// One observation after the other. Source: [hypermap] 3.4.5.
+void associate_each(AssociationRun& run, const CandidateFinder& candidates_of) {
   for (std::size_t i = 0; i < run.observations.size(); ++i) {
     if (run.is_transient(i)) continue;
     const Observation& observation = run.observations[i];
@@ -26,11 +39,9 @@ void associate_and_combine(AssociationRun& run, const CandidateFinder& candidate
     const std::vector<ObjectId> ids = candidates_of(observation, *shape);
     if (ids.empty()) {
       run.create(i);
-      continue;
+    } else {
+      match_several(run, i, ids);
     }
-    ObjectId into = ids.front();
-    for (std::size_t k = 1; k < ids.size(); ++k) into = run.merge(into, ids[k]);
-    run.match(i, into);
   }
 }
 
@@ -78,7 +89,7 @@ void combine_close(AssociationRun& run, ObjectId id, const ObjectScope& scope) {
 }  // namespace
 
 void associate_by_overlap(AssociationRun& run) {
-  associate_and_combine(run, [&](const Observation& observation, const Polygon& shape) {
+  associate_each(run, [&](const Observation& observation, const Polygon& shape) {
     std::vector<ObjectId> ids = same_class_within(run, observation, bounds(shape));
     std::erase_if(ids, [&](ObjectId id) {
       const auto other = footprint(run.objects.at(id), run.options.shape);
@@ -89,7 +100,7 @@ void associate_by_overlap(AssociationRun& run) {
 }
 
 void associate_by_radius(AssociationRun& run) {
-  associate_and_combine(run, [&](const Observation& observation, const Polygon& shape) {
+  associate_each(run, [&](const Observation& observation, const Polygon& shape) {
     const Eigen::Vector2d centre = centroid(shape);
     const double radius_m = run.options.radius_m;
     return same_class_within(

@@ -59,15 +59,21 @@ enum class AssociationPolicy {
   /// Ours: all observations of a frame and all objects near them are matched one to one so that the
   /// sum of affinities is largest; then objects whose points overlap are merged.
   kAssignment,
-  /// [hypermap] 3.4.5: same class and Jaccard index of the shapes above a threshold; several
-  /// matches are combined.
+  /// [hypermap] 3.4.5: same class and Jaccard index of the shapes above a threshold.
   kOverlap,
   /// [hypermap] 3.4.5: same class and bounds that meet a square around the observation's centroid,
-  /// from above; several matches are combined.
+  /// from above.
   kRadius,
   /// [smap] 3.5.4: at a vertex near the sensor's, same label, in the active cone, nearer than o_e
   /// o_t; the nearest.
   kSmap,
+};
+
+/// Policies `kOverlap` and `kRadius`: what becomes of several objects that an observation matches.
+/// Source: [hypermap] 3.4.5.
+enum class SeveralMatches : std::uint8_t {
+  kCombine,    ///< They become one.
+  kKeepApart,  ///< Each is updated; the observation's voxels are of the one that came first.
 };
 
 /// Policy `kAssignment`. All of it is ours; docs/RESULTS.md has the comparison with the sources.
@@ -133,10 +139,11 @@ struct BoxCarvingOptions {
 struct AssociationOptions {
   AssociationPolicy policy = AssociationPolicy::kAssignment;
   AssignmentOptions assignment = {};
-  double min_jaccard = 0.2;       ///< Policy overlap. No unit.
-  double radius_m = 0.5;          ///< Policy radius: half side. Metre.
-  double position_error_m = 0.2;  ///< Policy smap, o_e. Metre.
-  double tracking_factor = 0.5;   ///< Policy smap, o_t. No unit.
+  double min_jaccard = 0.2;                                   ///< Policy overlap. No unit.
+  double radius_m = 0.5;                                      ///< Policy radius: half side. Metre.
+  SeveralMatches several_matches = SeveralMatches::kCombine;  ///< Policies overlap and radius.
+  double position_error_m = 0.2;                              ///< Policy smap, o_e. Metre.
+  double tracking_factor = 0.5;                               ///< Policy smap, o_t. No unit.
   /// Policy smap: candidates are at vertices of the topological map that at most so many edges lie
   /// between the sensor's and; none: anywhere.                            [smap] 3.5.4, step 1
   std::optional<int> graph_layers = 3;

@@ -57,8 +57,24 @@ struct ObjectOutcome {
   std::string true_class_name = {};           ///< Empty without one.
 };
 
+/// One true object, and what both metrics say of it. Values of a match are none without one.
+struct TrueObjectOutcome {
+  std::uint64_t id = 0;
+  std::string class_name = {};
+  bool counts = false;                            ///< One to one; the thesis metric counts all.
+  std::optional<std::uint64_t> matched_id = {};   ///< In the map's layer.
+  std::optional<double> distance_m = {};          ///< Of the match: between centroids.
+  double jaccard_in_place = 0.0;                  ///< 0 without a match.
+  std::optional<double> box_iou = {};             ///< Of a match whose boxes are both known.
+  std::optional<double> off_height_m = {};        ///< Of these: the middle of the map's box above.
+  std::optional<double> nearest_distance_m = {};  ///< Thesis: none when the map lacks the class.
+  std::optional<double> aligned_jaccard = {};     ///< Thesis: the same.
+};
+
 struct EvaluationOutcome {
   EvaluationReport report = {};
+  /// Of the classes that are evaluated, in the order of `report.truths`.
+  std::vector<TrueObjectOutcome> truths = {};
   std::optional<MapComparison> against =
       std::nullopt;  ///< The map against the other one, when there is one.
   std::optional<VoxelOutcome> voxels = std::nullopt;
