@@ -28,6 +28,9 @@ CommandLine::CommandLine()
   add_combine_command(program, common, action);
   add_map_command(program, common, action);
   add_import_command(program, action);
+  add_crop_command(program, action);
+  add_split_command(program, common, action);
+  add_transform_command(program, action);
   add_info_command(program, action);
   add_classes_command(program, action);
   add_config_command(program, action);

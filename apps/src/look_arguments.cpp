@@ -48,4 +48,11 @@ LookOptions LookArguments::options() const {
   return options;
 }
 
+void LookArguments::keep_to_rule() const {
+  const LookOptions looks = options();
+  if (looks.rule == LookRule::kKeyframes && looks.every != 1) {
+    throw CLI::ValidationError("--detect-every", "goes without --detect keyframes");
+  }
+}
+
 }  // namespace hypermap::app

@@ -18,6 +18,8 @@ struct LookArguments {
   /// Each option needs `model`.
   void add_to(CLI::App& command, CLI::Option& model);
   [[nodiscard]] LookOptions options() const;
+  /// Throws CLI::ValidationError for an option that is not of the rule.
+  void keep_to_rule() const;
 };
 
 }  // namespace hypermap::app

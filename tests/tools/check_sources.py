@@ -102,7 +102,7 @@ def is_own_file(code, used):
     word = last_word(used)
     if "." in used:
         return re.search(rf"^\w.*::{word}\(", code, re.MULTILINE) is not None
-    return re.search(rf"^(?:\w[^\n;=]*[\s&*:])?{word}\(|^(?:struct|class|enum class) {word} ",
+    return re.search(rf"^(?:(?:\[\[nodiscard\]\] )?\w[^\n;=]*[\s&*:])?{word}\(|^(?:struct|class|enum class) {word} ",
                      code, re.MULTILINE) is not None
 
 
@@ -131,7 +131,8 @@ def faults_of(equation, row, headers, tests, codes):
 def check(root):
     headers, tests = both_sides(root)
     rows = full_list(root)
-    paths = source_tree.files(root, source_tree.FOLDERS, [".hpp", ".cpp"])
+    # Benchmarks are callers: figures of merit are there to be measured.
+    paths = source_tree.files(root, (*source_tree.FOLDERS, "tests/bench"), [".hpp", ".cpp"])
     codes = {path: source_tree.without_comments_and_strings(source_tree.read(path)) for path in paths}
     problems = []
     for (key, number), row in rows.items():
@@ -172,7 +173,7 @@ GOOD = {
                "[smap] (F.1) | c | combine |\n[smap] (3.17) | d | not yet |\n"
                "[smap] figure 3.23 | e | Angle | from the camera\n[sogm] (7) | f | combine |\n",
     HEADER: "/// Source: [smap] Eq. (3.14) to\n/// (3.15), figures 3.22 and 3.23, Eq. (F.1).\n"
-            "/// Source: [sogm] Eq. (7).\nint combine(int a);\nstruct Angle {\n  void merge();\n};\n",
+            "/// Source: [sogm] Eq. (7).\n[[nodiscard]] int combine(int a);\nstruct Angle {\n  void merge();\n};\n",
     SOURCE: "int combine(int a) {\n  return a;\n}\n",
     "core/src/b.cpp": "int b(Angle a) {\n  bins.merge();\n  return combine(1);\n}\n",
     TEST: "// [smap] Eq. (3.14), Eq. (3.15) and (F.1), figure 3.23\n\n// [sogm] Eq. (7) to (9)\n",

@@ -58,11 +58,6 @@ struct MapArguments {
   LoadArguments load;
 };
 
-/// A file of what belongs where is given to be used.
-std::optional<std::string> prior_of(const MapArguments& arguments) {
-  return arguments.places.empty() ? std::nullopt : std::optional<std::string>("places");
-}
-
 /// Preset, then the options file, then the command line.
 Result<MappingJob> job_of(const MapArguments& arguments) {
   MappingJob job = arguments.job;
@@ -83,6 +78,8 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
       arguments.refine_poses ? std::optional<std::string>("point_to_plane") : std::nullopt;
   const std::optional<std::string> class_stack =
       arguments.class_stack ? std::optional<std::string>("true") : std::nullopt;
+  const std::optional<std::string> prior =
+      arguments.places.empty() ? std::nullopt : std::optional<std::string>("places");
   const std::optional<std::string> weights = arguments.combination.weights_text();
   const std::optional<std::string> stacking = arguments.combination.rule_text();
   HYPERMAP_ASSIGN_OR_RETURN(options,
@@ -93,7 +90,7 @@ Result<MappingJob> job_of(const MapArguments& arguments) {
                                         {"octree.resolution_m", arguments.resolution_m},
                                         {"integration.max_range_m", arguments.max_range_m},
                                         {"refinement.rule", refinement},
-                                        {"prior.source", prior_of(arguments)},
+                                        {"prior.source", prior},
                                         {"projection.class_stack", class_stack}}));
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
@@ -291,6 +288,7 @@ void add_map_command(CLI::App& program, const CommonOptions& common, Action& act
         arguments->detections.files.empty()) {
       throw CLI::ValidationError("--classes", "names the outputs of --model or --detections");
     }
+    arguments->looks.keep_to_rule();
     arguments->detections.keep_to_files();
     keep_outputs_apart(*arguments);
     action = [arguments, &common] { return run(*arguments, common.progress); };

@@ -91,7 +91,9 @@ std::string place_sentence(const MapArchive& archive,
 
 std::string route_text(const MapPlaces& places, const PlaceRoute& route) {
   std::string text =
-      "from " + route.from.name + " to " + route.to.name + ": " + fixed(route.length_m, 1) + " m, ";
+      "from " + route.from.name + " to " + route.to.name + ": " + fixed(route.length_m, 1) + " m";
+  if (route.cost != route.length_m) text += " (cost " + fixed(route.cost, 1) + ")";
+  text += ", ";
   if (route.doorways.empty()) return text + "within " + room_name(places, route.from.room);
   text += "out of " + room_name(places, route.from.room);
   for (std::size_t i = 0; i < route.doorways.size(); ++i) {
@@ -134,9 +136,8 @@ Json json_of(const MapArchive& archive, const MapRoom& room) {
   return json;
 }
 
-/// Errors: those of read_place_rules and map_places.
-Result<MapPlaces> places_of(const MapArchive& archive, const std::string& rules_file) {
-  HYPERMAP_ASSIGN_OR_RETURN(PlaceRules rules, read_place_rules(places_file(rules_file)));
+/// Errors: those of map_places.
+Result<MapPlaces> places_of(const MapArchive& archive, PlaceRules rules) {
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto classifier,
       BelongingsClassifier::create(with_vocabulary(std::move(rules), archive.vocabulary)));
@@ -190,6 +191,7 @@ Result<void> print_place(const MapArchive& archive,
 
 Result<void> print_route(const MapArchive& archive,
                          const MapPlaces& places,
+                         const MetreCosts& metre_costs,
                          const std::string& ends,
                          bool json) {
   const std::size_t comma = ends.find(',');
@@ -203,7 +205,7 @@ Result<void> print_route(const MapArchive& archive,
   if (!from) return Unexpected(for_flag(from.error(), "--route"));
   const auto to = route_end(archive, places, std::string_view(ends).substr(comma + 1));
   if (!to) return Unexpected(for_flag(to.error(), "--route"));
-  const auto route = find_place_route(places, *from, *to);
+  const auto route = find_place_route(places, *from, *to, metre_costs);
   if (!route) return Unexpected(for_flag(route.error(), "--route"));
   if (!json) {
     std::printf("%s\n", printable(route_text(places, *route), 2000).c_str());
@@ -212,6 +214,7 @@ Result<void> print_route(const MapArchive& archive,
   Json document{{"from", json_of(places, route->from)},
                 {"to", json_of(places, route->to)},
                 {"length_m", route->length_m},
+                {"cost", route->cost},
                 {"rooms", Json::array()},
                 {"doorways", Json::array()}};
   for (const RoomNumber room : route->rooms)
@@ -264,8 +267,11 @@ Result<void> print_places(const MapArchive& archive,
                           const PlaceArguments& arguments,
                           const RelationGraph& graph,
                           bool json) {
-  HYPERMAP_ASSIGN_OR_RETURN(const MapPlaces places, places_of(archive, arguments.rules));
-  if (arguments.route) return print_route(archive, places, *arguments.route, json);
+  HYPERMAP_ASSIGN_OR_RETURN(const PlaceRules rules, read_place_rules(places_file(arguments.rules)));
+  HYPERMAP_ASSIGN_OR_RETURN(const MapPlaces places, places_of(archive, rules));
+  if (arguments.route) {
+    return print_route(archive, places, rules.metre_costs, *arguments.route, json);
+  }
   if (arguments.place) return print_place(archive, places, graph, *arguments.place, json);
   print_rooms(archive, places, json);
   return {};

@@ -156,6 +156,12 @@ void print_removal(const Removal& removal, bool is_shown) {
                    " in a row through its place" + so_far + ", over " +
                    fixed(removal.seconds_until_gone, 1) + " s at least");
   }
+  if (removal.threshold) {
+    print_line(is_hidden_first || gone == 0U ? "" : "removal",
+               "out of the map when its confidence, " +
+                   fixed(removal.threshold->confidence.value(), 2) + " now, falls below " +
+                   fixed(removal.threshold->removed_below.value(), 2));
+  }
   if (!removed) return;
   const std::string looks = is_hidden_first ? "such look" : "clear look";
   print_line(is_hidden_first || gone == 0U ? "" : "removal",
@@ -180,11 +186,15 @@ void print_object(const Explanation& why, const MapArchive& archive, bool is_sho
               name_of(why, archive.classes).c_str(),
               is_shown ? "shown" : ("withheld: " + withheld_text(why.missed_conditions)).c_str());
   print_line("belief",
-             "real " + fixed(why.beliefs.real.value(), 2) + "; " +
+             "confidence " + fixed(why.confidence.value(), 2) + ": real " +
+                 fixed(why.beliefs.real.value(), 2) + "; " +
                  classes_text(why.beliefs, archive.classes));
   std::uint64_t num_detections = 0;
   for (const Naming& naming : why.namings) num_detections += naming.num_detections;
-  print_line("seen", times(num_detections) + " from " + directions_text(why.directions));
+  print_line("seen",
+             num_detections == 0
+                 ? "the map keeps no log of it"
+                 : times(num_detections) + " from " + directions_text(why.directions));
   print_moments(why);
   print_namings(why, archive);
   const MissedDetections& missed = why.missed_detections;

@@ -62,11 +62,14 @@ Json json_of(const Removal& removal) {
   const auto number = [](const std::optional<std::uint32_t>& looks) {
     return looks ? Json(*looks) : Json(nullptr);
   };
+  Json threshold = nullptr;
+  if (removal.threshold) threshold = removal.threshold->removed_below.value();
   return {{"clear_looks", removal.clear_looks.looks},
           {"looks_until_gone", number(removal.looks_until_gone)},
           {"seconds_until_gone", removal.seconds_until_gone},
           {"looks_until_removed", number(removal.looks_until_removed)},
-          {"looks_until_removed_unseen_side", number(removal.looks_until_removed_unseen)}};
+          {"looks_until_removed_unseen_side", number(removal.looks_until_removed_unseen)},
+          {"removed_below_confidence", std::move(threshold)}};
 }
 
 Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
@@ -75,7 +78,7 @@ Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
            {"name",
             why.beliefs.classes.empty() ? "unknown" : classes.name(why.beliefs.classes.front().id)},
            {"shown", is_shown},
-           {"confidence", why.beliefs.confidence.value()},
+           {"confidence", why.confidence.value()},
            {"real_probability", why.beliefs.real.value()},
            {"classes", Json::array()},
            {"withheld_for", Json::array()},

@@ -100,6 +100,11 @@ Removal removal_of(const Object& object, const GoneRule& gone, const AbsenceOpti
                   .looks_until_removed = looks_until_removed(object, absence, 1.0),
                   .looks_until_removed_unseen =
                       looks_until_removed(object, absence, absence.unseen_side_factor)};
+  if (absence.removal == RemovalRule::kConfidence) {
+    removal.threshold =
+        Removal::Threshold{.confidence = object_confidence(object, absence.confidence),
+                           .removed_below = absence.min_confidence};
+  }
   if (gone.looks == 0) return removal;
   const std::uint32_t looks = removal.clear_looks.looks;
   const bool is_gone_now = is_gone(object.observation_log, gone);
@@ -120,6 +125,7 @@ std::optional<Explanation> explain(const ObjectMap& objects,
   const ObservationLogState& log = object->observation_log.state();
   Explanation out{.id = id,
                   .beliefs = object_beliefs(*object),
+                  .confidence = object_confidence(*object, confirmation.confidence),
                   .missed_conditions = {},
                   .first = log.first,
                   .newest = std::nullopt,

@@ -169,22 +169,33 @@ Result<RouteEnd> route_end(const MapArchive& archive,
 
 Result<PlaceRoute> find_place_route(const MapPlaces& places,
                                     const RouteEnd& from,
-                                    const RouteEnd& to) {
-  auto doorways = doorways_between(places.plan, from.room, to.room);
+                                    const RouteEnd& to,
+                                    const MetreCosts& metre_costs) {
+  const auto cost_in = [&](RoomNumber room) {
+    const std::optional<std::string>& place = places.rooms[room - 1].place;
+    const auto cost = place ? metre_costs.find(*place) : metre_costs.end();
+    return cost == metre_costs.end() ? 1.0 : cost->second;
+  };
+  auto doorways = doorways_between(places.plan, from.room, to.room, cost_in);
   if (!doorways) {
     return fail(ErrorCode::kNotFound,
                 "no doorways that the map knows lead from " + room_name(places, from.room) +
                     " to " + room_name(places, to.room));
   }
-  PlaceRoute route{.from = from, .to = to, .rooms = {from.room}, .doorways = {}, .length_m = 0.0};
+  PlaceRoute route{.from = from, .to = to, .rooms = {from.room}, .doorways = {}};
   Eigen::Vector2d at = from.position;
+  const auto go_to = [&](const Eigen::Vector2d& next) {
+    const double step_m = (next - at).norm();
+    route.length_m += step_m;
+    route.cost += step_m * cost_in(route.rooms.back());
+    at = next;
+  };
   for (const Doorway& doorway : *doorways) {
-    route.length_m += (doorway.position - at).norm();
-    at = doorway.position;
+    go_to(doorway.position);
     const bool is_forward = doorway.from == route.rooms.back();
     route.rooms.push_back(is_forward ? doorway.to : doorway.from);
   }
-  route.length_m += (to.position - at).norm();
+  go_to(to.position);
   route.doorways = std::move(*doorways);
   return route;
 }

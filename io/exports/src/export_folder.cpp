@@ -41,27 +41,6 @@ Result<void> make_export_folder(const std::filesystem::path& folder) {
   return {};
 }
 
-Result<void> require_replaceable(const std::filesystem::path& folder,
-                                 std::string_view kind,
-                                 const std::function<bool(const std::string&)>& is_of_export) try {
-  namespace fs = std::filesystem;
-  if (!fs::exists(folder)) return {};
-  const auto refused = [&](std::string what) -> Result<void> {
-    return Unexpected(Error{ErrorCode::kInvalidArgument, std::move(what), folder.string()});
-  };
-  if (!fs::is_directory(folder)) return refused("is no folder");
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && is_of_export(name)) continue;
-    return refused("would be replaced, but '" + printable(name) + "' in it is no " +
-                   std::string(kind));
-  }
-  return {};
-} catch (const std::filesystem::filesystem_error& error) {
-  return Unexpected(
-      Error{ErrorCode::kIo, "cannot be looked at: " + error.code().message(), folder.string()});
-}
-
 std::string FileNames::add(std::string_view name) {
   const std::string plain = file_name(name);
   std::string free = plain;

@@ -12,7 +12,7 @@ constexpr std::size_t kNoDoor = std::numeric_limits<std::size_t>::max();
 
 /// How to get to a doorway from where one starts.
 struct WayToDoor {
-  double length_m = std::numeric_limits<double>::infinity();
+  double cost = std::numeric_limits<double>::infinity();
   std::size_t before = kNoDoor;
 };
 
@@ -20,22 +20,38 @@ bool is_of(const Doorway& door, RoomNumber room) {
   return door.from == room || door.to == room;
 }
 
+double metre_cost(const RoomCost& cost, RoomNumber room) {
+  return cost ? cost(room) : 1.0;
+}
+
+/// Of the straight way between two doorways, in the cheapest room that both are of; none when
+/// there is no such room.
+std::optional<double> cost_between(const Doorway& a, const Doorway& b, const RoomCost& cost) {
+  std::optional<double> least;
+  for (const RoomNumber room : {a.from, a.to}) {
+    if (!is_of(b, room)) continue;
+    const double of_room = metre_cost(cost, room) * (b.position - a.position).norm();
+    least = std::min(of_room, least.value_or(of_room));
+  }
+  return least;
+}
+
 /// To each doorway, from the middle of a room straight from doorway to doorway.
-std::vector<WayToDoor> ways_to_doors(const RoomPlan& plan, RoomNumber from) {
+std::vector<WayToDoor> ways_to_doors(const RoomPlan& plan, RoomNumber from, const RoomCost& cost) {
   const std::vector<Doorway>& doors = plan.doorways;
   std::vector<WayToDoor> ways(doors.size());
   for (std::size_t i = 0; i < doors.size(); ++i) {
     if (!is_of(doors[i], from)) continue;
-    ways[i].length_m = (doors[i].position - plan.rooms[from - 1].middle).norm();
+    ways[i].cost =
+        metre_cost(cost, from) * (doors[i].position - plan.rooms[from - 1].middle).norm();
   }
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     for (std::size_t i = 0; i < doors.size(); ++i) {
       for (std::size_t j = 0; j < doors.size(); ++j) {
-        if (!is_of(doors[j], doors[i].from) && !is_of(doors[j], doors[i].to)) continue;
-        const double length_m = ways[i].length_m + (doors[j].position - doors[i].position).norm();
-        if (!(length_m < ways[j].length_m)) continue;
-        ways[j] = {.length_m = length_m, .before = i};
+        const auto step = cost_between(doors[i], doors[j], cost);
+        if (!step || !(ways[i].cost + *step < ways[j].cost)) continue;
+        ways[j] = {.cost = ways[i].cost + *step, .before = i};
         has_changed = true;
       }
     }
@@ -81,17 +97,19 @@ RoomNumber room_at(const RoomPlan& plan, const Eigen::Vector2d& point, double re
 
 std::optional<std::vector<Doorway>> doorways_between(const RoomPlan& plan,
                                                      RoomNumber from,
-                                                     RoomNumber to) {
+                                                     RoomNumber to,
+                                                     const RoomCost& cost) {
   if (from == to) return std::vector<Doorway>();
-  const std::vector<WayToDoor> ways = ways_to_doors(plan, from);
+  const std::vector<WayToDoor> ways = ways_to_doors(plan, from, cost);
   std::size_t last = kNoDoor;
-  double shortest_m = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (!is_of(plan.doorways[i], to)) continue;
-    const double length_m =
-        ways[i].length_m + (plan.doorways[i].position - plan.rooms[to - 1].middle).norm();
-    if (!(length_m < shortest_m)) continue;
-    shortest_m = length_m;
+    const double whole =
+        ways[i].cost +
+        metre_cost(cost, to) * (plan.doorways[i].position - plan.rooms[to - 1].middle).norm();
+    if (!(whole < least)) continue;
+    least = whole;
     last = i;
   }
   if (last == kNoDoor) return std::nullopt;

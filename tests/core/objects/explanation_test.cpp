@@ -134,6 +134,32 @@ TEST(Explanation, FromUnseenSidesMoreLooksRemoveIt) {
   EXPECT_EQ(never.removal.looks_until_removed_unseen, std::nullopt);
 }
 
+// [smap] table D.2, o_valid: what falls below it leaves the map.
+TEST(Explanation, ByRuleConfidenceTellsTheThreshold) {
+  ObjectMap map;
+  const ObjectId id = map.add(cup());
+  AbsenceOptions absence;
+  absence.removal = RemovalRule::kConfidence;
+  absence.min_confidence = Probability(0.4);
+  absence.confidence.rule = ConfidenceRule::kWeighted;
+  const Explanation why = explain(map, id, {}, absence).value();
+  ASSERT_TRUE(why.removal.threshold.has_value());
+  EXPECT_EQ(why.removal.threshold->removed_below, Probability(0.4));
+  EXPECT_EQ(why.removal.threshold->confidence, object_confidence(map.at(id), absence.confidence));
+  EXPECT_EQ(why.removal.looks_until_removed, std::nullopt);
+  EXPECT_FALSE(explain(map, id).value().removal.threshold.has_value());
+}
+
+TEST(Explanation, ItsConfidenceIsThatOfTheLayers) {
+  ObjectMap map;
+  const ObjectId id = map.add(cup());
+  ConfirmationOptions confirmation;
+  confirmation.confidence.rule = ConfidenceRule::kMultiplied;
+  const Explanation why = explain(map, id, confirmation).value();
+  EXPECT_EQ(why.confidence, object_confidence(map.at(id), confirmation.confidence));
+  EXPECT_NE(why.confidence, explain(map, id).value().confidence);
+}
+
 TEST(Explanation, OfWhatIsGoneSaysSo) {
   Object object = cup();
   for (std::uint64_t frame = 10; frame < 22; ++frame) {

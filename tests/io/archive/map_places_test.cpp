@@ -163,6 +163,11 @@ TEST(PlaceRoute, LeadsThroughTheDoorway) {
       route.length_m,
       (door - Eigen::Vector2d(0.3, 2.3)).norm() + (door - Eigen::Vector2d(6.05, 2.05)).norm(),
       1e-9);
+  EXPECT_EQ(route.cost, route.length_m);
+  // A metre in the kitchen, the room of the oven, costs 3.
+  const PlaceRoute dear = find_place_route(places, oven, cup, {{"kitchen", 3.0}}).value();
+  EXPECT_EQ(dear.length_m, route.length_m);
+  EXPECT_NEAR(dear.cost, route.length_m + 2.0 * (door - Eigen::Vector2d(0.3, 2.3)).norm(), 1e-9);
   const PlaceRoute within =
       find_place_route(places, cup, route_end(archive, places, "bed").value()).value();
   EXPECT_THAT(within.rooms, ElementsAre(2));

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -322,6 +323,16 @@ TEST(DoorwaysBetween, TheShorterWayOfTwo) {
   ASSERT_THAT(*way, SizeIs(2));
   EXPECT_NEAR((*way)[0].position.y(), 1.45, 0.1);
   EXPECT_EQ(doorways_between(found, west, west), std::vector<Doorway>());
+  // [smap] 3.5.1, traversability cost: where a metre of the room between costs 9, the corridor is
+  // the way; 1.01 is too little for that.
+  const RoomNumber middle = at(found, 4.5, 1);
+  for (const auto& [metre_cost, y_m] : {std::pair(9.0, 3.05), std::pair(1.01, 1.45)}) {
+    const auto cheapest = doorways_between(
+        found, west, east, [&](RoomNumber room) { return room == middle ? metre_cost : 1.0; });
+    ASSERT_TRUE(cheapest.has_value());
+    ASSERT_THAT(*cheapest, SizeIs(2));
+    EXPECT_NEAR((*cheapest)[0].position.y(), y_m, 0.1) << metre_cost;
+  }
 }
 
 TEST(RoomOptions, AreHeldInTheirRanges) {

@@ -94,4 +94,25 @@ Result<void> StagedFolder::commit_in_steps(bool replaces) const {
   return {};
 }
 
+Result<void> require_replaceable(const std::filesystem::path& folder,
+                                 std::string_view kind,
+                                 const std::function<bool(const std::string&)>& is_replaceable) try {
+  namespace fs = std::filesystem;
+  if (!fs::exists(folder)) return {};
+  const auto refused = [&](std::string what) -> Result<void> {
+    return Unexpected(Error{ErrorCode::kInvalidArgument, std::move(what), folder.string()});
+  };
+  if (!fs::is_directory(folder)) return refused("is no folder");
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && is_replaceable(name)) continue;
+    return refused("would be replaced, but '" + printable(name) + "' in it is no " +
+                   std::string(kind));
+  }
+  return {};
+} catch (const std::filesystem::filesystem_error& error) {
+  return Unexpected(
+      Error{ErrorCode::kIo, "cannot be looked at: " + error.code().message(), folder.string()});
+}
+
 }  // namespace hypermap

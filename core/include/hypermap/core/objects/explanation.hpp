@@ -48,6 +48,13 @@ struct Removal {
   std::optional<std::uint32_t> looks_until_removed;
   /// The same from sides on which it never was, which take less (`unseen_side_factor`).
   std::optional<std::uint32_t> looks_until_removed_unseen;
+  /// By rule kConfidence: the confidence now, and that below which it leaves the map.
+  struct Threshold {
+    Probability confidence;
+    Probability removed_below;
+    friend bool operator==(const Threshold&, const Threshold&) = default;
+  };
+  std::optional<Threshold> threshold = std::nullopt;
   friend bool operator==(const Removal&, const Removal&) = default;
 };
 
@@ -55,6 +62,7 @@ struct Removal {
 struct Explanation {
   ObjectId id;
   ObjectBeliefs beliefs;
+  Probability confidence;  ///< By the rule that all outputs have it by.
   std::vector<MissedCondition> missed_conditions;  ///< Empty: it is confirmed.
   std::optional<ObservationLogEntry> first;
   std::optional<ObservationLogEntry> newest;

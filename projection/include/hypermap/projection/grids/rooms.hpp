@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -101,11 +102,16 @@ struct RoomPlan {
                                  const Eigen::Vector2d& point,
                                  double reach_m);
 
-/// The doorways on the way from one room to another that goes through the fewest metres between
-/// them, in order; empty from a room to itself; none when no way is known. Requires: rooms of the
-/// plan. Cost: O(doorways^2) for each doorway on the longest way.
+/// What a metre of way costs in a room, > 0; empty: 1 in every room.
+using RoomCost = std::function<double(RoomNumber)>;
+
+/// The doorways on the cheapest way from one room to another, straight from doorway to doorway, in
+/// order; empty from a room to itself; none when no way is known. Requires: rooms of the plan.
+/// Source: [smap] 3.5.1 (traversability cost of places). Cost: O(doorways^2) for each doorway on
+/// the longest way.
 [[nodiscard]] std::optional<std::vector<Doorway>> doorways_between(const RoomPlan& plan,
                                                                    RoomNumber from,
-                                                                   RoomNumber to);
+                                                                   RoomNumber to,
+                                                                   const RoomCost& cost = {});
 
 }  // namespace hypermap

@@ -74,11 +74,16 @@ struct PlaceRoute {
   std::vector<RoomNumber> rooms;  ///< That it leads through, both ends included.
   std::vector<Doorway> doorways;  ///< Between them.
   double length_m = 0.0;          ///< Straight from one to the next.
+  double cost = 0.0;              ///< The same, each metre at what it costs in its room.
 };
 
-/// Errors: kNotFound when no doorways join their rooms, as far as the map knows.
+/// What a metre of way costs in places of a class, > 0; 1 in those that are not there.
+using MetreCosts = std::map<std::string, double, std::less<>>;
+
+/// The cheapest way. Errors: kNotFound when no doorways join their rooms, as far as the map knows.
 [[nodiscard]] Result<PlaceRoute> find_place_route(const MapPlaces& places,
                                                   const RouteEnd& from,
-                                                  const RouteEnd& to);
+                                                  const RouteEnd& to,
+                                                  const MetreCosts& metre_costs = {});
 
 }  // namespace hypermap

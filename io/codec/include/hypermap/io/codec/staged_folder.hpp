@@ -6,7 +6,9 @@
 #include "hypermap/core/base/result.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace hypermap {
@@ -47,5 +49,13 @@ class StagedFolder {
   std::unique_ptr<TemporaryFolder> temporary_;
   std::filesystem::path path_;
 };
+
+/// Whether a folder may be replaced as a whole: it is not there, or all that lies in it are files
+/// that it may lose, by their names. Errors: kInvalidArgument naming what is none, "no <kind>";
+/// kIo when it cannot be looked at.
+[[nodiscard]] Result<void> require_replaceable(
+    const std::filesystem::path& folder,
+    std::string_view kind,
+    const std::function<bool(const std::string&)>& is_replaceable);
 
 }  // namespace hypermap

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+#include "hypermap/core/base/count_text.hpp"
+#include "hypermap/io/archive/cropped_map.hpp"
+#include "load_arguments.hpp"
+#include "number_lists.hpp"
+#include "outputs.hpp"
+#include "part_text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace hypermap::app {
+namespace {
+
+struct CropArguments {
+  std::string file;
+  std::string area;
+  std::optional<double> min_z_m;
+  std::optional<double> max_z_m;
+  std::string output;
+  LoadArguments load;
+};
+
+/// Errors: kInvalidArgument naming the option.
+Result<CropRegion> region_of(const CropArguments& arguments) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto ring, parse_points(arguments.area, "--area"));
+  auto area = make_polygon(std::move(ring));
+  if (!area) return fail(area.error().code, area.error().what, "--area");
+  CropRegion region{.area = std::move(*area)};
+  if (arguments.min_z_m) region.min_z_m = *arguments.min_z_m;
+  if (arguments.max_z_m) region.max_z_m = *arguments.max_z_m;
+  if (auto checked = validate(region); !checked) {
+    return Unexpected(of_option(std::move(checked).error(), "--max-z"));
+  }
+  return region;
+}
+
+ExitCode run_crop(const CropArguments& arguments, const CropRegion& region) {
+  const auto whole = load_archive(
+      arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted());
+  if (!whole) return report(whole.error());
+  const auto part = cropped(whole->value, region);
+  if (!part) return report(part.error());
+  if (const auto saved =
+          save_archive(part->map, arguments.output, {.limits = arguments.load.limits});
+      !saved) {
+    return report(saved.error());
+  }
+  std::printf("%zu of %s, %zu of %s\n%s\n",
+              num_voxels(part->map),
+              count_text(num_voxels(whole->value), "voxel").c_str(),
+              part->map.objects.size(),
+              count_text(whole->value.objects.size(), "object").c_str(),
+              arguments.output.c_str());
+  ExitCode worst = warn_of_left_out("crop", part->left_out);
+  for (const Finding& finding : whole->findings) worst = std::max(worst, report(finding));
+  return worst;
+}
+
+}  // namespace
+
+void add_crop_command(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<CropArguments>();
+  CLI::App& command = *program.add_subcommand("crop", "Part of a map: what lies in an area");
+  command.add_option("map", arguments->file, "archive")->required();
+  command
+      .add_option("--area",
+                  arguments->area,
+                  "polygon \"x y,x y,x y,...\" in frame map, metres: voxels, cells, objects and "
+                  "places whose middle lies in it stay")
+      ->required();
+  command.add_option("--min-z", arguments->min_z_m, "m; voxels, objects and places from here on");
+  command.add_option("--max-z", arguments->max_z_m, "m; those below");
+  command.add_option("--output", arguments->output, "archive to write")->required();
+  arguments->load.add_to(command);
+  show_examples(command,
+                {"hypermap crop lab.hmap --area \"0 0,4 0,4 3,0 3\" --output corner.hmap",
+                 "hypermap crop lab.hmap --area \"0 0,4 0,4 3\" --max-z 1.2 --output low.hmap"});
+  command.callback([arguments, &action] {
+    keep_suffix("--output", arguments->output, ".hmap");
+    keep_apart("--output", arguments->output, {arguments->file});
+    auto region = region_of(*arguments);
+    if (!region) throw CLI::ValidationError(region.error().field, region.error().what);
+    action = [arguments, region = *region] { return run_crop(*arguments, region); };
+  });
+}
+
+}  // namespace hypermap::app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A map as a set of archives, one for each square of the plane.
+#pragma once
+
+#include "hypermap/core/base/job_progress.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/archive/cropped_map.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+
+struct SplitJob {
+  double edge_m = 10.0;  ///< Of the squares, with corners at its multiples.
+  std::filesystem::path output = {};
+  ArchiveLimits limits = {};
+};
+
+/// One archive of the set.
+struct MapTile {
+  std::string file;  ///< "tile_<column>_<row>.hmap", numbers of edges from the origin.
+  Rect area;         ///< Half open, in frame `map`.
+  std::size_t num_voxels = 0;
+  std::size_t num_objects = 0;
+};
+
+struct SplitReport {
+  std::vector<MapTile> tiles;         ///< By rows from the lowest, columns ascending.
+  std::vector<std::string> left_out;  ///< What no tile has, by name (see `cropped`).
+};
+
+/// Writes a folder with an archive for each tile that has something (`map_tiles`, `cropped`) and
+/// `tiles.json`, which says what lies where: `tile_m`, `tiles` [{`file`, `area` [x, y, x, y],
+/// `voxels`, `objects`}]. The folder appears whole or not at all.
+///
+/// Errors: those of map_tiles, cropped and write_archive; kInvalidArgument for a folder that holds
+/// anything but such files; kIo; kInterrupted when progress, which counts tiles, says so.
+/// Cost: the map is looked at once for each tile.
+[[nodiscard]] Result<SplitReport> run_split(const MapArchive& archive,
+                                            const SplitJob& job,
+                                            const JobProgress& progress = {});
+
+}  // namespace hypermap

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/jobs/split_job.hpp"
+
+#include "hypermap/io/codec/bounded_json.hpp"
+#include "hypermap/io/codec/json_text.hpp"
+#include "hypermap/io/codec/staged_folder.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+constexpr std::string_view kIndexName = "tiles.json";
+constexpr std::string_view kTilePrefix = "tile_";
+constexpr std::string_view kTileSuffix = ".hmap";
+
+Result<void> require_replaceable_set(const std::filesystem::path& folder) {
+  return require_replaceable(folder, "tile of a map", [](const std::string& name) {
+    return name == kIndexName || (name.starts_with(kTilePrefix) && name.ends_with(kTileSuffix));
+  });
+}
+
+std::string tile_name(const Rect& area, double edge_m) {
+  const auto number = [&](double low_m) { return std::to_string(std::llround(low_m / edge_m)); };
+  return std::string(kTilePrefix) + number(area.min.x()) + "_" + number(area.min.y()) +
+         std::string(kTileSuffix);
+}
+
+MapTile described(const MapArchive& part, const Rect& area, double edge_m) {
+  const LeafCount leaves = part.octree ? part.octree->num_leaves() : LeafCount{};
+  return {.file = tile_name(area, edge_m),
+          .area = area,
+          .num_voxels = leaves.occupied + leaves.free,
+          .num_objects = part.objects.size()};
+}
+
+std::string tile_json(const MapTile& tile) {
+  const std::vector<double> area{
+      tile.area.min.x(), tile.area.min.y(), tile.area.max.x(), tile.area.max.y()};
+  return json_object({{"file", json_quoted(tile.file)},
+                      {"area", json_array(area, [](double value) { return json_number(value); })},
+                      {"voxels", std::to_string(tile.num_voxels)},
+                      {"objects", std::to_string(tile.num_objects)}});
+}
+
+std::string index_json(const SplitReport& report, double edge_m) {
+  return json_object(
+             {{"tile_m", json_number(edge_m)}, {"tiles", json_array(report.tiles, tile_json)}}) +
+         "\n";
+}
+
+}  // namespace
+
+Result<SplitReport> run_split(const MapArchive& archive,
+                              const SplitJob& job,
+                              const JobProgress& progress) {
+  HYPERMAP_TRY(require_replaceable_set(job.output));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto regions, map_tiles(archive, job.edge_m));
+  HYPERMAP_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::create(job.output));
+  SplitReport report;
+  for (const CropRegion& region : regions) {
+    if (progress && !progress(report.tiles.size(), regions.size())) {
+      return interrupted();
+    }
+    HYPERMAP_ASSIGN_OR_RETURN(CroppedMap part, cropped(archive, region));
+    const MapTile tile = described(part.map, bounds(region.area), job.edge_m);
+    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, write_archive(part.map, job.limits));
+    HYPERMAP_TRY(staged.write(tile.file, bytes));
+    report.tiles.push_back(tile);
+    report.left_out = std::move(part.left_out);
+  }
+  HYPERMAP_TRY(staged.write(kIndexName, index_json(report, job.edge_m)));
+  HYPERMAP_TRY(require_replaceable_set(job.output));  // the writing took a while
+  HYPERMAP_TRY(staged.commit());
+  return report;
+}
+
+}  // namespace hypermap

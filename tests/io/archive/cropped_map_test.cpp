@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/archive/cropped_map.hpp"
+
+#include "hypermap/projection/layers/occupancy_layer.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
+#include "io/archive/sample_archive.hpp"
+#include "support/temp_dir.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Polygon rectangle(double x_min, double y_min, double x_max, double y_max) {
+  return {.outer = {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}, .holes = {}};
+}
+
+SemanticObject shape_at(std::uint64_t id, double x_m, double y_m) {
+  SemanticObject shape;
+  shape.id = id;
+  shape.name = "chair";
+  shape.parts = {rectangle(x_m - 0.2, y_m - 0.2, x_m + 0.2, y_m + 0.2)};
+  return shape;
+}
+
+/// Voxels, cells, objects with their shapes, and places, all over 8 m by 6 m around the origin.
+MapArchive wide_map() {
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> x_m(-4.0, 4.0);
+  std::uniform_real_distribution<double> y_m(-3.0, 3.0);
+  std::uniform_real_distribution<double> z_m(0.0, 2.0);
+  MapArchive archive;
+  archive.classes.add("chair").value();
+  archive.octree = SemanticOctree::create({}).value();
+  std::vector<SemanticObject> shapes;
+  TopologicalMap places;
+  for (int i = 0; i < 40; ++i) {
+    Object object = test::sample_object();
+    object.centroid_in_map = {x_m(engine), y_m(engine), z_m(engine)};
+    object.box = {object.centroid_in_map.array() - 0.2, object.centroid_in_map.array() + 0.2};
+    const Eigen::Vector3d centroid = object.centroid_in_map;
+    const ObjectId id = archive.objects.add(std::move(object));
+    // A shape whose middle is elsewhere goes with its object all the same.
+    shapes.push_back(shape_at(id.value, centroid.x() + 0.3, centroid.y()));
+    archive.views[id] = {.quality = 1.0, .jpeg = "none"};
+    (void)places.observe({x_m(engine), y_m(engine), 1.0});
+    for (int k = 0; k < 100; ++k) {
+      StoredLeaf leaf;
+      leaf.key =
+          archive.octree->grid().key(PointInMap{{x_m(engine), y_m(engine), z_m(engine)}}).value();
+      leaf.log_odds = 2000;
+      leaf.label = VoxelLabel{};
+      leaf.label->object = id;
+      leaf.label->object_votes = 1;
+      EXPECT_TRUE(archive.octree->set_leaf(leaf));
+    }
+  }
+  archive.topological_map = places;
+  OccupancyGrid grid =
+      OccupancyGrid::create({.resolution_m = 0.25, .origin = {-4, -3}, .cols = 32, .rows = 24},
+                            kFreeCell)
+          .value();
+  archive.class_grids = {{.class_name = "chair", .grid = grid}};
+  EXPECT_TRUE(archive.hypermap.add_layer({.info = {.name = "occupancy", .file = "occupancy"},
+                                          .content = OccupancyLayer(std::move(grid))}));
+  EXPECT_TRUE(
+      archive.hypermap.add_layer({.info = {.name = "semantic", .file = "semantic"},
+                                  .content = SemanticLayer::create(std::move(shapes)).value()}));
+  return archive;
+}
+
+std::set<ObjectId> ids_of(const MapArchive& archive) {
+  std::set<ObjectId> ids;
+  for (const Object& object : archive.objects.objects()) ids.insert(object.id);
+  return ids;
+}
+
+const OccupancyGrid& grid_of(const MapArchive& archive) {
+  return archive.hypermap.find("occupancy")->content.as<OccupancyLayer>()->grid;
+}
+
+const SemanticLayer& shapes_of(const MapArchive& archive) {
+  return *archive.hypermap.find("semantic")->content.as<SemanticLayer>();
+}
+
+std::size_t num_voxels(const MapArchive& archive) {
+  const LeafCount count = archive.octree->num_leaves();
+  return count.occupied + count.free;
+}
+
+TEST(CroppedMap, HoldsWhatLiesInTheRegion) {
+  const MapArchive whole = wide_map();
+  const CropRegion region{.area = rectangle(-1, -2, 3, 1), .min_z_m = 0.5, .max_z_m = 1.5};
+  const auto part = cropped(whole, region).value();
+  EXPECT_THAT(part.left_out, IsEmpty());
+  std::size_t expected_voxels = 0;
+  whole.octree->for_each_stored_leaf([&](const StoredLeaf& leaf) {
+    const Eigen::Vector3d at = whole.octree->grid().centre(leaf.key).xyz;
+    const bool is_inside =
+        at.x() >= -1 && at.x() < 3 && at.y() >= -2 && at.y() < 1 && at.z() >= 0.5 && at.z() < 1.5;
+    expected_voxels += is_inside ? 1U : 0U;
+    EXPECT_EQ(part.map.octree->stored_at(leaf.key).has_value(), is_inside);
+  });
+  EXPECT_EQ(num_voxels(part.map), expected_voxels);
+  for (const Object& object : whole.objects.objects()) {
+    const Eigen::Vector3d& at = object.centroid_in_map;
+    const bool is_inside =
+        at.x() >= -1 && at.x() < 3 && at.y() >= -2 && at.y() < 1 && at.z() >= 0.5 && at.z() < 1.5;
+    EXPECT_EQ(part.map.objects.contains(object.id), is_inside);
+    EXPECT_EQ(part.map.views.contains(object.id), is_inside);
+    EXPECT_EQ(shapes_of(part.map).find(object.id.value) != nullptr, is_inside);
+    if (is_inside) {
+      EXPECT_EQ(part.map.objects.at(object.id), object);
+    }
+  }
+  EXPECT_EQ(grid_of(part.map).geometry(),
+            (GridGeometry{.resolution_m = 0.25, .origin = {-1, -2}, .cols = 16, .rows = 12}));
+  EXPECT_EQ(part.map.class_grids.at(0).grid, grid_of(part.map));
+  for (const TopologicalVertex& vertex : part.map.topological_map->vertices()) {
+    EXPECT_TRUE(region.contains(vertex.position_in_map));
+  }
+}
+
+TEST(CroppedMap, VoxelsOfObjectsElsewhereAreOfNone) {
+  const auto part = cropped(wide_map(), {.area = rectangle(0, 0, 4, 3)}).value().map;
+  std::size_t num_of_none = 0;
+  part.octree->for_each_label([&](const VoxelLabel& label) {
+    num_of_none += label.object == kNoObject ? 1U : 0U;
+    EXPECT_TRUE(label.object == kNoObject || part.objects.contains(label.object));
+  });
+  EXPECT_GT(num_of_none, 0U);
+}
+
+// Regions that divide the plane have everything once, and the part can be saved.
+TEST(CroppedMap, TilesHaveEachVoxelCellAndObjectOnce) {
+  const MapArchive whole = wide_map();
+  const test::TempDir folder;
+  std::size_t voxels = 0;
+  std::size_t cells = 0;
+  std::size_t vertices = 0;
+  std::multiset<ObjectId> ids;
+  const auto tiles = map_tiles(whole, 1.7).value();
+  EXPECT_GT(tiles.size(), 10U);
+  for (const CropRegion& tile : tiles) {
+    const auto part = cropped(whole, tile).value().map;
+    voxels += num_voxels(part);
+    cells += grid_of(part).counts().free;
+    vertices += part.topological_map->vertices().size();
+    const std::set<ObjectId> of_part = ids_of(part);
+    ids.insert(of_part.begin(), of_part.end());
+  }
+  EXPECT_EQ(voxels, num_voxels(whole));
+  EXPECT_EQ(cells, grid_of(whole).counts().free);
+  EXPECT_LE(vertices, whole.topological_map->vertices().size());
+  const std::set<ObjectId> all = ids_of(whole);
+  EXPECT_EQ(ids, std::multiset<ObjectId>(all.begin(), all.end()));
+}
+
+TEST(CroppedMap, OfASampleCanBeSavedAndLoaded) {
+  MapArchive whole = test::sample_archive();
+  const test::TempDir folder;
+  for (const Polygon& area : {rectangle(-1, -1, 1, 0.2), rectangle(50, 50, 51, 51)}) {
+    const auto part = cropped(whole, {.area = area});
+    ASSERT_TRUE(part) << to_string(part.error());
+    const auto saved = save_archive(part->map, folder.path() / "part.hmap");
+    EXPECT_TRUE(saved) << to_string(saved.error());
+    EXPECT_EQ(part->map.classes, whole.classes);
+    EXPECT_EQ(part->map.provenance, whole.provenance);
+  }
+}
+
+TEST(CroppedMap, LayersInOtherFramesAreCroppedWhereTheyLie) {
+  MapArchive whole = wide_map();
+  EXPECT_TRUE(whole.hypermap.frames().add(
+      {.frame_id = "map", .child_frame_id = "aside", .x_m = 10.0, .y_m = 0.0, .yaw_rad = 0.0}));
+  EXPECT_TRUE(whole.hypermap.add_layer(
+      {.info = {.name = "marks", .frame_id = "aside", .file = "marks"},
+       .content =
+           SemanticLayer::create({shape_at(900, -9.5, 0.5), shape_at(901, 0.5, 0.5)}).value()}));
+  EXPECT_TRUE(whole.hypermap.add_layer(
+      {.info = {.name = "lost", .frame_id = "nowhere", .file = "lost"},
+       .content = SemanticLayer::create({shape_at(900, 0.5, 0.5)}).value()}));
+  const auto part = cropped(whole, {.area = rectangle(0, 0, 2, 2)}).value();
+  const auto& marks = *part.map.hypermap.find("marks")->content.as<SemanticLayer>();
+  EXPECT_EQ(marks.objects().size(), 1U);
+  EXPECT_NE(marks.find(900), nullptr);
+  EXPECT_THAT(part.left_out, ElementsAre("lost"));
+  EXPECT_EQ(part.map.hypermap.find("lost"), nullptr);
+}
+
+// A border belongs to the region above it and to its right.
+TEST(CropRegion, IsHalfOpen) {
+  const CropRegion region{.area = rectangle(0, 0, 1, 1), .min_z_m = 0, .max_z_m = 2};
+  EXPECT_TRUE(region.contains(Eigen::Vector3d(0, 0, 0)));
+  EXPECT_FALSE(region.contains(Eigen::Vector2d(1, 0.5)));
+  EXPECT_FALSE(region.contains(Eigen::Vector2d(0.5, 1)));
+  EXPECT_FALSE(region.contains(Eigen::Vector3d(0.5, 0.5, 2)));
+  CropRegion with_hole = region;
+  with_hole.area.holes = {{{0.2, 0.2}, {0.2, 0.8}, {0.8, 0.8}, {0.8, 0.2}}};
+  EXPECT_FALSE(with_hole.contains(Eigen::Vector2d(0.5, 0.5)));
+  EXPECT_TRUE(with_hole.contains(Eigen::Vector2d(0.1, 0.5)));
+}
+
+TEST(CropRegion, IsCheckedByField) {
+  const MapArchive whole = test::sample_archive();
+  EXPECT_EQ(cropped(whole, {.area = {}}).error().field, "area");
+  EXPECT_EQ(
+      cropped(whole, {.area = rectangle(0, 0, 1, 1), .min_z_m = 1, .max_z_m = 1}).error().field,
+      "max_z_m");
+  EXPECT_EQ(map_tiles(whole, 0.0).error().field, "edge_m");
+  EXPECT_EQ(map_tiles(whole, std::numeric_limits<double>::quiet_NaN()).error().field, "edge_m");
+}
+
+}  // namespace
+}  // namespace hypermap
