@@ -32,5 +32,20 @@ TEST(Sentence, SaysWhatAnObjectIsToOthers) {
             "object 8 is in room 1; what it stands on was not seen or has no class");
 }
 
+TEST(Sentence, TellsWhatIsNearestBesideTheHolder) {
+  RelationGraph graph{.relations = {{RelationKind::kOn, ObjectId{12}, ObjectId{3}, {}},
+                                    {RelationKind::kBeside, ObjectId{1}, ObjectId{3}, {}},
+                                    {RelationKind::kBeside, ObjectId{2}, ObjectId{3}, {}},
+                                    {RelationKind::kBeside, ObjectId{3}, ObjectId{12}, {}}},
+                      .supports = {{ObjectId{1}, SupportKind::kFloor, kNoObject},
+                                   {ObjectId{2}, SupportKind::kFloor, kNoObject},
+                                   {ObjectId{3}, SupportKind::kFloor, kNoObject},
+                                   {ObjectId{12}, SupportKind::kObject, ObjectId{3}}}};
+  graph.relations[1].evidence.gap_m = 0.6;
+  graph.relations[2].evidence.gap_m = 0.2;
+  EXPECT_EQ(sentence_of(graph, ObjectId{12}, numbered, "in the kitchen (room 2)"),
+            "object 12 is in the kitchen (room 2), on object 3 by object 2, beside object 3");
+}
+
 }  // namespace
 }  // namespace hypermap
