@@ -74,6 +74,7 @@ void add_info_command(CLI::App& program, Action& action);
 void add_classes_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_query_command(CLI::App& program, Action& action);
+void add_shell_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
 void add_stack_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_cells_command(CLI::App& program, const CommonOptions& common, Action& action);

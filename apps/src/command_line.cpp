@@ -32,6 +32,7 @@ CommandLine::CommandLine()
   add_classes_command(program, action);
   add_config_command(program, action);
   add_query_command(program, action);
+  add_shell_command(program, action);
   add_export_command(program, action);
   add_stack_command(program, common, action);
   add_cells_command(program, common, action);
