@@ -13,6 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
+from laboratory import SmallLaboratoryCase
 from program import PROGRAM, SOURCE, digest, run
 
 FILES = SOURCE / "tests/apps/shell"
@@ -139,24 +140,8 @@ class ShellScripts(unittest.TestCase):
         self.assertFalse(state.exists())
 
 
-class ShellObjects(unittest.TestCase):
+class ShellObjects(SmallLaboratoryCase):
     """Maps that were mapped: parts are read once something asks for them."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-shell-"))
-        cls.map = cls.folder / "lab.hmap"
-        lab = cls.folder / "lab"
-        steps = [("simulate", "--frames", 12, "--size", "320x240", "--seed", 1, "--detector", "perfect", "--output", lab),
-                 ("map", "--input", lab, "--output", cls.map, "--resolution", 0.1)]
-        cls.failed = [result.stderr for result in (run(*step) for step in steps) if result.returncode not in (0, 1)]
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
-
-    def setUp(self):
-        self.assertEqual(self.failed, [])
 
     def said(self, lines, status=0):
         result = scripted(lines, self.map)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace hypermap::app {
@@ -97,18 +98,15 @@ void print_frames_to_publish(const std::vector<Layer>& layers, const FrameTree& 
   if (listed.size() > 1) std::printf("%s", table.text().c_str());
 }
 
-/// All frames that layers lie in or transforms know.
+/// All frames that layers lie in or transforms know, ascending.
 std::vector<std::string> frames_of(const ShellMap& map) {
-  std::vector<std::string> frames;
-  for (const ShellLayer& layer : map.layers()) frames.push_back(layer.frame_id);
+  std::set<std::string> frames;
+  for (const ShellLayer& layer : map.layers()) frames.insert(layer.frame_id);
   for (const FrameTransform& transform : map.read_by_now().hypermap.frames().transforms()) {
-    frames.push_back(transform.frame_id);
-    frames.push_back(transform.child_frame_id);
+    frames.insert(transform.frame_id);
+    frames.insert(transform.child_frame_id);
   }
-  std::ranges::sort(frames);
-  const auto repeated = std::ranges::unique(frames);
-  frames.erase(repeated.begin(), repeated.end());
-  return frames;
+  return {frames.begin(), frames.end()};
 }
 
 }  // namespace
