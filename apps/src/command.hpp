@@ -82,6 +82,7 @@ void add_snapshot_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
 void add_diff_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
+void add_repair_command(CLI::App& program, Action& action);
 void add_tune_command(CLI::App& program, const CommonOptions& common, Action& action);
 
 }  // namespace hypermap::app

@@ -41,6 +41,7 @@ CommandLine::CommandLine()
   add_diff_command(program, action);
   add_tune_command(program, common, action);
   add_check_command(program, action);
+  add_repair_command(program, action);
 }
 
 }  // namespace hypermap::app
