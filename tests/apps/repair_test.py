@@ -69,12 +69,25 @@ class Repair(SmallLaboratoryCase):
         self.assertEqual(self.layers(self.output), self.layers(self.map))
 
     def test_what_depends_on_nothing_else_is_lost_alone(self):
+        self.without("objects.jsonl", "octree.bt")
+        told = self.repaired().stdout
+        self.assertRegex(told, r"extension objects +lost")
+        before = self.layers(self.map)
+        before.pop("objects")
+        after = self.layers(self.output)
+        self.assertEqual(list(after), list(before))
+        self.assertEqual(after["occupancy"], before["occupancy"])
+
+    def test_the_twin_stands_for_a_lost_octree(self):
         self.without("octree.ot")
         told = self.repaired().stdout
         self.assertRegex(told, r"extension octree +lost")
-        before = self.layers(self.map)
-        before.pop("octree")
-        self.assertEqual(self.layers(self.output), before)
+        self.assertRegex(told, r"extension octree_twin +repaired +stands for the octree")
+        before, after = self.layers(self.map), self.layers(self.output)
+        self.assertEqual(set(after), set(before))
+        for end in ("min", "max"):
+            for is_now, was in zip(after["octree"]["bounds"][end], before["octree"]["bounds"][end]):
+                self.assertAlmostEqual(is_now, was)
 
     def test_a_damaged_member_is_named(self):
         content = bytearray(self.map.read_bytes())

@@ -10,6 +10,7 @@
 #include "layers/layer_files.hpp"
 #include "named_classes.hpp"
 #include "part_reader.hpp"
+#include "repair_text.hpp"
 #include "reserved_names.hpp"
 
 #include <algorithm>
@@ -18,20 +19,6 @@
 
 namespace hypermap {
 namespace {
-
-/// What an error says besides the file, which the reader of notes knows.
-std::string text_of(Error error) {
-  error.file.clear();
-  return to_string(error);
-}
-
-/// The findings as one text.
-std::string text_of(const std::vector<Finding>& findings) {
-  std::string text;
-  for (const Finding& finding : findings)
-    text += (text.empty() ? "" : "; ") + text_of(finding.error);
-  return text;
-}
 
 /// Reads a map part by part from members that are sound.
 class RepairingReader {
@@ -161,6 +148,8 @@ class RepairingReader {
     const std::string subject = "extension " + printable(entry.name);
     const std::string owner = "extensions[" + std::to_string(position) + "].file";
     if (layers_.find(entry.format) != nullptr) return take_extension_layer(entry, owner, subject);
+    const bool is_twin = entry.format == kOctreeTwinFormat;
+    if (is_twin && !repaired_.map.octree) return take_twin(entry, owner, subject);
     MapArchive& map = repaired_.map;
     const ClassRegistry classes = map.classes;
     const auto read = [&](SalvagedMembers& members) -> Result<Loaded<bool>> {
@@ -171,13 +160,34 @@ class RepairingReader {
     if (!part) {
       map.classes = classes;  // all other readers change the map at their end
       // Made anew with each archive.
-      if (entry.format == kOctreeTwinFormat && !is_of_the_system(part.error())) {
+      if (is_twin && !is_of_the_system(part.error())) {
         note(subject, RepairOutcome::kRebuilt, "from the octree: " + text_of(part.error()));
         return {};
       }
       return lose_part(subject, {name_of_part(entry), entry.format}, part.error());
     }
     take_part(subject, *part);
+    return {};
+  }
+
+  /// The twin of an octree that is lost is an octree of another program.
+  Result<void> take_twin(ExtensionEntry entry,
+                         const std::string& owner,
+                         const std::string& subject) {
+    LostPart lost{.name = entry.name, .class_name = entry.format};
+    entry.format = kOctomapFormat;
+    entry.name = "octree";
+    const auto read = [&](SalvagedMembers& members) -> Result<Loaded<bool>> {
+      HYPERMAP_ASSIGN_OR_RETURN(auto findings,
+                                read_extension(repaired_.map, members, entry, owner, limits_));
+      return Loaded<bool>{.value = true, .findings = std::move(findings)};
+    };
+    auto part = parts_.read<bool>(read);
+    if (!part) return lose_part(subject, std::move(lost), part.error());
+    parts_.use(part->used);
+    note(subject,
+         RepairOutcome::kRepaired,
+         "stands for the octree, which is lost: occupied and free space without classes");
     return {};
   }
 
