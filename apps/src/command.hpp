@@ -77,6 +77,7 @@ void add_info_command(CLI::App& program, Action& action);
 void add_classes_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);
 void add_query_command(CLI::App& program, Action& action);
+void add_shell_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
 void add_stack_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_cells_command(CLI::App& program, const CommonOptions& common, Action& action);
@@ -84,6 +85,7 @@ void add_snapshot_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
 void add_diff_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
+void add_repair_command(CLI::App& program, Action& action);
 void add_tune_command(CLI::App& program, const CommonOptions& common, Action& action);
 
 }  // namespace hypermap::app

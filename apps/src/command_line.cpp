@@ -35,6 +35,7 @@ CommandLine::CommandLine()
   add_classes_command(program, action);
   add_config_command(program, action);
   add_query_command(program, action);
+  add_shell_command(program, action);
   add_export_command(program, action);
   add_stack_command(program, common, action);
   add_cells_command(program, common, action);
@@ -43,6 +44,7 @@ CommandLine::CommandLine()
   add_diff_command(program, action);
   add_tune_command(program, common, action);
   add_check_command(program, action);
+  add_repair_command(program, action);
 }
 
 }  // namespace hypermap::app

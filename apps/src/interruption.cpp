@@ -29,4 +29,9 @@ int interrupting_signal() {
   return noted_signal;
 }
 
+void forget_interruption() {
+  noted_signal = 0;
+  watch_interruptions();  // a signal that came is watched no more
+}
+
 }  // namespace hypermap::app

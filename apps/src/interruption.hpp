@@ -12,4 +12,7 @@ void watch_interruptions();
 /// The signal that was noted; 0: none.
 [[nodiscard]] int interrupting_signal();
 
+/// As if none had come; signals are watched as before.
+void forget_interruption();
+
 }  // namespace hypermap::app

@@ -166,7 +166,8 @@ class Exports(FaultCase):
     def test_maps_of_others_and_what_changed(self):
         archive, grid = self.out / "a.hmap", self.folder / "grid"
         Inputs.succeed("export", Inputs.objects(0.1), "--format", "ros-map", "--output", grid)
-        for made in (["import", grid.with_suffix(".yaml")], ["diff", Inputs.objects(0.1), Inputs.objects(0.1)]):
+        for made in (["import", grid.with_suffix(".yaml")], ["diff", Inputs.objects(0.1), Inputs.objects(0.1)],
+                     ["repair", Inputs.objects(0.1)]):
             with self.subTest(made[0]):
                 self.check_faults(lambda: archive.write_bytes(OLD), [*made, "--output", archive], count=SAMPLE)
 

@@ -12,12 +12,15 @@ from program import run
 class LaboratoryCase(unittest.TestCase):
     """`map`, made once a class in `folder`, where cases may write."""
 
+    SIMULATION = ("--frames", 40)
+    RESOLUTION_M = 0.05
+
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-laboratory-"))
         cls.map = cls.folder / "lab.hmap"
-        steps = [("simulate", "--frames", 40, "--seed", 1, "--detector", "perfect", "--output", cls.folder / "lab"),
-                 ("map", "--input", cls.folder / "lab", "--output", cls.map, "--resolution", 0.05)]
+        steps = [("simulate", *cls.SIMULATION, "--seed", 1, "--detector", "perfect", "--output", cls.folder / "lab"),
+                 ("map", "--input", cls.folder / "lab", "--output", cls.map, "--resolution", cls.RESOLUTION_M)]
         cls.failed = [result.stderr for result in (run(*step) for step in steps) if result.returncode not in (0, 1)]
 
     @classmethod
@@ -26,3 +29,10 @@ class LaboratoryCase(unittest.TestCase):
 
     def setUp(self):
         self.assertEqual(self.failed, [])
+
+
+class SmallLaboratoryCase(LaboratoryCase):
+    """Of a few small frames and large voxels: for what does not depend on what is in the map."""
+
+    SIMULATION = ("--frames", 12, "--size", "320x240")
+    RESOLUTION_M = 0.1

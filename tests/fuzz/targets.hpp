@@ -30,6 +30,7 @@ void fuzz_options(std::string_view bytes);
 void fuzz_pgm(std::string_view bytes);
 void fuzz_png(std::string_view bytes);
 void fuzz_provenance(std::string_view bytes);
+void fuzz_salvage(std::string_view bytes);
 void fuzz_scene(std::string_view bytes);
 void fuzz_semantic(std::string_view bytes);
 void fuzz_sogm(std::string_view bytes);
@@ -77,6 +78,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"pgm", fuzz_pgm},
                                       {"png", fuzz_png},
                                       {"provenance", fuzz_provenance},
+                                      {"salvage", fuzz_salvage},
                                       {"scene", fuzz_scene},
                                       {"semantic", fuzz_semantic},
                                       {"sogm", fuzz_sogm},

@@ -41,6 +41,7 @@ THIRD_PARTY = {
     "pcre2.h": ("Pcre2::Pcre2", ("core",)),
     "xxhash.h": ("XxHash::headers", ("archive",)),
     "CLI/": ("CLI11::CLI11", ("apps",)),
+    "histedit.h": ("LibEdit::LibEdit", ("apps",)),
 }
 # Of the C library.
 SYSTEM = re.compile(r"^(dirent|dlfcn|fcntl|poll|unistd|sys/\w+)\.h$")

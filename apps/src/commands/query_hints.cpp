@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hypermap::app {
 
-bool print_hint(const MapArchive& archive, const MapQuery& query) {
+std::optional<std::string> name_hint(const MapArchive& archive, const MapQuery& query) {
   const std::string& text = *query.text;
   std::vector<std::string> known = names_in(archive);
   if (query.layer == kObjectsLayer) {
@@ -22,11 +23,14 @@ bool print_hint(const MapArchive& archive, const MapQuery& query) {
   }
   const auto names = asked_of_map(archive, text);
   const auto is_asked = [&](const std::string& name) { return names->contains(name); };
-  if (!names || std::ranges::any_of(known, is_asked)) return false;
-  std::fprintf(stderr,
-               "query: %s\n",
-               nothing_asked(text, known, archive.vocabulary, "no class of this map").c_str());
-  return true;
+  if (!names || std::ranges::any_of(known, is_asked)) return std::nullopt;
+  return nothing_asked(text, known, archive.vocabulary, "no class of this map");
+}
+
+bool print_hint(const MapArchive& archive, const MapQuery& query) {
+  const auto hint = name_hint(archive, query);
+  if (hint) std::fprintf(stderr, "query: %s\n", hint->c_str());
+  return hint.has_value();
 }
 
 void print_no_relation(const QueryArguments& arguments) {

@@ -7,10 +7,17 @@
 #include "hypermap/io/archive/map_query.hpp"
 #include "query_arguments.hpp"
 
+#include <optional>
+#include <string>
+
 namespace hypermap::app {
 
-/// Says, when nothing of the map has a name that the text asks for, that it may be misspelt;
-/// whether it did. The states of space are no names of objects. Requires: query.text.
+/// That the text may be misspelt, when nothing of the map has a name that it asks for. The states
+/// of space are no names of objects. Requires: query.text.
+[[nodiscard]] std::optional<std::string> name_hint(const MapArchive& archive,
+                                                   const MapQuery& query);
+
+/// Says it; whether there was anything to say. Requires: query.text.
 bool print_hint(const MapArchive& archive, const MapQuery& query);
 
 /// Nothing is related as it was asked.

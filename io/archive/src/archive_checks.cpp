@@ -15,20 +15,24 @@ Result<void> check_class(const ClassRegistry& classes, ClassId id, const std::st
               where);
 }
 
-Result<void> check_object(const ClassRegistry& classes, const Object& object) {
-  const std::string where = "object " + std::to_string(object.id.value);
-  for (const ClassLogOdds& entry : object.belief.entries())
-    HYPERMAP_TRY(check_class(classes, entry.id, where));
-  for (const ClassLogOdds& entry : object.prior.log_factors())
-    HYPERMAP_TRY(check_class(classes, entry.id, where));
+/// Calls `visit(id)` for each class that an object speaks of, with repetitions.
+template <class Visit>
+void for_each_class(const Object& object, const Visit& visit) {
+  for (const ClassLogOdds& entry : object.belief.entries()) visit(entry.id);
+  for (const ClassLogOdds& entry : object.prior.log_factors()) visit(entry.id);
   const ObservationLogState& observation_log = object.observation_log.state();
-  if (observation_log.first)
-    HYPERMAP_TRY(check_class(classes, observation_log.first->class_id, where));
-  for (const ObservationLogEntry& entry : observation_log.newest)
-    HYPERMAP_TRY(check_class(classes, entry.class_id, where));
-  for (const ObservationLogSummary& summary : observation_log.summaries)
-    HYPERMAP_TRY(check_class(classes, summary.class_id, where));
-  return {};
+  if (observation_log.first) visit(observation_log.first->class_id);
+  for (const ObservationLogEntry& entry : observation_log.newest) visit(entry.class_id);
+  for (const ObservationLogSummary& summary : observation_log.summaries) visit(summary.class_id);
+}
+
+Result<void> check_object(const ClassRegistry& classes, const Object& object) {
+  std::optional<ClassId> unknown;
+  for_each_class(object, [&](ClassId id) {
+    if (!unknown && !classes.contains(id)) unknown = id;
+  });
+  if (!unknown) return {};
+  return check_class(classes, *unknown, "object " + std::to_string(object.id.value));
 }
 
 /// The largest class id that a label names, if any does.
@@ -54,6 +58,15 @@ std::optional<ObjectId> absent_object(const MapArchive& archive) {
 }
 
 }  // namespace
+
+std::optional<ClassId> largest_class_of(const MapArchive& archive) {
+  auto largest = archive.octree ? largest_class(*archive.octree) : std::nullopt;
+  for (const Object& object : archive.objects.objects()) {
+    for_each_class(object,
+                   [&](ClassId id) { largest = std::max(largest.value_or(ClassId{0}), id); });
+  }
+  return largest;
+}
 
 Result<void> check_classes(const MapArchive& archive) {
   const auto largest = archive.octree ? largest_class(*archive.octree) : std::nullopt;

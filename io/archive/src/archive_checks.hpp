@@ -10,6 +10,10 @@
 
 namespace hypermap {
 
+/// The largest class id that octree and objects speak of, named or not; none when they speak of
+/// none.
+[[nodiscard]] std::optional<ClassId> largest_class_of(const MapArchive& archive);
+
 /// That every class which octree and objects speak of is in the registry.
 /// Errors: kMalformedFile naming the part.
 [[nodiscard]] Result<void> check_classes(const MapArchive& archive);

@@ -50,9 +50,10 @@ class ArchiveReader {
     }
     if (archive_.octree) octree_resolution_m_ = archive_.octree->resolution_m();
     if (!parts_) HYPERMAP_TRY(keep_the_rest(config));
-    return Loaded<PartialMap>{
-        .value = {.map = std::move(archive_), .octree_resolution_m = octree_resolution_m_},
-        .findings = std::move(findings_)};
+    return Loaded<PartialMap>{.value = {.map = std::move(archive_),
+                                        .octree_resolution_m = octree_resolution_m_,
+                                        .left_out = std::move(left_out_)},
+                              .findings = std::move(findings_)};
   }
 
  private:
@@ -116,6 +117,7 @@ class ArchiveReader {
   /// A part that is not read may still lead nowhere.
   Result<void> leave_out(const ExtensionEntry& entry, const std::string& owner) {
     HYPERMAP_TRY(members_.check(entry.file, owner));
+    left_out_.push_back(entry);
     if (entry.format != kOctomapFormat || octree_resolution_m_) return {};
     constexpr std::size_t kOctreeStartBytes = std::size_t{1} << 12U;
     const auto start = members_.start_of(entry.file, kOctreeStartBytes);
@@ -153,6 +155,7 @@ class ArchiveReader {
   const std::optional<ArchiveParts>& parts_;  ///< None: all there is.
   MapArchive archive_;
   std::optional<double> octree_resolution_m_;
+  std::vector<ExtensionEntry> left_out_;
   std::vector<Finding> findings_;
 };
 

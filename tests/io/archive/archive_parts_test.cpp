@@ -4,12 +4,23 @@
 #include "io/archive/sample_archive.hpp"
 #include "support/temp_dir.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<std::string> formats_of(std::span<const ExtensionEntry> entries) {
+  std::vector<std::string> formats;
+  formats.reserve(entries.size());
+  for (const ExtensionEntry& entry : entries) formats.push_back(entry.format);
+  return formats;
+}
 
 TEST(ArchiveParts, WhatIsLeftOutIsNotThereAndTheRestIsAsInTheWhole) {
   const test::TempDir folder;
@@ -28,12 +39,17 @@ TEST(ArchiveParts, WhatIsLeftOutIsNotThereAndTheRestIsAsInTheWhole) {
   EXPECT_TRUE(layers.map.objects.empty());
   EXPECT_TRUE(layers.map.class_grids.empty());
   EXPECT_EQ(layers.octree_resolution_m, whole.octree->resolution_m());
+  EXPECT_THAT(
+      formats_of(layers.left_out),
+      ElementsAre(
+          kOctomapFormat, kOctreeTwinFormat, kObjectsFormat, kEmbeddingsFormat, kClassGridFormat));
   const PartialMap objects = load_archive_parts(path, {.octrees = false}).value().value;
   EXPECT_EQ(objects.map.objects, whole.objects);
   EXPECT_EQ(objects.map.class_grids, whole.class_grids);
   EXPECT_FALSE(objects.map.octree);
   const PartialMap all = load_archive_parts(path, {}).value().value;
   EXPECT_EQ(all.map, whole);
+  EXPECT_TRUE(all.left_out.empty());
   EXPECT_EQ(all.octree_resolution_m, whole.octree->resolution_m());
 }
 

@@ -42,28 +42,6 @@ Result<std::size_t> find_end(std::string_view tail) {
   return found;
 }
 
-/// Extra fields must be well formed and must not change what the header says.
-Result<void> check_extra(std::string_view extra, std::string_view name) {
-  while (!extra.empty()) {
-    if (extra.size() < 4 || extra.size() - 4 < get16(extra, 2))
-      return malformed_directory("damaged extra field");
-    const std::string_view data = extra.substr(4, get16(extra, 2));
-    if (get16(extra, 0) == kExtraZip64) return zip64();
-    if (get16(extra, 0) == kExtraUnicodeName && (data.size() < 5 || data.substr(5) != name))
-      return malformed_directory("extra field gives the member another name");
-    extra.remove_prefix(4 + data.size());
-  }
-  return {};
-}
-
-Result<void> check_flags(std::uint16_t flags) {
-  if ((flags & (kFlagEncrypted | kFlagStrongEncryption | kFlagMaskedHeader)) != 0)
-    return fail(ErrorCode::kUnsupported, "encrypted entries are not supported");
-  if ((flags & ~(kFlagsDeflateLevel | kFlagDescriptor | kFlagUtf8)) != 0)
-    return fail(ErrorCode::kUnsupported, "unknown flags " + std::to_string(flags));
-  return {};
-}
-
 /// Only plain files and folders. Source: APPNOTE 4.4.2 and 4.4.15, upper half: mode of the system.
 Result<void> check_kind(std::uint16_t made_by, std::uint32_t attributes, bool is_folder) {
   constexpr unsigned kUnix = 3;
@@ -177,6 +155,27 @@ Result<std::uint64_t> check_local_header(const ByteSource& source,
 }
 
 }  // namespace
+
+Result<void> check_extra(std::string_view extra, std::string_view name) {
+  while (!extra.empty()) {
+    if (extra.size() < 4 || extra.size() - 4 < get16(extra, 2))
+      return malformed_directory("damaged extra field");
+    const std::string_view data = extra.substr(4, get16(extra, 2));
+    if (get16(extra, 0) == kExtraZip64) return zip64();
+    if (get16(extra, 0) == kExtraUnicodeName && (data.size() < 5 || data.substr(5) != name))
+      return malformed_directory("extra field gives the member another name");
+    extra.remove_prefix(4 + data.size());
+  }
+  return {};
+}
+
+Result<void> check_flags(std::uint16_t flags) {
+  if ((flags & (kFlagEncrypted | kFlagStrongEncryption | kFlagMaskedHeader)) != 0)
+    return fail(ErrorCode::kUnsupported, "encrypted entries are not supported");
+  if ((flags & ~(kFlagsDeflateLevel | kFlagDescriptor | kFlagUtf8)) != 0)
+    return fail(ErrorCode::kUnsupported, "unknown flags " + std::to_string(flags));
+  return {};
+}
 
 Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& limits) {
   if (source.size() > limits.max_archive_bytes)

@@ -7,7 +7,9 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/zip_reader.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace hypermap::zip {
@@ -39,5 +41,12 @@ struct Entry {
 
 /// Whether sizes are within the limits. Errors: kLimit naming the limit.
 [[nodiscard]] Result<void> check_size(const ZipMember& member, const ZipLimits& limits);
+
+/// Errors: kUnsupported for encrypted entries and flags that are not known.
+[[nodiscard]] Result<void> check_flags(std::uint16_t flags);
+
+/// Extra fields must be well formed and must not change what the header says.
+/// Errors: kMalformedFile; kUnsupported for zip64.
+[[nodiscard]] Result<void> check_extra(std::string_view extra, std::string_view name);
 
 }  // namespace hypermap::zip

@@ -2,7 +2,7 @@
 #include "hypermap/io/codec/zip_reader.hpp"
 
 #include "deflate.hpp"
-#include "hypermap/io/codec/checksum.hpp"
+#include "zip_content.hpp"
 #include "zip_directory.hpp"
 
 #include <algorithm>
@@ -14,23 +14,6 @@ namespace {
 Error in_member(Error error, const ZipMember& member) {
   error.entry = member.name;
   return error;
-}
-
-Result<std::string> content_of(const ByteSource& source,
-                               const ZipMember& member,
-                               const LoadBudget& budget) {
-  HYPERMAP_ASSIGN_OR_RETURN(
-      std::string packed,
-      source.read_at(member.data_offset, static_cast<std::size_t>(member.num_packed_bytes)));
-  std::string content;
-  if (member.deflated) {
-    HYPERMAP_ASSIGN_OR_RETURN(content, unpack(packed, member.num_bytes, budget));
-  } else {
-    content = std::move(packed);
-  }
-  if (crc32_of(content) != member.crc32)
-    return fail(ErrorCode::kMalformedFile, "CRC-32 of the content is wrong");
-  return content;
 }
 
 }  // namespace
@@ -85,7 +68,7 @@ Result<std::string> ZipReader::read(std::string_view name,
          .what = std::to_string(member.num_bytes) +
                  " bytes, the limit for an entry of its kind is " + std::to_string(max_bytes)},
         member));
-  auto content = content_of(*source_, member, budget);
+  auto content = zip::content_of(*source_, member, budget);
   if (!content) return tl::make_unexpected(in_member(std::move(content).error(), member));
   return content;
 }

@@ -143,6 +143,8 @@ struct PartialMap {
   MapArchive map;
   /// Edge of the voxels of the octree, as its file declares it, also where that was not read.
   std::optional<double> octree_resolution_m = std::nullopt;
+  /// What the configuration says of the parts that were not read, in the order of reading.
+  std::vector<ExtensionEntry> left_out = {};
 };
 
 /// As load_archive. Members that are left out are not inflated, and so not checked beyond name and
