@@ -114,6 +114,17 @@ std::vector<Embedding> embeddings_of(const Group& group) {
   return out;
 }
 
+/// Who named it what all of them together do: of several the one of the best score, of none the
+/// first.
+DetectorId detector_of(const Group& group, const std::vector<ClassEvidence>& combined) {
+  const auto named = best_class(combined);
+  for (const Detection* member : group) {
+    const auto own = best_class(member->class_scores);
+    if (named && own && own->id == named->id) return member->detector;
+  }
+  return group.front()->detector;
+}
+
 Result<Detection> join(const Group& group,
                        const StackingOptions& options,
                        const StackingModel& model) {
@@ -130,10 +141,11 @@ Result<Detection> join(const Group& group,
     alone.class_scores = std::move(scores);
     return alone;
   }
+  const DetectorId detector = detector_of(group, scores);
   return Detection{.box_px = mean_box(group),
                    .class_scores = std::move(scores),
                    .score = group.front()->score,
-                   .detector = group.front()->detector,
+                   .detector = detector,
                    .mask = united_mask(group),
                    .embeddings = embeddings_of(group)};
 }

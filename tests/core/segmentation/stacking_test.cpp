@@ -145,6 +145,18 @@ TEST(StackDetections, JoinsTheSameThingSeenByTwoDetectors) {
   EXPECT_EQ(best_class(joined[0].class_scores)->id, ClassId{9});
 }
 
+// Together 0.6 + 0.1 for the one class, 0.4 + 0.9 for the other, which the second one named.
+TEST(StackDetections, AreOfTheDetectorThatNamedTheirClass) {
+  std::vector<Detection> seen{detection(0, 0.8, 0), detection(1, 0.4, 1)};
+  seen[0].class_scores = scores({{ClassId{1}, 0.6}, {ClassId{2}, 0.4}});
+  seen[1].class_scores = scores({{ClassId{1}, 0.1}, {ClassId{2}, 0.9}});
+  const auto joined = stack_detections(seen).value();
+  ASSERT_EQ(joined.size(), 1U);
+  EXPECT_EQ(best_class(joined[0].class_scores)->id, ClassId{2});
+  EXPECT_EQ(joined[0].detector, DetectorId{1});
+  EXPECT_EQ(joined[0].score, Probability(0.8));
+}
+
 TEST(StackDetections, KeepsApartWhatOneDetectorToldApart) {
   const std::vector<Detection> seen{detection(0, 0.8, 0), detection(1, 0.7, 0)};
   EXPECT_EQ(stack_detections(seen).value(), seen);

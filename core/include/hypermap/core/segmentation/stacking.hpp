@@ -82,7 +82,8 @@ struct StackingModel {
 /// are never joined with each other.
 ///
 /// The joined detection has the mean box weighted by score, the union of the masks that there are,
-/// the highest score, the detector of that score, and of each model the embedding of the member
+/// the highest score, the detector of the best score that named the class which is best of all
+/// together (without one, that of the highest score), and of each model the embedding of the member
 /// with the best score that has one, at most kMaxEmbeddingModels of them. Groups are those of
 /// group_detections: the same result for the same input. Errors: those of combine_class_scores,
 /// naming the detection. Cost: O(n^2) in the detections of one image.
