@@ -41,7 +41,8 @@ TEST(ShellWords, ReadAsThemselvesOnceEscaped) {
       text += kAlphabet[random() % kAlphabet.size()];
     for (const char quote : {'\0', '\'', '"'}) {
       const std::string mark = quote == '\0' ? "" : std::string(1, quote);
-      const std::string line = "load " + mark + escaped(text, quote) + mark;
+      std::string line = "load ";
+      line.append(mark).append(escaped(text, quote)).append(mark);
       const auto words = split_shell_line(line);
       ASSERT_TRUE(words) << line;
       EXPECT_THAT(*words, ElementsAre("load", text)) << line;

@@ -42,7 +42,7 @@ TEST(ArchiveParts, WhatIsLeftOutIsNotThereAndTheRestIsAsInTheWhole) {
   EXPECT_THAT(
       formats_of(layers.left_out),
       ElementsAre(
-          kOctomapFormat, kOctreeTwinFormat, kObjectsFormat, kEmbeddingsFormat, kClassGridFormat));
+          kOctomapFormat, kOctreeTwinFormat, kObjectsFormat, kClassGridFormat, kEmbeddingsFormat));
   const PartialMap objects = load_archive_parts(path, {.octrees = false}).value().value;
   EXPECT_EQ(objects.map.objects, whole.objects);
   EXPECT_EQ(objects.map.class_grids, whole.class_grids);

@@ -24,13 +24,13 @@ using test::replaced;
 using ::testing::HasSubstr;
 
 const std::string& whole_archive() {
-  static const std::string bytes = write_archive(test::sample_archive()).value();
-  return bytes;
+  static const std::string kBytes = write_archive(test::sample_archive()).value();
+  return kBytes;
 }
 
 class ArchiveRepair : public ::testing::Test {
  protected:
-  Result<RepairedArchive> repaired(const std::string& bytes) const {
+  [[nodiscard]] Result<RepairedArchive> repaired(const std::string& bytes) const {
     const auto path = folder_ / "a.hmap";
     std::ofstream(path, std::ios::binary) << bytes;
     auto result = repair_archive(path);

@@ -22,12 +22,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const std::vector<std::pair<std::string, std::string>>& sound_members() {
-  static const std::vector<std::pair<std::string, std::string>> members{
+  static const std::vector<std::pair<std::string, std::string>> kMembers{
       {"hmap_config.yaml", "layers: []\n"},
       {"long", std::string(5000, 'a') + "b"},
       {"empty", ""},
       {"folder/last", "the last one"}};
-  return members;
+  return kMembers;
 }
 
 std::string sound_zip() {
@@ -148,7 +148,7 @@ TEST(ZipSalvage, KeepsToLimits) {
 
 TEST(ZipSalvage, RefusesWhatHasNoMember) {
   for (const char* bytes : {"", "PK", "no zip at all", "PK\x03\x04"})
-    EXPECT_FALSE(salvaged(bytes).value_or(ZipSalvage{}).members.size() > 0) << bytes;
+    EXPECT_TRUE(salvaged(bytes).value_or(ZipSalvage{}).members.empty()) << bytes;
   EXPECT_EQ(salvaged("no zip at all").error().code, ErrorCode::kMalformedFile);
 }
 
