@@ -122,14 +122,13 @@ class OctreeSum {
 
 }  // namespace
 
-Result<SemanticOctree> merged(const SemanticOctree& octree,
+Result<SemanticOctree> merged(SemanticOctree octree,
                               const SemanticOctree& added,
                               const OctreeMergeOptions& options) {
   HYPERMAP_TRY(check_same_options(octree.options(), added.options()));
   try {
-    SemanticOctree sum = octree;
-    OctreeSum(sum, options).add(BrickAccess::bricks(added));
-    return sum;
+    OctreeSum(octree, options).add(BrickAccess::bricks(added));
+    return octree;
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the sum of two maps");
   }

@@ -36,8 +36,9 @@ struct OctreeMergeOptions {
 /// `added` before (`transformed`), which is exact for shifts by whole voxels.
 ///
 /// Errors: kInvalidArgument when the options of the two differ, naming the field with both values;
-/// kOutOfMemory. Cost: linear in the bricks of `added`, and what is written of `octree` copied.
-[[nodiscard]] Result<SemanticOctree> merged(const SemanticOctree& octree,
+/// kOutOfMemory. Cost: linear in the bricks of `added`, and what a copy of `octree` that is kept
+/// shares with it is copied where it is written: hand it over to have it grow in place.
+[[nodiscard]] Result<SemanticOctree> merged(SemanticOctree octree,
                                             const SemanticOctree& added,
                                             const OctreeMergeOptions& options = {});
 
