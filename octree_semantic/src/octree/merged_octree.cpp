@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/number_text.hpp"
 #include "octree/brick_access.hpp"
+#include "octree/clamp_trace.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,7 @@ class OctreeSum {
  public:
   OctreeSum(SemanticOctree& sum, const OctreeMergeOptions& options)
       : model_(sum.sensor_model()),
+        trace_(model_),
         limit_(to_milli(sum.options().max_class_log_odds)),
         options_(&options),
         bricks_(&BrickAccess::writable(sum)) {}
@@ -92,8 +94,7 @@ class OctreeSum {
   }
 
   void add_occupancy(Brick& brick, std::size_t cell, MilliLogOdds added) const {
-    const bool is_clamped = added <= model_.clamp_min || added >= model_.clamp_max;
-    const bool is_replaced = is_clamped && options_->clamped == ClampedVoxels::kReplace;
+    const bool is_replaced = options_->times == MergedTimes::kLater && trace_.was_clamped(added);
     const int before = is_replaced || !brick.known.test(cell) ? 0 : brick.log_odds[cell];
     const int sum = std::clamp<int>(before + added, model_.clamp_min, model_.clamp_max);
     brick.known.set(cell);
@@ -115,6 +116,7 @@ class OctreeSum {
   }
 
   SensorModel model_;
+  ClampTrace trace_;
   MilliLogOdds limit_;
   const OctreeMergeOptions* options_;
   BrickTable* bricks_;

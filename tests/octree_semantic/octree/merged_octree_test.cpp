@@ -113,13 +113,54 @@ TEST(MergedOctree, AnEmptyMapChangesNothing) {
   EXPECT_TRUE(merged(octree_of({}), a).value() == a);
 }
 
-TEST(MergedOctree, WhatALaterMapIsSureOfReplacesTheSum) {
-  const auto before = octree_of({{voxel_at(0), 3511}, {voxel_at(1), -2000}, {voxel_at(2), 3511}});
-  const auto after = octree_of({{voxel_at(0), -2000}, {voxel_at(1), 3511}, {voxel_at(2), -1999}});
-  const SemanticOctree sum = merged(before, after, {.clamped = ClampedVoxels::kReplace}).value();
-  EXPECT_EQ(log_odds_at(sum, voxel_at(0)), -2000);
-  EXPECT_EQ(log_odds_at(sum, voxel_at(1)), 3511);
-  EXPECT_EQ(log_odds_at(sum, voxel_at(2)), 1512);
+TEST(MergedOctree, ALaterMapReplacesWhereItsEvidenceWasOnceClamped) {
+  // -1153 = -2000 + 847: a hit after enough misses; -1215 = -3 * 405 never came to the clamp.
+  const auto before = octree_of(
+      {{voxel_at(0), 3511}, {voxel_at(1), -2000}, {voxel_at(2), 3511}, {voxel_at(3), 3511}});
+  const auto after = octree_of(
+      {{voxel_at(0), -2000}, {voxel_at(1), 3511}, {voxel_at(2), -1215}, {voxel_at(3), -1153}});
+  const SemanticOctree later = merged(before, after, {.times = MergedTimes::kLater}).value();
+  EXPECT_EQ(log_odds_at(later, voxel_at(0)), -2000);
+  EXPECT_EQ(log_odds_at(later, voxel_at(1)), 3511);
+  EXPECT_EQ(log_odds_at(later, voxel_at(2)), 2296);
+  EXPECT_EQ(log_odds_at(later, voxel_at(3)), -1153);
+  const SemanticOctree beside = merged(before, after).value();
+  EXPECT_EQ(log_odds_at(beside, voxel_at(3)), 2358);
+}
+
+/// Log-odds after these hits (true) and misses, from what was known before.
+MilliLogOdds after_updates(int log_odds, const std::vector<bool>& updates) {
+  for (const bool is_hit : updates) {
+    log_odds = std::clamp(log_odds + (is_hit ? 847 : -405), -2000, 3511);
+  }
+  return static_cast<MilliLogOdds>(log_odds);
+}
+
+TEST(MergedOctree, ALaterMapBringsVoxelsToWhereOneMapOfAllFramesHasThem) {
+  CounterRng random(7, 0);
+  const auto draw = [&random] {
+    const double hit_share = random.uniform();
+    std::vector<bool> updates(random.below(20));
+    for (std::size_t i = 0; i < updates.size(); ++i) updates[i] = random.chance(hit_share);
+    return updates;
+  };
+  int num_wrong_later = 0;
+  int num_wrong_beside = 0;
+  constexpr int kNumVoxels = 2000;
+  for (int i = 0; i < kNumVoxels; ++i) {
+    const auto first = draw();
+    const auto second = draw();
+    const MilliLogOdds of_first = after_updates(0, first);
+    const auto a = octree_of({{voxel_at(0), of_first}});
+    const auto b = octree_of({{voxel_at(0), after_updates(0, second)}});
+    const bool is_occupied = after_updates(of_first, second) >= 0;
+    const auto later = merged(a, b, {.times = MergedTimes::kLater}).value();
+    num_wrong_later += (log_odds_at(later, voxel_at(0)) >= 0) != is_occupied ? 1 : 0;
+    num_wrong_beside +=
+        (log_odds_at(merged(a, b).value(), voxel_at(0)) >= 0) != is_occupied ? 1 : 0;
+  }
+  EXPECT_LT(num_wrong_later, kNumVoxels / 20);
+  EXPECT_LT(num_wrong_later, num_wrong_beside);
 }
 
 TEST(MergedOctree, LabelsTakeTheNamesOfTheMapThatIsAddedTo) {

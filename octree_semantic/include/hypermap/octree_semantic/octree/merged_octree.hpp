@@ -12,10 +12,10 @@
 
 namespace hypermap {
 
-/// What a voxel of the added map says where evidence reached a clamp there.
-enum class ClampedVoxels : std::uint8_t {
-  kAdd,      ///< The clamp, as if that were all that its frames said.
-  kReplace,  ///< That it is so now: its frames came later, and as many as it takes said so.
+/// How two maps were made.
+enum class MergedTimes : std::uint8_t {
+  kBeside,  ///< At the same time, or nobody knows when.
+  kLater,   ///< The frames of the added map came after all those of the other.
 };
 
 struct OctreeMergeOptions {
@@ -23,7 +23,7 @@ struct OctreeMergeOptions {
   /// kNoObject: of none.
   std::function<ObjectId(ObjectId)> object_of = {};
   std::function<ClassId(ClassId)> class_of = {};
-  ClampedVoxels clamped = ClampedVoxels::kAdd;
+  MergedTimes times = MergedTimes::kBeside;
 };
 
 /// `octree` with what `added` knows besides, from other frames of the same world.
@@ -32,8 +32,11 @@ struct OctreeMergeOptions {
 /// knows stay as they are there. So what no clamp ever stopped has the same log-odds, to the bit,
 /// in whatever order maps are added, and as if one map had had all frames. At a clamp it is known
 /// that there was at least so much evidence, not how much: a sum with it may be too small, and
-/// depends on the order of three maps. Labels add up by `sum_of`. The lattice is the same: move
-/// `added` before (`transformed`), which is exact for shifts by whole voxels.
+/// depends on the order of three maps. A map of later frames therefore replaces what was known of a
+/// voxel where its own evidence was once stopped by a clamp: so many frames would have brought the
+/// voxel there from anywhere. That it was is seen by the log-odds, which hits and misses lead to
+/// from the clamp in fewer steps than from 0. Labels add up by `sum_of`. The lattice is the same:
+/// move `added` before (`transformed`), which is exact for shifts by whole voxels.
 ///
 /// Errors: kInvalidArgument when the options of the two differ, naming the field with both values;
 /// kOutOfMemory. Cost: linear in the bricks of `added`, and what a copy of `octree` that is kept
