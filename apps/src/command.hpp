@@ -70,6 +70,7 @@ void add_combine_command(CLI::App& program, const CommonOptions& common, Action&
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_map_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_import_command(CLI::App& program, Action& action);
+void add_merge_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_classes_command(CLI::App& program, Action& action);
 void add_config_command(CLI::App& program, Action& action);

@@ -28,6 +28,7 @@ CommandLine::CommandLine()
   add_combine_command(program, common, action);
   add_map_command(program, common, action);
   add_import_command(program, action);
+  add_merge_command(program, common, action);
   add_info_command(program, action);
   add_classes_command(program, action);
   add_config_command(program, action);

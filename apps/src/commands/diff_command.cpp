@@ -16,8 +16,6 @@
 #include "outputs.hpp"
 #include "placement_argument.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -51,13 +49,6 @@ struct ComparedArchives {
   std::vector<Finding> findings;
 };
 
-MapFromOldMap motion_of(const WorldPlacement& placement) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.translate(Eigen::Vector3d(placement.x_m, placement.y_m, placement.z_m));
-  motion.rotate(Eigen::AngleAxisd(placement.yaw_rad, Eigen::Vector3d::UnitZ()));
-  return MapFromOldMap(motion);
-}
-
 Result<Loaded<MapArchive>> load(const DiffArguments& arguments, const std::string& file) {
   HYPERMAP_ASSIGN_OR_RETURN(
       auto loaded,
@@ -78,7 +69,7 @@ Result<ComparedArchives> compare(const DiffArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(auto before, load(arguments, arguments.before));
   HYPERMAP_ASSIGN_OR_RETURN(auto after, load(arguments, arguments.after));
   if (placement) {
-    auto moved = transformed(after.value, motion_of(*placement));
+    auto moved = transformed(after.value, MapFromOldMap(isometry_of(*placement)));
     if (!moved) return Unexpected(of_file(moved.error(), arguments));
     after.value = std::move(*moved);
   }

@@ -56,12 +56,7 @@ GravityAlignment aligned_as(const Provenance& run) {
 
 Result<GravityAlignment> placed(const MappingJob& job, const DatasetReader& dataset) {
   HYPERMAP_ASSIGN_OR_RETURN(GravityAlignment up, align_to_gravity(dataset, job.up_axis));
-  const WorldPlacement& there = *job.placement;
-  Eigen::Isometry3d map_from_upright = Eigen::Isometry3d::Identity();
-  map_from_upright.translation() = Eigen::Vector3d(there.x_m, there.y_m, there.z_m);
-  map_from_upright.linear() =
-      Eigen::AngleAxisd(there.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  up.map_from_input = MapFromInput(map_from_upright * up.map_from_input.isometry());
+  up.map_from_input = MapFromInput(isometry_of(*job.placement) * up.map_from_input.isometry());
   up.explanation += ", placed as asked for";
   return up;
 }

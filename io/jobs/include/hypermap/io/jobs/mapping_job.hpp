@@ -11,6 +11,7 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/detector/onnx_detector.hpp"
 #include "hypermap/io/jobs/look_options.hpp"
+#include "hypermap/io/jobs/world_placement.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include <array>
@@ -23,14 +24,6 @@
 #include <vector>
 
 namespace hypermap {
-
-/// Where the world of an input lies in the map, once it is aligned to gravity.
-struct WorldPlacement {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double z_m = 0.0;
-  double yaw_rad = 0.0;  ///< Counter-clockwise, about the world's own origin.
-};
 
 struct MappingJob {
   std::filesystem::path input = {};
