@@ -50,10 +50,10 @@ class Inputs:
 
     @staticmethod
     @functools.cache
-    def objects(resolution):
+    def objects(resolution, seed=1):
         """A map with two objects."""
-        return Inputs.succeed("map", "--input", Inputs.simulation(12), "--resolution", resolution, "--output",
-                              Inputs.folder / f"{resolution}.hmap")
+        return Inputs.succeed("map", "--input", Inputs.simulation(12, seed), "--resolution", resolution, "--output",
+                              Inputs.folder / f"{resolution}-{seed}.hmap")
 
 
 class Mapping(FaultCase):
@@ -167,7 +167,7 @@ class Exports(FaultCase):
         archive, grid = self.out / "a.hmap", self.folder / "grid"
         Inputs.succeed("export", Inputs.objects(0.1), "--format", "ros-map", "--output", grid)
         for made in (["import", grid.with_suffix(".yaml")], ["diff", Inputs.objects(0.1), Inputs.objects(0.1)],
-                     ["repair", Inputs.objects(0.1)]):
+                     ["repair", Inputs.objects(0.1)], ["merge", Inputs.objects(0.1), Inputs.objects(0.1, 2)]):
             with self.subTest(made[0]):
                 self.check_faults(lambda: archive.write_bytes(OLD), [*made, "--output", archive], count=SAMPLE)
 

@@ -38,6 +38,7 @@ WITHOUT_TABLE = {
     "FootprintOptions": "fields of ConfirmationOptions, whose table has them",
     "LabelLayoutOptions": "placing labels cannot fail",
     "OctreeConversionOptions": "limits of a reader, of any size",
+    "OctreeMergeOptions": "names and a choice, each of any value",
     "RayCastOptions": "casting a ray cannot fail",
     "SaveOptions": "a flag and limits of any size",
     "SemanticReadOptions": "a flag and limits of any size",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/changes/map_changes.hpp"
 
-#include "changes/sparse_assignment.hpp"
+#include "objects/association/sparse_assignment.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+#include "hypermap/octree_semantic/octree/free_way.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,20 +15,6 @@ namespace {
 
 /// No way is guessed over more: a pose that is so far off is no step, an object no neighbour.
 constexpr double kFarthestM = 100.0;
-
-/// Whether no occupied voxel lies between two places, their own voxels aside: what a place was
-/// reached by stands in none, whatever noise says. Unknown space is free.
-bool is_way_free(const SemanticOctree& octree,
-                 const Eigen::Vector3d& from,
-                 const Eigen::Vector3d& to) {
-  const double margin_m = octree.resolution_m();
-  const Eigen::Vector3d way = to - from;
-  const double length_m = way.norm() - 2.0 * margin_m;
-  if (!(length_m > 0.0)) return true;
-  const PointInMap start{from + margin_m * way.normalized()};
-  const RayCast met = octree.cast_ray(start, way, {.max_range_m = length_m});
-  return met.outcome != RayCast::Outcome::kHit;
-}
 
 void grow_toward(const Object& object, TopologicalMap& map) {
   const Eigen::Vector3d& centre = object.centroid_in_map;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -14,6 +16,54 @@ bool in_order(const ClassWeight& a, const ClassWeight& b) {
   if (b.class_id == ClassWeight::kNone) return true;
   if (a.class_id == ClassWeight::kNone) return false;
   return a.log_odds > b.log_odds || (a.log_odds == b.log_odds && a.class_id < b.class_id);
+}
+
+struct SummedClass {
+  std::uint16_t class_id = 0;
+  std::int32_t log_odds = 0;
+};
+
+bool is_stronger(const SummedClass& a, const SummedClass& b) {
+  return a.log_odds > b.log_odds || (a.log_odds == b.log_odds && a.class_id < b.class_id);
+}
+
+/// What a label says of a class, kept or not.
+std::int32_t log_odds_of(const VoxelLabel& label, std::uint16_t class_id) {
+  const auto kept = std::ranges::find(label.classes, class_id, &ClassWeight::class_id);
+  return kept == label.classes.end() ? label.rest : kept->log_odds;
+}
+
+/// The classes that either keeps, the strongest first.
+std::vector<SummedClass> summed_classes(const VoxelLabel& a, const VoxelLabel& b) {
+  std::vector<SummedClass> sums;
+  sums.reserve(2 * VoxelLabel::kNumClasses);
+  for (const VoxelLabel* label : {&a, &b}) {
+    for (const ClassWeight& kept : label->classes) {
+      const bool is_new =
+          std::ranges::find(sums, kept.class_id, &SummedClass::class_id) == sums.end();
+      if (kept.class_id == ClassWeight::kNone || !is_new) continue;
+      sums.push_back(
+          {kept.class_id, log_odds_of(a, kept.class_id) + log_odds_of(b, kept.class_id)});
+    }
+  }
+  std::ranges::sort(sums, is_stronger);
+  return sums;
+}
+
+struct ObjectVotes {
+  ObjectId object = kNoObject;
+  std::uint16_t votes = 0;
+};
+
+ObjectVotes summed_votes(const VoxelLabel& a, const VoxelLabel& b) {
+  const bool b_is_ahead =
+      b.object_votes != a.object_votes ? b.object_votes > a.object_votes : b.object < a.object;
+  const bool is_b = a.object == kNoObject || (b.object != kNoObject && b_is_ahead);
+  const VoxelLabel& more = is_b ? b : a;
+  const VoxelLabel& less = is_b ? a : b;
+  const bool agree = less.object == kNoObject || less.object == more.object;
+  const int votes = more.object_votes + (agree ? less.object_votes : -less.object_votes);
+  return {more.object, std::min(static_cast<std::uint16_t>(votes), kMaxVotes)};
 }
 
 bool exceeds(MilliLogOdds value, MilliLogOdds limit) {
@@ -32,6 +82,30 @@ void VoxelLabel::vote(ObjectId id) noexcept {
   } else {
     object_votes = static_cast<std::uint16_t>(object_votes - 1);
   }
+}
+
+VoxelLabel sum_of(const VoxelLabel& a, const VoxelLabel& b, MilliLogOdds limit) {
+  std::vector<SummedClass> sums = summed_classes(a, b);
+  std::int32_t rest = a.rest + b.rest;
+  const std::int32_t excess = sums.empty() ? 0 : std::max(sums.front().log_odds - limit, 0);
+  const auto held = [&](std::int32_t log_odds) {
+    return std::clamp<std::int32_t>(log_odds - excess, -limit, limit);
+  };
+  for (SummedClass& one : sums) one.log_odds = held(one.log_odds);
+  // Those that meet at the lower bound are equals now, in the order of their ids.
+  std::ranges::sort(sums, is_stronger);
+  VoxelLabel sum;
+  const std::size_t num_kept = std::min(sums.size(), sum.classes.size());
+  for (std::size_t i = 0; i < num_kept; ++i) {
+    sum.classes[i] = {sums[i].class_id, static_cast<MilliLogOdds>(sums[i].log_odds)};
+  }
+  rest = held(rest);
+  if (sums.size() > num_kept) rest = std::max(rest, sums[num_kept].log_odds);
+  sum.rest = static_cast<MilliLogOdds>(rest);
+  const ObjectVotes votes = summed_votes(a, b);
+  sum.object = votes.object;
+  sum.object_votes = votes.votes;
+  return sum;
 }
 
 Result<void> validate(const VoxelLabel& label, MilliLogOdds limit) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <utility>
+
 namespace hypermap {
 namespace {
 
@@ -60,6 +63,47 @@ TEST(VoxelLabel, ValidationNamesWhatIsWrong) {
   label.object = ObjectId{4};
   label.object_votes = 11;
   EXPECT_EQ(field_of(label), "object_votes");
+}
+
+TEST(VoxelLabel, SumsOfTwoAreWorkedByHand) {
+  VoxelLabel a = labelled({{1, 4000}, {2, 1000}, {3, -500}});
+  a.rest = -800;
+  VoxelLabel b = labelled({{4, 3000}, {1, 2000}});
+  b.rest = -100;
+  // 1: 4000 + 2000; 4: -800 + 3000; 2: 1000 - 100; 3: -500 - 100 is dropped, above -900 of the
+  // rest.
+  VoxelLabel sum = labelled({{1, 6000}, {4, 2200}, {2, 900}});
+  sum.rest = -600;
+  EXPECT_EQ(sum_of(a, b, kLimit), sum);
+  EXPECT_EQ(sum_of(b, a, kLimit), sum);
+}
+
+TEST(VoxelLabel, ASumBeyondTheLimitKeepsTheDifferences) {
+  const VoxelLabel sum =
+      sum_of(labelled({{5, 9000}, {7, 8000}}), labelled({{5, 9000}, {7, 8000}}), kLimit);
+  EXPECT_EQ(sum.classes, (labelled({{5, 10000}, {7, 8000}}).classes));
+  EXPECT_EQ(sum.rest, -8000);
+  EXPECT_TRUE(validate(sum, kLimit));
+}
+
+TEST(VoxelLabel, VotesForOneObjectAddUpAndForTwoAreHeldAgainstEachOther) {
+  const auto of_object = [](std::uint32_t id, std::uint16_t votes) {
+    VoxelLabel label;
+    label.object = ObjectId{id};
+    label.object_votes = votes;
+    return label;
+  };
+  const auto votes_of = [&](const VoxelLabel& a, const VoxelLabel& b) {
+    EXPECT_EQ(sum_of(a, b, kLimit), sum_of(b, a, kLimit));
+    const VoxelLabel sum = sum_of(a, b, kLimit);
+    return std::pair(sum.object.value, int{sum.object_votes});
+  };
+  EXPECT_EQ(votes_of(of_object(3, 4), of_object(3, 2)), std::pair(3U, 6));
+  EXPECT_EQ(votes_of(of_object(3, 8), of_object(3, 7)), std::pair(3U, 10));
+  EXPECT_EQ(votes_of(of_object(3, 4), of_object(2, 1)), std::pair(3U, 3));
+  EXPECT_EQ(votes_of(of_object(3, 4), of_object(2, 4)), std::pair(2U, 0));
+  EXPECT_EQ(votes_of(of_object(3, 0), VoxelLabel{}), std::pair(3U, 0));
+  EXPECT_EQ(votes_of(VoxelLabel{}, VoxelLabel{}), std::pair(0U, 0));
 }
 
 }  // namespace

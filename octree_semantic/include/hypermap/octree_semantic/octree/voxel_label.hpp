@@ -57,6 +57,15 @@ struct VoxelLabel {
 };
 static_assert(sizeof(VoxelLabel) == 20);
 
+/// What two labels of one voxel say together, each of frames that the other does not have: evidence
+/// adds up, that of a class which one of them does not keep being its `rest`; the best three stay,
+/// and all are lowered alike where the best exceeds `limit`. Votes for one object add up, those for
+/// two are held against each other: the one with more stays, of equals the lower id.
+///
+/// Boundary: the order of the two does not matter. That of three does, where more than three
+/// classes were named, votes were forgotten or evidence reached the limit.
+[[nodiscard]] VoxelLabel sum_of(const VoxelLabel& a, const VoxelLabel& b, MilliLogOdds limit);
+
 /// Errors: kInvalidArgument naming what breaks the rules above: order, gaps, a class twice, votes
 /// without an object or more than ten, or log-odds beyond +-`limit`.
 [[nodiscard]] Result<void> validate(const VoxelLabel& label, MilliLogOdds limit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "changes/sparse_assignment.hpp"
+#include "objects/association/sparse_assignment.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/core/objects/assignment.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "changes/sparse_assignment.hpp"
+#include "sparse_assignment.hpp"
 
 #include "hypermap/core/objects/assignment.hpp"
 

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/io/jobs/merge_job.hpp"
+
+#include "hypermap/core/base/caught.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/transformed_map.hpp"
+#include "map_registration.hpp"
+#include "merge_plan.hpp"
+#include "merged_archives.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace hypermap {
+namespace {
+
+/// What was said of a file's map, with its name.
+void note(std::vector<Finding>& findings, std::vector<Finding> of_file, const MergedFile& file) {
+  for (Finding& finding : of_file) {
+    if (finding.error.file.empty()) finding.error.file = file.path.string();
+  }
+  std::ranges::move(of_file, std::back_inserter(findings));
+}
+
+/// What cannot be moved to where its world lies, nobody had asked to move.
+Error explained(Error error, const PlannedMap& map) {
+  if (map.file->placement || map.found) return error;
+  error.what = "its world was set upright in another way than in the first map: " + error.what +
+               "; give both runs one --up, or find where it lies with --register";
+  return error;
+}
+
+/// The map in the frame of the first one.
+Result<Loaded<MapArchive>> load_placed(const PlannedMap& map, const MergeJob& job) {
+  auto loaded = load_archive(map.file->path, job.limits, archive_layer_types(), job.stop);
+  if (!loaded) return about_map(*map.file, loaded.error());
+  if (!map.first_from_map) return loaded;
+  auto moved = transformed(loaded->value, *map.first_from_map);
+  if (!moved) return about_map(*map.file, explained(moved.error(), map));
+  loaded->value = std::move(*moved);
+  return loaded;
+}
+
+Result<void> check_frame(const MapArchive& map, const MapArchive& sum, const MergedFile& file) {
+  if (shown_frame_id(map) == shown_frame_id(sum)) return {};
+  return about_map(
+      file,
+      {.code = ErrorCode::kUnsupported,
+       .what = "lies in frame " + shown_frame_id(map) + ", the others in " + shown_frame_id(sum)});
+}
+
+/// A map as it lies in its file, where its voxels alone are asked for.
+Result<SemanticOctree> load_octree(const MergedFile& file, const MergeJob& job) {
+  auto loaded = load_archive_parts(file.path,
+                                   {.octrees = true, .objects = false, .class_grids = false},
+                                   job.limits,
+                                   archive_layer_types(),
+                                   job.stop);
+  if (!loaded) return about_map(file, loaded.error());
+  return *std::move(loaded->value.map.octree);
+}
+
+/// Finds where maps without a placement lie in the first one.
+Result<void> register_all(std::vector<PlannedMap>& plan, const MergeJob& job) {
+  const MergedFile& first = job.files.front();
+  HYPERMAP_ASSIGN_OR_RETURN(const SemanticOctree fixed, load_octree(first, job));
+  for (PlannedMap& map : plan) {
+    if (map.file == &first || map.file->placement) continue;
+    HYPERMAP_ASSIGN_OR_RETURN(const SemanticOctree moving, load_octree(*map.file, job));
+    auto found = register_maps(moving, fixed, job.options.layers);
+    if (!found) {
+      Error error = found.error();
+      error.what = "where it lies in " + printable(first.path.string()) +
+                   " is not sure: " + error.what + "; --transform says it";
+      return about_map(*map.file, std::move(error));
+    }
+    map.first_from_map = MapFromOldMap(isometry_of(found->placement));
+    map.found = *found;
+  }
+  return {};
+}
+
+/// Maps that were added, and what was said of them.
+struct Sum {
+  MapArchive map;
+  std::optional<Stamp> last = std::nullopt;  ///< Stamp of their latest frame; none: not known.
+  std::size_t num_forgotten_runs = 0;
+  MergeReport report;
+};
+
+bool is_later(const PlannedMap& map, const Sum& sum, const MergeJob& job) {
+  return job.in_order || (map.first && sum.last && *sum.last < *map.first);
+}
+
+Result<void> add_map(Sum& sum, const PlannedMap& map, const MergeJob& job) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_placed(map, job));
+  note(sum.report.findings, std::move(loaded.findings), *map.file);
+  MergedMap merged_map{.path = map.file->path,
+                       .num_sessions = map.num_sessions,
+                       .found = map.found,
+                       .leaves = loaded.value.octree->num_leaves()};
+  if (sum.report.maps.empty()) {
+    merged_map.num_new = loaded.value.objects.size();
+    sum.map = std::move(loaded.value);
+    sum.last = map.last;
+  } else {
+    HYPERMAP_TRY(check_frame(loaded.value, sum.map, *map.file));
+    merged_map.is_later = is_later(map, sum, job);
+    auto both = merged(std::move(sum.map),
+                       std::move(loaded.value),
+                       {.association = job.options.mapper.objects.association,
+                        .is_later = merged_map.is_later,
+                        .name = map.file->path.stem().string()});
+    if (!both) return about_map(*map.file, both.error());
+    note(sum.report.findings, std::move(both->findings), *map.file);
+    sum.num_forgotten_runs += both->num_forgotten_runs;
+    merged_map.num_joined = both->num_joined;
+    merged_map.num_new = both->num_new;
+    merged_map.num_gone = both->num_gone;
+    sum.map = std::move(both->map);
+    // Of a map without stamps nobody knows whether another one came after it.
+    sum.last = sum.last && map.last ? std::optional(std::max(*sum.last, *map.last)) : std::nullopt;
+  }
+  sum.report.maps.push_back(std::move(merged_map));
+  return {};
+}
+
+Finding forgotten_runs(std::size_t count) {
+  return {.error = {.code = ErrorCode::kLimit,
+                    .what = "a map keeps " + std::to_string(kMaxRuns) + " runs, " +
+                            std::to_string(count) +
+                            " are forgotten: all but the first and the "
+                            "newest",
+                    .field = "provenance"}};
+}
+
+Result<MergeResult> finished(Sum sum, LayerOptions layers, const MergeJob& job) {
+  HYPERMAP_ASSIGN_OR_RETURN(const DerivedLayers derived,
+                            derive_layers(sum.map, job.options.mapper.objects, layers));
+  MergeReport& report = sum.report;
+  report.findings.insert(report.findings.end(), derived.left_out.begin(), derived.left_out.end());
+  if (sum.num_forgotten_runs > 0) report.findings.push_back(forgotten_runs(sum.num_forgotten_runs));
+  report.leaves = sum.map.octree->num_leaves();
+  report.num_objects =
+      confirmed_objects(sum.map.objects, job.options.mapper.objects.confirmation).size();
+  report.num_tentative = sum.map.objects.size() - report.num_objects;
+  report.num_sessions = sum.map.provenance.size();
+  return MergeResult{.map = std::move(sum.map), .report = std::move(sum.report)};
+}
+
+Result<MergeResult> merge_or_throw(const MergeJob& job, const JobProgress& progress) {
+  HYPERMAP_TRY(validate(job.options));
+  HYPERMAP_ASSIGN_OR_RETURN(std::vector<PlannedMap> plan, plan_merge(job));
+  if (job.registers) HYPERMAP_TRY(register_all(plan, job));
+  LayerOptions layers = job.options.layers;
+  Sum sum{.map = {.hypermap = {}}, .report = {}};
+  for (const PlannedMap& map : plan) {
+    layers.class_stack = layers.class_stack || map.has_stack;
+    HYPERMAP_TRY(add_map(sum, map, job));
+    if (progress && !progress(sum.report.maps.size(), plan.size())) return interrupted();
+  }
+  return finished(std::move(sum), layers, job);
+}
+
+}  // namespace
+
+Result<MergeResult> run_merge(const MergeJob& job, const JobProgress& progress) {
+  return guarded(ErrorCode::kUnavailable, "the map", [&] { return merge_or_throw(job, progress); });
+}
+
+}  // namespace hypermap

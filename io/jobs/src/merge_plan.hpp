@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What is known of maps before they are merged: which were made when, and where each lies.
+#pragma once
+
+#include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/result.hpp"
+#include "hypermap/io/jobs/merge_job.hpp"
+#include "hypermap/octree_semantic/octree/transformed_octree.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace hypermap {
+
+/// A map as it will be added.
+struct PlannedMap {
+  const MergedFile* file = nullptr;
+  std::optional<Stamp> first = std::nullopt;  ///< Of its frames, as far as its runs tell.
+  std::optional<Stamp> last = std::nullopt;
+  std::size_t num_sessions = 0;
+  /// Where it lies in the first file's; none: where it says itself.
+  std::optional<MapFromOldMap> first_from_map = std::nullopt;
+  std::optional<MapPlacement> found = std::nullopt;  ///< Where that was found by registering.
+  bool has_stack = false;                            ///< A layer `stack` of mapping.
+};
+
+/// The maps in the order in which they are added. Their voxels and objects are not read.
+/// Errors: as run_merge says of what needs neither.
+[[nodiscard]] Result<std::vector<PlannedMap>> plan_merge(const MergeJob& job);
+
+/// The error with the name of the map, where it has none.
+[[nodiscard]] Unexpected about_map(const MergedFile& file, Error error);
+
+}  // namespace hypermap
