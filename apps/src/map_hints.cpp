@@ -15,8 +15,9 @@ namespace {
 /// Says before the work what takes longer than a camera's next frame does.
 void warn_of_slow_options(const MappingJob& job) {
   if (job.mapper.objects.segmentation.policy != SegmentationPolicy::kRegionGrowing) return;
-  std::fprintf(stderr,
-               "map: segmentation by region growing takes a tenth of a second or more for each frame\n");
+  std::fprintf(
+      stderr,
+      "map: segmentation by region growing takes a tenth of a second or more for each frame\n");
 }
 
 bool is_checkpoint_there(const MappingJob& job) {
