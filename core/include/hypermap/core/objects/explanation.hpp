@@ -62,7 +62,7 @@ struct Removal {
 struct Explanation {
   ObjectId id;
   ObjectBeliefs beliefs;
-  Probability confidence;  ///< By the rule that all outputs have it by.
+  Probability confidence;                          ///< By the rule that all outputs have it by.
   std::vector<MissedCondition> missed_conditions;  ///< Empty: it is confirmed.
   std::optional<ObservationLogEntry> first;
   std::optional<ObservationLogEntry> newest;
