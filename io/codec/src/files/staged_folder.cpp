@@ -94,9 +94,10 @@ Result<void> StagedFolder::commit_in_steps(bool replaces) const {
   return {};
 }
 
-Result<void> require_replaceable(const std::filesystem::path& folder,
-                                 std::string_view kind,
-                                 const std::function<bool(const std::string&)>& is_replaceable) try {
+Result<void> require_replaceable(
+    const std::filesystem::path& folder,
+    std::string_view kind,
+    const std::function<bool(const std::string&)>& is_replaceable) try {
   namespace fs = std::filesystem;
   if (!fs::exists(folder)) return {};
   const auto refused = [&](std::string what) -> Result<void> {
