@@ -64,7 +64,8 @@ class ZipSalvager {
   using Signatures = std::initializer_list<std::uint32_t>;
 
   /// The first of the signatures from an offset on.
-  Result<std::optional<std::uint64_t>> find(Signatures signatures, std::uint64_t from) const {
+  [[nodiscard]] Result<std::optional<std::uint64_t>> find(Signatures signatures,
+                                                          std::uint64_t from) const {
     for (std::uint64_t at = from; at + kSignatureBytes <= source_.size();) {
       const auto num_bytes = std::min(kBytesAtOnce, source_.size() - at);
       HYPERMAP_ASSIGN_OR_RETURN(const std::string window,
@@ -98,7 +99,7 @@ class ZipSalvager {
   }
 
   /// A local header with name and extra field; none where the file ends before.
-  Result<std::optional<std::string>> read_header(std::uint64_t offset) const {
+  [[nodiscard]] Result<std::optional<std::string>> read_header(std::uint64_t offset) const {
     if (source_.size() - offset < zip::kLocalBytes) return std::nullopt;
     HYPERMAP_ASSIGN_OR_RETURN(const std::string fixed, source_.read_at(offset, zip::kLocalBytes));
     const std::size_t num_bytes = zip::kLocalBytes + get16(fixed, 26) + get16(fixed, 28);
@@ -136,7 +137,7 @@ class ZipSalvager {
   }
 
   /// Sizes and CRC-32 of a member that was written before they were known stand behind it.
-  Result<LocalMember> close_by_descriptor(LocalMember local) {
+  Result<LocalMember> close_by_descriptor(const LocalMember& local) {
     const std::uint64_t begin = local.member.data_offset;
     std::uint64_t at = begin;
     while (num_searched_bytes_ <= source_.size()) {
@@ -154,7 +155,8 @@ class ZipSalvager {
   }
 
   /// The member when its descriptor begins at `end`, or without a signature ends there.
-  Result<std::optional<LocalMember>> closed_at(const LocalMember& open, std::uint64_t end) const {
+  [[nodiscard]] Result<std::optional<LocalMember>> closed_at(const LocalMember& open,
+                                                             std::uint64_t end) const {
     constexpr std::size_t kDescriptorBytes = 12;
     for (const std::uint64_t begin : {end + kSignatureBytes, end - kDescriptorBytes}) {
       const std::uint64_t data_end = begin > end ? end : begin;
