@@ -129,7 +129,7 @@ class ZipSalvager {
     const bool has_descriptor = (flags & zip::kFlagDescriptor) != 0;
     const bool is_left_open = has_descriptor && local.member.num_packed_bytes == 0;
     if (is_left_open) {
-      HYPERMAP_ASSIGN_OR_RETURN(local, close_by_descriptor(std::move(local)));
+      HYPERMAP_ASSIGN_OR_RETURN(local, close_by_descriptor(local));
     } else {
       local.end = local.member.data_offset + local.member.num_packed_bytes;
     }
