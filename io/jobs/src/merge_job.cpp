@@ -27,6 +27,7 @@ void note(std::vector<Finding>& findings, std::vector<Finding> of_file, const Me
 /// What cannot be moved to where its world lies, nobody had asked to move.
 Error explained(Error error, const PlannedMap& map) {
   if (map.file->placement || map.found) return error;
+  error.field.clear();
   error.what = "its world was set upright in another way than in the first map: " + error.what +
                "; give both runs one --up, or find where it lies with --register";
   return error;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -188,7 +189,7 @@ TEST(MergedOctree, LabelsTakeTheNamesOfTheMapThatIsAddedTo) {
 
 TEST(MergedOctree, SpaceThatBothKnowToBeFreeTakesNoMemoryOfItsOwn) {
   std::vector<StoredLeaf> leaves;
-  leaves.reserve(2048 * 8 * 8);
+  leaves.reserve(std::size_t{2048} * 8 * 8);
   for (int x = 0; x < 2048; ++x) {
     for (int y = 0; y < 8; ++y) {
       for (int z = 0; z < 8; ++z) leaves.push_back({voxel_at(x, y, z), -1200});
