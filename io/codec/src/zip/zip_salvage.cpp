@@ -64,7 +64,8 @@ class ZipSalvager {
   using Signatures = std::initializer_list<std::uint32_t>;
 
   /// The first of the signatures from an offset on.
-  Result<std::optional<std::uint64_t>> find(Signatures signatures, std::uint64_t from) const {
+  [[nodiscard]] Result<std::optional<std::uint64_t>> find(Signatures signatures,
+                                                          std::uint64_t from) const {
     for (std::uint64_t at = from; at + kSignatureBytes <= source_.size();) {
       const auto num_bytes = std::min(kBytesAtOnce, source_.size() - at);
       HYPERMAP_ASSIGN_OR_RETURN(const std::string window,
@@ -98,7 +99,7 @@ class ZipSalvager {
   }
 
   /// A local header with name and extra field; none where the file ends before.
-  Result<std::optional<std::string>> read_header(std::uint64_t offset) const {
+  [[nodiscard]] Result<std::optional<std::string>> read_header(std::uint64_t offset) const {
     if (source_.size() - offset < zip::kLocalBytes) return std::nullopt;
     HYPERMAP_ASSIGN_OR_RETURN(const std::string fixed, source_.read_at(offset, zip::kLocalBytes));
     const std::size_t num_bytes = zip::kLocalBytes + get16(fixed, 26) + get16(fixed, 28);
@@ -128,7 +129,7 @@ class ZipSalvager {
     const bool has_descriptor = (flags & zip::kFlagDescriptor) != 0;
     const bool is_left_open = has_descriptor && local.member.num_packed_bytes == 0;
     if (is_left_open) {
-      HYPERMAP_ASSIGN_OR_RETURN(local, close_by_descriptor(std::move(local)));
+      HYPERMAP_ASSIGN_OR_RETURN(local, close_by_descriptor(local));
     } else {
       local.end = local.member.data_offset + local.member.num_packed_bytes;
     }
@@ -136,7 +137,7 @@ class ZipSalvager {
   }
 
   /// Sizes and CRC-32 of a member that was written before they were known stand behind it.
-  Result<LocalMember> close_by_descriptor(LocalMember local) {
+  Result<LocalMember> close_by_descriptor(const LocalMember& local) {
     const std::uint64_t begin = local.member.data_offset;
     std::uint64_t at = begin;
     while (num_searched_bytes_ <= source_.size()) {
