@@ -6,7 +6,7 @@ import unittest
 
 from program import run
 
-COMMANDS = "simulate detect combine map import info classes config query export stack cells snapshot eval diff tune check".split()
+COMMANDS = "simulate detect combine map import info classes config query shell export stack cells snapshot eval diff tune check repair".split()
 
 
 class Usage(unittest.TestCase):
