@@ -6,7 +6,8 @@ import unittest
 
 from program import run
 
-COMMANDS = "simulate detect combine map import merge info classes config query export stack cells snapshot eval diff tune check".split()
+COMMANDS = ("simulate detect combine map import crop split transform merge info classes config query shell export stack cells "
+            "snapshot eval diff tune check repair").split()
 
 
 class Usage(unittest.TestCase):
