@@ -81,7 +81,7 @@ MapArchive wide_map() {
   return archive;
 }
 
-std::set<ObjectId> ids_of(const MapArchive& archive) {
+std::set<ObjectId> ids_in_part(const MapArchive& archive) {
   std::set<ObjectId> ids;
   for (const Object& object : archive.objects.objects()) ids.insert(object.id);
   return ids;
@@ -158,13 +158,13 @@ TEST(CroppedMap, TilesHaveEachVoxelCellAndObjectOnce) {
     voxels += num_voxels(part);
     cells += grid_of(part).counts().free;
     vertices += part.topological_map->vertices().size();
-    const std::set<ObjectId> of_part = ids_of(part);
+    const std::set<ObjectId> of_part = ids_in_part(part);
     ids.insert(of_part.begin(), of_part.end());
   }
   EXPECT_EQ(voxels, num_voxels(whole));
   EXPECT_EQ(cells, grid_of(whole).counts().free);
   EXPECT_LE(vertices, whole.topological_map->vertices().size());
-  const std::set<ObjectId> all = ids_of(whole);
+  const std::set<ObjectId> all = ids_in_part(whole);
   EXPECT_EQ(ids, std::multiset<ObjectId>(all.begin(), all.end()));
 }
 

@@ -51,13 +51,13 @@ SemanticOctree furnished_room(const std::vector<FurnitureBox>& furniture) {
 }
 
 const std::vector<FurnitureBox>& office_furniture() {
-  static const std::vector<FurnitureBox> furniture{{5, 5, 14, 7},
-                                                   {30, 8, 6, 20},
-                                                   {55, 40, 15, 9},
-                                                   {12, 42, 8, 8},
-                                                   {60, 10, 5, 12},
-                                                   {40, 35, 4, 4}};
-  return furniture;
+  static const std::vector<FurnitureBox> kFurniture{{5, 5, 14, 7},
+                                                    {30, 8, 6, 20},
+                                                    {55, 40, 15, 9},
+                                                    {12, 42, 8, 8},
+                                                    {60, 10, 5, 12},
+                                                    {40, 35, 4, 4}};
+  return kFurniture;
 }
 
 /// The room as it looks from an origin that lies there.

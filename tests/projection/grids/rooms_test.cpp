@@ -327,8 +327,10 @@ TEST(DoorwaysBetween, TheShorterWayOfTwo) {
   // the way; 1.01 is too little for that.
   const RoomNumber middle = at(found, 4.5, 1);
   for (const auto& [metre_cost, y_m] : {std::pair(9.0, 3.05), std::pair(1.01, 1.45)}) {
-    const auto cheapest = doorways_between(
-        found, west, east, [&](RoomNumber room) { return room == middle ? metre_cost : 1.0; });
+    const auto cheapest =
+        doorways_between(found, west, east, [&, cost = metre_cost](RoomNumber room) {
+          return room == middle ? cost : 1.0;
+        });
     ASSERT_TRUE(cheapest.has_value());
     ASSERT_THAT(*cheapest, SizeIs(2));
     EXPECT_NEAR((*cheapest)[0].position.y(), y_m, 0.1) << metre_cost;
