@@ -47,7 +47,10 @@ Result<ObjectMap> cropped_objects(const ObjectMap& objects, const CropRegion& re
   return ObjectMap::restore(std::move(inside), objects.next_id());
 }
 
-Result<TopologicalMap> cropped_places(const TopologicalMap& places, const CropRegion& region) {
+/// With a vertex near each object of the part again, where that was outside.
+Result<TopologicalMap> cropped_places(const TopologicalMap& places,
+                                      const CropRegion& region,
+                                      const ObjectMap& objects) {
   std::vector<TopologicalVertex> vertices;
   std::vector<std::optional<VertexId>> kept(places.vertices().size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -62,7 +65,10 @@ Result<TopologicalMap> cropped_places(const TopologicalMap& places, const CropRe
     const auto to = kept[edge.to.value];
     if (from && to) edges.push_back({.from = *from, .to = *to});
   }
-  return TopologicalMap::create(places.options(), vertices, edges, std::nullopt);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      TopologicalMap part, TopologicalMap::create(places.options(), vertices, edges, std::nullopt));
+  for (const Object& object : objects.objects()) (void)part.cover(object.centroid_in_map);
+  return part;
 }
 
 /// Where the shapes of a layer are asked for: in the region, or where the map's objects are.
@@ -160,7 +166,7 @@ Result<CroppedMap> cropped_parts(const MapArchive& archive, const CropRegion& re
   }
   if (archive.topological_map) {
     HYPERMAP_ASSIGN_OR_RETURN(part.map.topological_map,
-                              cropped_places(*archive.topological_map, region));
+                              cropped_places(*archive.topological_map, region, part.map.objects));
   }
   HYPERMAP_TRY(crop_layers(part, region, KeptShapes(archive.objects, part.map.objects)));
   crop_class_grids(part, region);

@@ -42,7 +42,8 @@ struct CroppedMap {
 ///
 /// In the part are voxels and cells of grids whose centres lie in the region, objects and shapes
 /// whose centroids do (a shape of a layer goes with the map's object of its id), as a whole, and
-/// the places of the topological map with the ways between them. Voxels of objects that are not in
+/// the places of the topological map with the ways between them, and support vertices where an
+/// object's own place is outside. Voxels of objects that are not in
 /// it are of none. Heights are asked of voxels, objects and places. So parts of regions that
 /// divide the plane have each voxel, cell and object once. Layers in other frames are cropped where
 /// these lie in `map`.
