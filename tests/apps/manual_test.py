@@ -126,7 +126,7 @@ class Manual(unittest.TestCase):
 class Completion(unittest.TestCase):
     def test_commands_and_options(self):
         self.assertEqual(completed("hypermap", ""), COMMANDS)
-        self.assertEqual(completed("hypermap", "s"), ["simulate", "shell", "stack", "snapshot"])
+        self.assertEqual(completed("hypermap", "s"), [name for name in COMMANDS if name.startswith("s")])
         self.assertEqual(completed("hypermap", "map", "--pre"), ["--preset"])
         self.assertEqual(completed("hypermap", "map", "--prog"), ["--progress"], "an option of the program")
         self.assertEqual(completed("hypermap", "--progress", "never", "con"), ["config"])
