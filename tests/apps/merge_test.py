@@ -136,15 +136,15 @@ class Merge(unittest.TestCase):
         output = self.folder / "none.hmap"
         fine = self.folder / "fine.hmap"
         self.succeed("map", "--input", self.data, "--output", fine, "--max-frames", 1, "--first", HALF)
-        cases = (([self.first], 2, "must be two or more"),
+        cases = (([self.first], 4, "must be two or more"),
                  ([self.first, self.first], 2, "frames would count twice"),
                  ([self.first, self.both], 2, "frames would count twice"),
                  ([self.first, fine], 2, "resolution_m: must be that of"),
                  ([self.first, self.folder / "absent.hmap"], 3, "absent.hmap"),
                  ([self.first, self.data / "truth.hmap"], 2, "has no octree"),
-                 ([self.first, self.turned, "--transform", "turned=1,2"], 2, "--transform"),
-                 ([self.first, self.turned, "--transform", "nobody=1,2,0,0"], 2, "with one of the maps"),
-                 ([self.first, self.turned, "--transform", "first=1,2,0,0"], 2, "is of the first map"))
+                 ([self.first, self.turned, "--transform", "turned=1,2"], 4, "--transform"),
+                 ([self.first, self.turned, "--transform", "nobody=1,2,0,0"], 4, "with one of the maps"),
+                 ([self.first, self.turned, "--transform", "first=1,2,0,0"], 4, "is of the first map"))
         for arguments, status, told in cases:
             with self.subTest(arguments=arguments):
                 result = run("merge", *arguments, "--output", output)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "edited_map.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/cropped_map.hpp"
 #include "load_arguments.hpp"
@@ -7,8 +8,6 @@
 #include "outputs.hpp"
 #include "part_text.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,25 +40,17 @@ Result<CropRegion> region_of(const CropArguments& arguments) {
 }
 
 ExitCode run_crop(const CropArguments& arguments, const CropRegion& region) {
-  const auto whole = load_archive(
-      arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted());
-  if (!whole) return report(whole.error());
-  const auto part = cropped(whole->value, region);
-  if (!part) return report(part.error());
-  if (const auto saved =
-          save_archive(part->map, arguments.output, {.limits = arguments.load.limits});
-      !saved) {
-    return report(saved.error());
-  }
-  std::printf("%zu of %s, %zu of %s\n%s\n",
-              num_voxels(part->map),
-              count_text(num_voxels(whole->value), "voxel").c_str(),
-              part->map.objects.size(),
-              count_text(whole->value.objects.size(), "object").c_str(),
-              arguments.output.c_str());
-  ExitCode worst = warn_of_left_out("crop", part->left_out);
-  for (const Finding& finding : whole->findings) worst = std::max(worst, report(finding));
-  return worst;
+  const auto crop = [&](const MapArchive& whole) -> Result<EditedMap> {
+    HYPERMAP_ASSIGN_OR_RETURN(auto part, cropped(whole, region));
+    std::string text = std::to_string(num_voxels(part.map)) + " of " +
+                       count_text(num_voxels(whole), "voxel") + ", " +
+                       std::to_string(part.map.objects.size()) + " of " +
+                       count_text(whole.objects.size(), "object") + "\n";
+    return EditedMap{.map = std::move(part.map),
+                     .text = std::move(text),
+                     .findings = warn_of_left_out("crop", part.left_out)};
+  };
+  return run_edit(arguments.file, arguments.output, arguments.load, crop);
 }
 
 }  // namespace

@@ -53,15 +53,24 @@ Result<void> place_file(std::vector<MergedFile>& files, const std::string& text)
   return {};
 }
 
-Result<MergeJob> job_of(const MergeArguments& arguments) {
-  MergeJob job{.files = {},
+/// Errors: kInvalidArgument naming the option.
+Result<std::vector<MergedFile>> files_of(const MergeArguments& arguments) {
+  std::vector<MergedFile> files;
+  files.reserve(arguments.files.size());
+  for (const std::string& file : arguments.files) files.push_back({.path = file});
+  if (files.size() < 2) {
+    return fail(ErrorCode::kInvalidArgument, "must be two or more, is one", "files");
+  }
+  for (const std::string& text : arguments.transforms) HYPERMAP_TRY(place_file(files, text));
+  return files;
+}
+
+Result<MergeJob> job_of(const MergeArguments& arguments, const std::vector<MergedFile>& files) {
+  MergeJob job{.files = files,
                .registers = arguments.registers,
                .in_order = arguments.in_order,
                .limits = arguments.load.limits,
                .stop = stop_when_interrupted()};
-  job.files.reserve(arguments.files.size());
-  for (const std::string& file : arguments.files) job.files.push_back({.path = file});
-  for (const std::string& text : arguments.transforms) HYPERMAP_TRY(place_file(job.files, text));
   job.options.mapper.objects = preset(*preset_of(arguments.preset));
   if (arguments.config) {
     HYPERMAP_ASSIGN_OR_RETURN(job.options, read_options(*arguments.config, job.options));
@@ -127,8 +136,10 @@ void add_merge_command(CLI::App& program, const CommonOptions& common, Action& a
   command.callback([arguments, &common, &action] {
     keep_apart("--output", arguments->output, {});
     keep_suffix("--output", arguments->output, ".hmap");
-    action = [arguments, &common] {
-      const auto job = job_of(*arguments);
+    auto files = files_of(*arguments);
+    if (!files) throw CLI::ValidationError(files.error().field, files.error().what);
+    action = [arguments, files = *files, &common] {
+      const auto job = job_of(*arguments, files);
       return job ? run_merge_command(*arguments, *job, common) : report(job.error());
     };
   });

@@ -46,7 +46,10 @@ ExitCode run_split_command(const SplitArguments& arguments, const std::string& p
   const auto split = run_split(whole->value, job, [&](std::size_t done, std::size_t total) {
     return progress.update(done, total);
   });
-  if (!split) return report(of_option(split.error(), "--tile"));
+  if (!split) {
+    const bool is_of_edge = split.error().field == "edge_m";
+    return report(is_of_edge ? of_option(split.error(), "--tile") : split.error());
+  }
   print_tiles(*split);
   ExitCode worst = warn_of_left_out("split", split->left_out);
   for (const Finding& finding : whole->findings) worst = std::max(worst, report(finding));

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "edited_map.hpp"
 #include "hypermap/io/archive/transformed_map.hpp"
 #include "load_arguments.hpp"
 #include "outputs.hpp"
 #include "placement_argument.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace hypermap::app {
 namespace {
@@ -24,23 +24,12 @@ struct TransformArguments {
 ExitCode run_transform(const TransformArguments& arguments) {
   const auto placement = placement_of(arguments.by);
   if (!placement) return report(placement.error());
-  const auto old = load_archive(
-      arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted());
-  if (!old) return report(old.error());
-  const auto moved = transformed(old->value, MapFromOldMap(isometry_of(**placement)));
-  if (!moved) {
-    Error error = moved.error();
-    error.file = arguments.file;
-    return report(error);
-  }
-  if (const auto saved = save_archive(*moved, arguments.output, {.limits = arguments.load.limits});
-      !saved) {
-    return report(saved.error());
-  }
-  std::printf("%s\n", arguments.output.c_str());
-  ExitCode worst = ExitCode::kDone;
-  for (const Finding& finding : old->findings) worst = std::max(worst, report(finding));
-  return worst;
+  const MapFromOldMap map_from_old(isometry_of(**placement));
+  const auto transform = [&](const MapArchive& old) -> Result<EditedMap> {
+    HYPERMAP_ASSIGN_OR_RETURN(auto moved, transformed(old, map_from_old));
+    return EditedMap{.map = std::move(moved)};
+  };
+  return run_edit(arguments.file, arguments.output, arguments.load, transform);
 }
 
 }  // namespace
