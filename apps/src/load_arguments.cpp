@@ -5,7 +5,14 @@
 
 #include <CLI/Validators.hpp>
 
+#include <cstdint>
+
 namespace hypermap::app {
+namespace {
+
+constexpr std::uint64_t kLargeArchiveBytes = std::uint64_t{64} << 30U;
+
+}  // namespace
 
 void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
@@ -19,6 +26,15 @@ void LoadArguments::add_to(CLI::App& command) {
   add("--max-edge-tests", sums.max_edge_tests, "of edges, for shapes that cross themselves");
   add("--max-opaque-bytes", sums.max_opaque_bytes, "of members that nothing here reads");
   add("--max-octree-nodes", sums.max_octree_nodes, "of all octrees of an archive");
+  command
+      .add_flag_callback(
+          "--large",
+          [this] {
+            limits.zip.max_archive_bytes = kLargeArchiveBytes;
+            limits.zip.max_total_bytes = 2 * kLargeArchiveBytes;
+          },
+          "archives up to 64 GiB, not 4, also those that are written")
+      ->group("Limits of what is read");
   command
       .add_flag_callback(
           "--confined",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "zip_directory.hpp"
 
+#include "zip64.hpp"
+#include "zip_extra_fields.hpp"
 #include "zip_format.hpp"
 #include "zip_names.hpp"
 
@@ -16,10 +18,6 @@ constexpr std::uint64_t kMaxDirectoryBytes = std::uint64_t{16} << 20;
 
 Unexpected malformed_directory(std::string what) {
   return fail(ErrorCode::kMalformedFile, std::move(what));
-}
-
-Unexpected zip64() {
-  return fail(ErrorCode::kUnsupported, "zip64 archives are not read (marked, or needed, as one)");
 }
 
 Unexpected in_entry(Unexpected error, std::string_view name) {
@@ -77,30 +75,54 @@ Result<Entry> take_entry(std::string_view& rest) {
     return malformed_directory("central directory: header reaches beyond its end");
   const std::string_view name = rest.substr(kCentralBytes, name_bytes);
 
+  const std::string_view extra = rest.substr(kCentralBytes + name_bytes, extra_bytes);
   const std::uint16_t method = get16(rest, 10);
   Entry entry{.member = {.name = std::string(name),
-                         .num_bytes = get32(rest, 24),
-                         .num_packed_bytes = get32(rest, 20),
                          .crc32 = get32(rest, 16),
                          .deflated = method == kDeflated},
               .flags = get16(rest, 8),
-              .header_offset = get32(rest, 42),
               .is_folder = name.ends_with('/')};
   const auto check_fields = [&]() -> Result<void> {
     HYPERMAP_TRY(check_member_name(name));
     if (get16(rest, 34) != 0) return malformed_directory("lies on another disk");
-    if (get32(rest, 24) == kZip64Marker32 || get32(rest, 20) == kZip64Marker32 ||
-        get32(rest, 42) == kZip64Marker32)
-      return zip64();
+    HYPERMAP_TRY(check_extra(extra, name));
+    HYPERMAP_ASSIGN_OR_RETURN(
+        const auto numbers,
+        wide_numbers(extra, {get32(rest, 24), get32(rest, 20), get32(rest, 42)}));
+    entry.member.num_bytes = numbers[0];
+    entry.member.num_packed_bytes = numbers[1];
+    entry.header_offset = numbers[2];
     HYPERMAP_TRY(check_flags(entry.flags));
     HYPERMAP_TRY(check_method(entry, method));
-    HYPERMAP_TRY(check_kind(get16(rest, 4), get32(rest, 38), entry.is_folder));
-    return check_extra(rest.substr(kCentralBytes + name_bytes, extra_bytes), name);
+    return check_kind(get16(rest, 4), get32(rest, 38), entry.is_folder);
   };
   if (auto checked = check_fields(); !checked)
     return in_entry(tl::make_unexpected(std::move(checked).error()), name);
   rest.remove_prefix(all);
   return entry;
+}
+
+/// How long the data descriptor at `at` is: with or without a signature, sizes of 64 bits where the
+/// local header has those of zip64. `room`: bytes up to the directory.
+/// Source: APPNOTE 4.3.9.
+Result<std::size_t> check_descriptor(const ByteSource& source,
+                                     std::uint64_t at,
+                                     std::uint64_t room,
+                                     const ZipMember& member,
+                                     bool is_wide) {
+  const std::size_t size_bytes = is_wide ? 8 : 4;
+  const std::size_t num_bytes = 4 + 2 * size_bytes;
+  const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(4 + num_bytes, room));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, source.read_at(at, wanted));
+  const auto size_at = [&](std::size_t i) { return is_wide ? get64(bytes, i) : get32(bytes, i); };
+  const auto agrees = [&](std::size_t i) {
+    return bytes.size() >= i + num_bytes && get32(bytes, i) == member.crc32 &&
+           size_at(i + 4) == member.num_packed_bytes &&
+           size_at(i + 4 + size_bytes) == member.num_bytes;
+  };
+  if (agrees(4) && get32(bytes, 0) == kDescriptorSignature) return 4 + num_bytes;
+  if (agrees(0)) return num_bytes;
+  return malformed_directory("data descriptor and central header differ in size or CRC-32");
 }
 
 /// The end of the member's bytes, descriptor included, after its local header was checked.
@@ -127,47 +149,32 @@ Result<std::uint64_t> check_local_header(const ByteSource& source,
   if (names.compare(0, name_bytes, member.name) != 0)
     return malformed_directory("local header names another member: '" +
                                printable(names.substr(0, name_bytes)) + "'");
-  HYPERMAP_TRY(check_extra(std::string_view(names).substr(name_bytes), member.name));
+  const std::string_view extra = std::string_view(names).substr(name_bytes);
+  HYPERMAP_TRY(check_extra(extra, member.name));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto sizes,
+                            wide_numbers(extra, {get32(header, 22), get32(header, 18)}));
   if (get16(header, 6) != entry.flags || (get16(header, 8) == kDeflated) != member.deflated ||
       (get16(header, 8) != kDeflated && get16(header, 8) != kStored))
     return malformed_directory("local and central header differ in flags or method");
 
   const bool has_descriptor = (entry.flags & kFlagDescriptor) != 0;
-  const auto agrees = [&](std::string_view bytes, std::size_t at) {
-    return get32(bytes, at) == member.crc32 && get32(bytes, at + 4) == member.num_packed_bytes &&
-           get32(bytes, at + 8) == member.num_bytes;
-  };
-  const bool left_open =
-      has_descriptor && get32(header, 14) == 0 && get32(header, 18) == 0 && get32(header, 22) == 0;
-  if (!left_open && !agrees(header, 14))
+  const std::uint32_t crc32 = get32(header, 14);
+  const bool agrees =
+      crc32 == member.crc32 && sizes[0] == member.num_bytes && sizes[1] == member.num_packed_bytes;
+  const bool left_open = has_descriptor && crc32 == 0 && sizes[0] == 0 && sizes[1] == 0;
+  if (!left_open && !agrees)
     return malformed_directory("local and central header differ in size or CRC-32");
   member.data_offset = data_offset;
   const std::uint64_t data_end = data_offset + member.num_packed_bytes;
   if (!has_descriptor) return data_end;
-
-  const auto room =
-      static_cast<std::size_t>(std::min<std::uint64_t>(16, directory_offset - data_end));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string descriptor, source.read_at(data_end, room));
-  if (room >= 16 && get32(descriptor, 0) == kDescriptorSignature && agrees(descriptor, 4))
-    return data_end + 16;
-  if (room >= 12 && agrees(descriptor, 0)) return data_end + 12;
-  return malformed_directory("data descriptor and central header differ in size or CRC-32");
+  const bool is_wide = get32(header, 22) == kZip64Marker32 || get32(header, 18) == kZip64Marker32;
+  HYPERMAP_ASSIGN_OR_RETURN(
+      const std::size_t num_bytes,
+      check_descriptor(source, data_end, directory_offset - data_end, member, is_wide));
+  return data_end + num_bytes;
 }
 
 }  // namespace
-
-Result<void> check_extra(std::string_view extra, std::string_view name) {
-  while (!extra.empty()) {
-    if (extra.size() < 4 || extra.size() - 4 < get16(extra, 2))
-      return malformed_directory("damaged extra field");
-    const std::string_view data = extra.substr(4, get16(extra, 2));
-    if (get16(extra, 0) == kExtraZip64) return zip64();
-    if (get16(extra, 0) == kExtraUnicodeName && (data.size() < 5 || data.substr(5) != name))
-      return malformed_directory("extra field gives the member another name");
-    extra.remove_prefix(4 + data.size());
-  }
-  return {};
-}
 
 Result<void> check_flags(std::uint16_t flags) {
   if ((flags & (kFlagEncrypted | kFlagStrongEncryption | kFlagMaskedHeader)) != 0)
@@ -190,19 +197,23 @@ Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& lim
   HYPERMAP_ASSIGN_OR_RETURN(const std::size_t at, find_end(tail));
   const std::uint64_t end_offset = source.size() - tail_bytes + at;
   const std::uint16_t num_entries = get16(tail, at + 10);
-  const EndRecord end{.num_entries = num_entries,
-                      .directory_offset = get32(tail, at + 16),
-                      .directory_bytes = get32(tail, at + 12)};
-  if (num_entries == kZip64Marker16 || end.directory_offset == kZip64Marker32 ||
-      end.directory_bytes == kZip64Marker32)
-    return zip64();
+  EndRecord end{.num_entries = num_entries,
+                .directory_offset = get32(tail, at + 16),
+                .directory_bytes = get32(tail, at + 12),
+                .end_offset = end_offset};
   if (get16(tail, at + 4) != 0 || get16(tail, at + 6) != 0 || get16(tail, at + 8) != num_entries)
     return malformed_directory("archive in several parts");
+  const bool is_wide = num_entries == kZip64Marker16 || end.directory_offset == kZip64Marker32 ||
+                       end.directory_bytes == kZip64Marker32;
+  if (is_wide) {
+    HYPERMAP_ASSIGN_OR_RETURN(end, read_wide_end(source, end_offset, end));
+  }
   if (end.num_entries > limits.max_entries)
     return fail(ErrorCode::kLimit,
                 std::to_string(end.num_entries) + " entries, the limit is " +
                     std::to_string(limits.max_entries));
-  if (end.directory_offset + end.directory_bytes != end_offset)
+  if (end.directory_offset > end.end_offset ||
+      end.end_offset - end.directory_offset != end.directory_bytes)
     return malformed_directory("central directory does not end where the end record begins");
   if (end.directory_bytes > kMaxDirectoryBytes)
     return fail(ErrorCode::kLimit,

@@ -9,16 +9,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace hypermap::zip {
 
-/// Where the central directory lies. It ends where the end record begins.
+/// Where the central directory lies. It ends where the end record begins, that of zip64 where there
+/// is one.
 struct EndRecord {
   std::size_t num_entries = 0;
   std::uint64_t directory_offset = 0;
   std::uint64_t directory_bytes = 0;
+  std::uint64_t end_offset = 0;
 };
 
 /// A member as the central directory describes it.
@@ -44,9 +45,5 @@ struct Entry {
 
 /// Errors: kUnsupported for encrypted entries and flags that are not known.
 [[nodiscard]] Result<void> check_flags(std::uint16_t flags);
-
-/// Extra fields must be well formed and must not change what the header says.
-/// Errors: kMalformedFile; kUnsupported for zip64.
-[[nodiscard]] Result<void> check_extra(std::string_view extra, std::string_view name);
 
 }  // namespace hypermap::zip

@@ -3,6 +3,7 @@
 
 #include "zip_content.hpp"
 #include "zip_directory.hpp"
+#include "zip_extra_fields.hpp"
 #include "zip_format.hpp"
 #include "zip_names.hpp"
 
@@ -115,14 +116,21 @@ class ZipSalvager {
     const std::uint16_t flags = get16(header, 6);
     const std::uint16_t method = get16(header, 8);
     HYPERMAP_TRY(zip::check_flags(flags));
-    HYPERMAP_TRY(zip::check_extra(header.substr(zip::kLocalBytes + name.size()), name));
+    const std::string_view extra = header.substr(zip::kLocalBytes + name.size());
+    HYPERMAP_TRY(zip::check_extra(extra, name));
+    HYPERMAP_ASSIGN_OR_RETURN(const auto sizes,
+                              zip::wide_numbers(extra, {get32(header, 22), get32(header, 18)}));
+    if (sizes[1] > source_.size()) {
+      return damaged("is cut: it says " + std::to_string(sizes[1]) +
+                     " bytes, more than the file has");
+    }
     if (method != zip::kStored && method != zip::kDeflated) {
       return fail(ErrorCode::kUnsupported,
                   "compression method " + std::to_string(method) + " is not supported");
     }
     LocalMember local{.member = {.name = name,
-                                 .num_bytes = get32(header, 22),
-                                 .num_packed_bytes = get32(header, 18),
+                                 .num_bytes = sizes[0],
+                                 .num_packed_bytes = sizes[1],
                                  .crc32 = get32(header, 14),
                                  .deflated = method == zip::kDeflated,
                                  .data_offset = header_offset + header.size()}};

@@ -8,8 +8,8 @@
 /// overlapping members, gaps, case collisions, device entries and any ratio.
 ///
 /// Source: PKWARE APPNOTE.TXT 6.3, sections 4.3 and 4.4.
-/// Scope: one disk, methods stored and deflated, no encryption, no zip64 (a file within the limits
-/// below needs none).
+/// Scope: one disk, methods stored and deflated, no encryption; zip64 where each number of 64 bits
+/// stands for one that is marked, and nowhere else.
 #pragma once
 
 #include "hypermap/core/base/load_budget.hpp"
@@ -52,7 +52,7 @@ class ZipReader {
   /// Checks the whole structure: end record, central directory, local headers and descriptors, that
   /// members tile the file without gap or overlap, names, methods, sizes and ratios. Nothing is
   /// inflated.
-  /// Errors: kMalformedFile; kUnsupported (encrypted, another method, zip64); kLimit; kIo. `entry`
+  /// Errors: kMalformedFile; kUnsupported (encrypted, another method); kLimit; kIo. `entry`
   /// names the member where there is one.
   /// Cost: O(entries log entries); reads headers only.
   [[nodiscard]] static Result<ZipReader> create(std::shared_ptr<const ByteSource> source,
