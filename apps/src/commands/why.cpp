@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "hypermap/io/archive/place_explanation.hpp"
 #include "shown_rules.hpp"
 #include "tables.hpp"
@@ -79,9 +80,16 @@ std::string withheld_text(const std::vector<MissedCondition>& missed) {
   return joined(texts, "; ");
 }
 
-std::string moment_text(const ObservationLogEntry& entry) {
+/// ", session morning" in a map of several.
+std::string session_text(const MapArchive& archive, std::uint64_t frame_index) {
+  if (archive.provenance.size() < 2) return "";
+  const auto session = session_of_frame(sessions_of(archive.provenance), frame_index);
+  return session ? ", session " + printable(name_of(*session)) : "";
+}
+
+std::string moment_text(const ObservationLogEntry& entry, const MapArchive& archive) {
   return "at " + fixed(seconds_of(entry.stamp), 3) + " s (frame " +
-         std::to_string(entry.frame_index) + ") from " +
+         std::to_string(entry.frame_index) + session_text(archive, entry.frame_index) + ") from " +
          fixed(static_cast<double>(entry.distance_m), 2) + " m";
 }
 
@@ -169,15 +177,15 @@ void print_removal(const Removal& removal, bool is_shown) {
 }
 
 /// When it was detected first and last, and when a newer frame that should have shown it did not.
-void print_moments(const Explanation& why) {
-  if (why.first) print_line("first seen", moment_text(*why.first));
+void print_moments(const Explanation& why, const MapArchive& archive) {
+  if (why.first) print_line("first seen", moment_text(*why.first, archive));
   if (why.last_seen) {
-    print_line("last seen", moment_text(*why.last_seen));
-  } else if (why.last_seen_frame) {
-    print_line("last seen", "in frame " + std::to_string(*why.last_seen_frame));
+    print_line("last seen", moment_text(*why.last_seen, archive));
+  } else if (const auto& frame = why.last_seen_frame) {
+    print_line("last seen", "in frame " + std::to_string(*frame) + session_text(archive, *frame));
   }
   if (why.newest && why.newest->kind != ObservationKind::kDetection) {
-    print_line("looked for", "last " + moment_text(*why.newest) + ", not detected there");
+    print_line("looked for", "last " + moment_text(*why.newest, archive) + ", not detected there");
   }
 }
 
@@ -195,7 +203,7 @@ void print_object(const Explanation& why, const MapArchive& archive, bool is_sho
              num_detections == 0
                  ? "the map keeps no log of it"
                  : times(num_detections) + " from " + directions_text(why.directions));
-  print_moments(why);
+  print_moments(why, archive);
   print_namings(why, archive);
   const MissedDetections& missed = why.missed_detections;
   if (missed.num_frames > 0) {

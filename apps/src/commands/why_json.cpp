@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "why_json.hpp"
 
+#include "hypermap/io/archive/map_sessions.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <numbers>
@@ -38,24 +40,55 @@ std::string_view key_of(Condition condition) {
   return "";
 }
 
-Json json_of(const ObservationLogEntry& entry) {
+/// Null where the map did not keep it.
+Json session_json(const MapArchive& archive, std::uint64_t frame_index) {
+  const auto session = session_of_frame(sessions_of(archive.provenance), frame_index);
+  return session ? Json(name_of(*session)) : Json(nullptr);
+}
+
+Json json_of(const ObservationLogEntry& entry, const MapArchive& archive) {
   return {{"stamp_s", static_cast<double>(entry.stamp.ns) * 1e-9},
           {"frame", entry.frame_index},
+          {"session", session_json(archive, entry.frame_index)},
           {"detected", entry.kind == ObservationKind::kDetection},
           {"distance_m", entry.distance_m},
           {"bearing_deg", degrees_of(entry.bearing_rad)}};
 }
 
 /// The newest detection; of one that is no longer kept by itself, the frame alone.
-Json json_of_last_seen(const Explanation& why) {
-  if (why.last_seen) return json_of(*why.last_seen);
-  if (why.last_seen_frame) return {{"frame", *why.last_seen_frame}};
+Json json_of_last_seen(const Explanation& why, const MapArchive& archive) {
+  if (why.last_seen) return json_of(*why.last_seen, archive);
+  if (why.last_seen_frame) {
+    return {{"frame", *why.last_seen_frame},
+            {"session", session_json(archive, *why.last_seen_frame)}};
+  }
   return nullptr;
 }
 
 /// Null for a detector of before their names were kept.
 Json name_of(DetectorId id, const DetectorRegistry& detectors) {
   return detectors.contains(id) ? Json(detectors.description(id).name) : Json(nullptr);
+}
+
+/// What the newest observations, of those that are kept one by one, did to the object.
+Json log_json(const Explanation& why, const MapArchive& archive) {
+  Json log = Json::array();
+  for (const ObservationLogEntry& entry :
+       archive.objects.at(why.id).observation_log.state().newest) {
+    Json one = json_of(entry, archive);
+    if (entry.kind == ObservationKind::kDetection) {
+      one["detector"] = name_of(entry.detector, archive.detectors);
+      one["score"] = entry.score;
+    } else {
+      one["visible_share"] = entry.score;
+    }
+    const bool is_named = archive.classes.contains(entry.class_id);
+    one["class"] = is_named ? Json(archive.classes.name(entry.class_id)) : Json(nullptr);
+    one["existence_change"] = entry.effect;
+    one["belief_change"] = entry.belief_change;
+    log.push_back(std::move(one));
+  }
+  return log;
 }
 
 Json json_of(const Removal& removal) {
@@ -82,9 +115,9 @@ Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
            {"real_probability", why.beliefs.real.value()},
            {"classes", Json::array()},
            {"withheld_for", Json::array()},
-           {"first", why.first ? json_of(*why.first) : Json(nullptr)},
-           {"last_seen", json_of_last_seen(why)},
-           {"last", why.newest ? json_of(*why.newest) : Json(nullptr)},
+           {"first", why.first ? json_of(*why.first, archive) : Json(nullptr)},
+           {"last_seen", json_of_last_seen(why, archive)},
+           {"last", why.newest ? json_of(*why.newest, archive) : Json(nullptr)},
            {"directions_deg", Json::array()},
            {"namings", Json::array()}};
   for (const ClassEvidence& c : why.beliefs.classes) {
@@ -117,6 +150,7 @@ Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
                               {"mean_visible_share", why.missed_detections.mean_visible_share},
                               {"existence_lost", why.missed_detections.existence_lost}};
   out["removal"] = json_of(why.removal);
+  out["log"] = log_json(why, archive);
   return out;
 }
 

@@ -70,6 +70,15 @@ Result<MapSession> find_session(std::span<const Provenance> runs, std::string_vi
               "session");
 }
 
+std::optional<MapSession> session_of_frame(std::span<const MapSession> sessions,
+                                           std::uint64_t frame_index) {
+  const auto found = std::ranges::find_if(sessions, [&](const MapSession& one) {
+    return one.frames && one.frames->contains(frame_index);
+  });
+  if (found == sessions.end()) return std::nullopt;
+  return *found;
+}
+
 bool follow_each_other(std::span<const MapSession> sessions) {
   const auto begins_before_end = [](const MapSession& a, const MapSession& b) {
     return a.last && b.first && *b.first < *a.last;

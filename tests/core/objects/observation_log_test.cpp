@@ -143,6 +143,32 @@ TEST(ObservationLog, MergingKeepsTheOrderOfFrames) {
   EXPECT_EQ(a.num_detections(), 80U);
 }
 
+TEST(ObservationLog, WhatEitherOfTwoThatAreOneWasDetectedInWasNotMissed) {
+  const auto missed = [](std::uint64_t frame) {
+    ObservationLogEntry entry = seen(frame);
+    entry.kind = ObservationKind::kMissedDetection;
+    entry.score = 0.25F;
+    entry.effect = -0.5F;
+    return entry;
+  };
+  ObservationLog a;
+  a.add(seen(5));
+  a.add(missed(8));
+  ObservationLog b;
+  b.add(missed(5));
+  b.add(missed(6));
+  b.add(seen(8));
+  a.merge(b);
+  ASSERT_EQ(a.state().newest.size(), 3U);
+  EXPECT_EQ(a.state().newest[0], seen(5));
+  EXPECT_EQ(a.state().newest[1], missed(6));
+  EXPECT_EQ(a.state().newest[2], seen(8));
+  ASSERT_EQ(a.state().summaries.size(), 2U);
+  EXPECT_EQ(a.state().summaries[1].count, 1U);
+  EXPECT_FLOAT_EQ(a.state().summaries[1].score_sum, 0.25F);
+  EXPECT_FLOAT_EQ(a.state().summaries[1].effect_sum, -0.5F);
+}
+
 TEST(ObservationLog, FramesOfTwoLogsAreCommonByNumberAndStamp) {
   const auto log_of = [](std::uint64_t first, std::uint64_t end, std::int64_t run_ns) {
     ObservationLog log;

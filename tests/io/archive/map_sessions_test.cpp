@@ -25,6 +25,16 @@ TEST(MapSessions, GoByNameElseByNumber) {
   EXPECT_THAT(to_string(find_session({}, "1").error()), HasSubstr("does not tell of any"));
 }
 
+TEST(MapSessions, AFrameIsOfTheSessionThatCountsIt) {
+  const auto sessions = sessions_of(two_sessions(30));
+  EXPECT_EQ(session_of_frame(sessions, 0)->name, "morning");
+  EXPECT_EQ(session_of_frame(sessions, 29)->name, "morning");
+  EXPECT_EQ(session_of_frame(sessions, 30)->number, 2U);
+  auto runs = two_sessions(30);
+  runs[0].next_frame_index = 0;
+  EXPECT_FALSE(session_of_frame(sessions_of(runs), 5)) << "nobody kept where it ends";
+}
+
 TEST(MapSessions, FollowEachOtherWhereEachBeginsAfterTheOneBefore) {
   EXPECT_TRUE(follow_each_other(sessions_of(two_sessions(30))));
   EXPECT_TRUE(follow_each_other(sessions_of(two_sessions(29)))) << "at the same moment";

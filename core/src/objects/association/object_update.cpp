@@ -50,7 +50,7 @@ void update_geometry(Object& object, const Segment& segment, const AssociationOp
   }
 }
 
-void record(Object& object, const Observation& observation, LogOdds effect) {
+void record(Object& object, const Observation& observation, LogOdds effect, LogOdds belief_change) {
   object.observation_log.add({.frame_index = observation.frame_index,
                               .stamp = observation.stamp,
                               .kind = ObservationKind::kDetection,
@@ -60,7 +60,8 @@ void record(Object& object, const Observation& observation, LogOdds effect) {
                               .score = static_cast<float>(observation.score.value()),
                               .bearing_rad = static_cast<float>(observation.bearing_rad),
                               .distance_m = static_cast<float>(observation.distance_m),
-                              .effect = static_cast<float>(effect.value())});
+                              .effect = static_cast<float>(effect.value()),
+                              .belief_change = static_cast<float>(belief_change.value())});
 }
 
 }  // namespace
@@ -68,14 +69,17 @@ void record(Object& object, const Observation& observation, LogOdds effect) {
 void update_object(Object& object,
                    const Observation& observation,
                    const AssociationOptions& options) {
+  const ClassId named = named_class(observation);
+  const LogOdds belief_before = object.belief.log_odds(named);
   update_belief(object, observation);
+  const LogOdds belief_change = object.belief.log_odds(named) - belief_before;
   object.prior = observation.prior;
   object.histogram.observe(observation.bearing_rad, observation.distance_m);
   update_geometry(object, observation.segment, options);
   object.embeddings.observe(observation.embeddings);
   const LogOdds before = object.existence;
   object.existence = std::min(object.existence + options.seen_existence, options.max_existence);
-  record(object, observation, object.existence - before);
+  record(object, observation, object.existence - before, belief_change);
   object.last_seen = std::max(object.last_seen, observation.stamp);
   object.farthest_detection_m = std::max(object.farthest_detection_m, observation.distance_m);
   ++object.num_observations;

@@ -77,22 +77,67 @@ void weaken(Object& object,
   object.histogram.weaken(result.bearing_rad, result.distance_m, decay.absence);
 }
 
+/// Of a belief, by one observation.
+struct ClassChange {
+  ClassId class_id;
+  LogOdds log_odds;
+};
+
 void record(Object& object,
             const VisibilityResult& result,
             const Decay& decay,
+            const ClassChange& change,
             std::uint64_t frame_index,
             Stamp stamp) {
-  const auto best = object.belief.best();
   object.observation_log.add({.frame_index = frame_index,
                               .stamp = stamp,
                               .kind = ObservationKind::kMissedDetection,
                               .visibility = result.state,
                               .detector = DetectorId{},
-                              .class_id = best ? best->id : ClassId{},
+                              .class_id = change.class_id,
                               .score = static_cast<float>(result.visible_fraction),
                               .bearing_rad = static_cast<float>(result.bearing_rad),
                               .distance_m = static_cast<float>(result.distance_m),
-                              .effect = static_cast<float>(-decay.existence.value())});
+                              .effect = static_cast<float>(-decay.existence.value()),
+                              .belief_change = static_cast<float>(change.log_odds.value())});
+}
+
+/// The newest entry if that is a detection in the frame, else null.
+const ObservationLogEntry* newest_detection_in(const ObservationLog& log,
+                                               std::uint64_t frame_index,
+                                               Stamp stamp) {
+  const auto& newest = log.state().newest;
+  const bool is_one = !newest.empty() && newest.back().kind == ObservationKind::kDetection &&
+                      newest.back().frame_index == frame_index && newest.back().stamp == stamp;
+  return is_one ? &newest.back() : nullptr;
+}
+
+/// The class that an entry of the log tells the change of: for a missed detection the object's own.
+ClassId class_of_entry(const Object& object, const ObservationLogEntry* detection) {
+  if (detection != nullptr) return detection->class_id;
+  const auto best = object.belief.best();
+  return best ? best->id : ClassId{};
+}
+
+/// Step 8. A frame in which the object was detected is no missed detection, whatever its place
+/// looks like: what it takes is told with the detection.
+void decay_object(Object& object,
+                  const VisibilityResult& result,
+                  const Decay& decay,
+                  const AbsenceOptions& options,
+                  std::uint64_t frame_index,
+                  Stamp stamp) {
+  const ObservationLogEntry* detection =
+      newest_detection_in(object.observation_log, frame_index, stamp);
+  const ClassId class_id = class_of_entry(object, detection);
+  const LogOdds before = object.belief.log_odds(class_id);
+  weaken(object, result, decay, options);
+  const LogOdds belief_change = object.belief.log_odds(class_id) - before;
+  if (detection != nullptr) {
+    object.observation_log.add_to_newest(LogOdds{} - decay.existence, belief_change);
+  } else {
+    record(object, result, decay, {class_id, belief_change}, frame_index, stamp);
+  }
 }
 
 /// Whether the object shows again, or its place is at least not seen through, after clear looks
@@ -130,8 +175,7 @@ AbsenceReport apply_absences(ObjectMap& objects,
     const bool has_effect = decay.existence != LogOdds{} || decay.absence != 0.0;
     if (!has_effect && !ends_absence(*object, result)) continue;
     objects.modify(result.object, [&](Object& weakened) {  // step 8
-      weaken(weakened, result, decay, options);
-      record(weakened, result, decay, frame_index, stamp);
+      decay_object(weakened, result, decay, options, frame_index, stamp);
     });
     if (is_to_be_removed(objects.at(result.object), options)) {  // C.3
       report.removed.push_back(result.object);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -25,7 +26,7 @@ bool precedes(const ObservationLogSummary& a, const ObservationLogSummary& b) {
 
 bool is_finite(const ObservationLogEntry& e) {
   return std::isfinite(e.score) && std::isfinite(e.bearing_rad) && std::isfinite(e.distance_m) &&
-         std::isfinite(e.effect);
+         std::isfinite(e.effect) && std::isfinite(e.belief_change);
 }
 
 bool is_sound(const ObservationLogSummary& s) {
@@ -44,8 +45,39 @@ ObservationLogSummary summary_of(const ObservationLogEntry& e) {
           .last_frame_index = e.frame_index};
 }
 
+/// As a float of few digits: archives keep it for many frames of many objects.
+float in_thousandths(double value) {
+  return static_cast<float>(std::round(1000.0 * value) / 1000.0);
+}
+
 bool is_older(const ObservationLogEntry& a, const ObservationLogEntry& b) {
   return a.frame_index < b.frame_index;
+}
+
+/// Runs that were appended may count their frames anew.
+auto frame_of(const ObservationLogEntry& entry) {
+  return std::pair(entry.frame_index, entry.stamp);
+}
+
+/// Ascending.
+auto detected_frames(std::span<const ObservationLogEntry> entries) {
+  std::vector<std::pair<std::uint64_t, Stamp>> frames;
+  frames.reserve(entries.size());
+  for (const ObservationLogEntry& entry : entries) {
+    if (entry.kind == ObservationKind::kDetection) frames.push_back(frame_of(entry));
+  }
+  std::ranges::sort(frames);
+  return frames;
+}
+
+/// Moves what was missed in a frame with a detection to the end. Returns where that begins.
+auto part_contradicted(std::vector<ObservationLogEntry>& entries) {
+  const auto detected = detected_frames(entries);
+  return std::stable_partition(
+      entries.begin(), entries.end(), [&](const ObservationLogEntry& entry) {
+        return entry.kind == ObservationKind::kDetection ||
+               !std::ranges::binary_search(detected, frame_of(entry));
+      });
 }
 
 void keep_newest(std::vector<ObservationLogEntry>& entries) {
@@ -85,8 +117,21 @@ Result<ObservationLog> ObservationLog::from_state(ObservationLogState state) {
 void ObservationLog::add(const ObservationLogEntry& entry) {
   if (!state_.first) state_.first = entry;
   state_.newest.push_back(entry);
+  float& belief_change = state_.newest.back().belief_change;
+  belief_change = in_thousandths(static_cast<double>(belief_change));
   keep_newest(state_.newest);
   summarise(summary_of(entry));
+}
+
+void ObservationLog::add_to_newest(LogOdds existence_change, LogOdds belief_change) {
+  ObservationLogEntry& newest = state_.newest.back();
+  const auto key = key_of(summary_of(newest));
+  const auto effect = static_cast<float>(existence_change.value());
+  newest.effect += effect;
+  newest.belief_change =
+      in_thousandths(static_cast<double>(newest.belief_change) + belief_change.value());
+  const auto sum = std::ranges::find(state_.summaries, key, &key_of);
+  if (sum != state_.summaries.end()) sum->effect_sum += effect;
 }
 
 void ObservationLog::merge(const ObservationLog& other) {
@@ -96,10 +141,26 @@ void ObservationLog::merge(const ObservationLog& other) {
   std::vector<ObservationLogEntry> both = state_.newest;
   both.insert(both.end(), other.state_.newest.begin(), other.state_.newest.end());
   std::stable_sort(both.begin(), both.end(), is_older);
-  keep_newest(both);
-  state_.newest = std::move(both);
   for (const ObservationLogSummary& summary : other.state_.summaries) summarise(summary);
   state_.num_unsummarised += other.state_.num_unsummarised;
+  const auto contradicted = part_contradicted(both);
+  std::for_each(contradicted, both.end(), [this](const auto& entry) { take_back(entry); });
+  both.erase(contradicted, both.end());
+  keep_newest(both);
+  state_.newest = std::move(both);
+}
+
+void ObservationLog::take_back(const ObservationLogEntry& entry) {
+  const ObservationLogSummary taken = summary_of(entry);
+  auto& all = state_.summaries;
+  const auto it = std::lower_bound(all.begin(), all.end(), taken, precedes);
+  if (it == all.end() || key_of(*it) != key_of(taken)) {
+    if (state_.num_unsummarised > 0) --state_.num_unsummarised;
+    return;
+  }
+  it->score_sum -= taken.score_sum;
+  it->effect_sum -= taken.effect_sum;
+  if (--it->count == 0) all.erase(it);
 }
 
 void ObservationLog::summarise(const ObservationLogSummary& addition) {
@@ -167,19 +228,8 @@ bool is_gone(const ObservationLog& log, const GoneRule& rule) {
 }
 
 std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
-  const auto frames_of = [](const ObservationLog& log) {
-    std::vector<std::pair<std::uint64_t, Stamp>> frames;  // runs that were appended count anew
-    frames.reserve(log.state().newest.size());
-    for (const ObservationLogEntry& entry : log.state().newest) {
-      if (entry.kind == ObservationKind::kDetection) {
-        frames.emplace_back(entry.frame_index, entry.stamp);
-      }
-    }
-    std::sort(frames.begin(), frames.end());
-    return frames;
-  };
-  const auto of_a = frames_of(a);
-  const auto of_b = frames_of(b);
+  const auto of_a = detected_frames(a.state().newest);
+  const auto of_b = detected_frames(b.state().newest);
   return static_cast<std::size_t>(std::count_if(of_a.begin(), of_a.end(), [&](const auto& frame) {
     return std::binary_search(of_b.begin(), of_b.end(), frame);
   }));

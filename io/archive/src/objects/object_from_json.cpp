@@ -114,7 +114,8 @@ Result<Enum> enum_of(const JsonNode& node, int num_values) {
 }
 
 Result<ObservationLogEntry> parse_log_entry(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 10));
+  const bool has_belief_change = node.size() == 11;  // older archives have none
+  HYPERMAP_TRY(expect_array(node, has_belief_change ? 11 : 10));
   ObservationLogEntry entry;
   HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index, integer_of<std::uint64_t>(node.at(0)));
   HYPERMAP_ASSIGN_OR_RETURN(entry.stamp.ns, integer_of<std::int64_t>(node.at(1)));
@@ -126,6 +127,9 @@ Result<ObservationLogEntry> parse_log_entry(const JsonNode& node) {
   HYPERMAP_ASSIGN_OR_RETURN(entry.bearing_rad, float_of(node.at(7)));
   HYPERMAP_ASSIGN_OR_RETURN(entry.distance_m, float_of(node.at(8)));
   HYPERMAP_ASSIGN_OR_RETURN(entry.effect, float_of(node.at(9)));
+  if (has_belief_change) {
+    HYPERMAP_ASSIGN_OR_RETURN(entry.belief_change, float_of(node.at(10)));
+  }
   return entry;
 }
 

@@ -154,7 +154,7 @@ class ObjectWriter {
            std::to_string(static_cast<int>(entry.visibility)) + "," + count(entry.detector.value) +
            "," + count(entry.class_id.value) + "," + number(entry.score) + "," +
            number(entry.bearing_rad) + "," + number(entry.distance_m) + "," + number(entry.effect) +
-           "]";
+           "," + number(entry.belief_change) + "]";
   }
   /// In the order of ObservationLogSummary's fields.
   std::string json_of(const ObservationLogSummary& summary) {

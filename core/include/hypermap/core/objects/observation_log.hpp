@@ -7,6 +7,7 @@
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
+#include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/base/result.hpp"
 
 #include <cstddef>
@@ -45,7 +46,8 @@ struct ObservationLogEntry {
   float score = 0.0F;        ///< Of the detection; the visible share for missed detections.
   float bearing_rad = 0.0F;  ///< Of the camera from the object, in the map frame.
   float distance_m = 0.0F;
-  float effect = 0.0F;  ///< Change of the existence in log-odds.
+  float effect = 0.0F;         ///< Change of the existence in log-odds.
+  float belief_change = 0.0F;  ///< Of the log-odds of `class_id`, to 0.001; 0 in older archives.
   friend bool operator==(const ObservationLogEntry&, const ObservationLogEntry&) = default;
 };
 
@@ -86,7 +88,12 @@ class ObservationLog {
   [[nodiscard]] static Result<ObservationLog> from_state(ObservationLogState state);
 
   void add(const ObservationLogEntry& entry);
-  /// Joins the log of a duplicate: newest by frame, then as here.
+  /// The frame of the newest entry changed more: so much of the existence and of the log-odds of the
+  /// entry's class. Requires: an entry.
+  void add_to_newest(LogOdds existence_change, LogOdds belief_change);
+  /// Joins the log of a duplicate: newest by frame, then as here. A frame that one of them was
+  /// detected in and the other one was not shows the thing: the missed detection is taken back, as
+  /// far as both are kept one by one.
   void merge(const ObservationLog& other);
 
   /// Detections of `class_id` (any class when none) that were recorded in sums.
@@ -96,6 +103,8 @@ class ObservationLog {
 
  private:
   void summarise(const ObservationLogSummary& addition);
+  /// Takes an entry that was recorded before out of the sums.
+  void take_back(const ObservationLogEntry& entry);
 
   ObservationLogState state_;
 };

@@ -44,6 +44,10 @@ struct MapSession {
 [[nodiscard]] Result<MapSession> find_session(std::span<const Provenance> runs,
                                               std::string_view name);
 
+/// The one that a frame is of, as the map counts frames; none where that was not kept.
+[[nodiscard]] std::optional<MapSession> session_of_frame(std::span<const MapSession> sessions,
+                                                         std::uint64_t frame_index);
+
 /// Whether each session begins after the one before it has ended, as far as the map tells: then a
 /// stamp alone says which frames had come.
 [[nodiscard]] bool follow_each_other(std::span<const MapSession> sessions);
