@@ -18,10 +18,13 @@ constexpr std::int32_t kCombinerVersion = 1;
 constexpr std::size_t kMaxCombinerBytes = std::size_t{16} << 20U;
 
 Result<void> check_head(const JsonNode& root) {
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode format, root.require("format"));
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string_view name, format.string());
-  if (name != kCombinerFormat) {
-    return format.error(ErrorCode::kMalformedFile, "expected hypermap-combiner");
+  const auto format = root.find("format");
+  const bool is_combiner = format && format->string() == kCombinerFormat;
+  if (!is_combiner) {
+    return (format ? *format : root)
+        .error(ErrorCode::kMalformedFile,
+               "is no combiner of detectors, whose \"format\" is \"" +
+                   std::string(kCombinerFormat) + "\"");
   }
   HYPERMAP_ASSIGN_OR_RETURN(const auto version, integer_at<std::int32_t>(root, "version"));
   if (version > kCombinerVersion) {

@@ -195,6 +195,7 @@ Result<void> read_detection_files(const DatasetOptions& options,
     PairedDetections paired =
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
+    HYPERMAP_TRY(refuse_repeated(paired, sequence.detectors));
     if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
     const auto detector = register_detector(paired, given, read, summary.detectors);
     if (!detector) return Unexpected(in_file(detector.error(), paired.file));

@@ -128,6 +128,19 @@ Result<std::uint64_t> index_offset(const MapArchive& map, std::uint64_t first) {
   return next > first ? next - first : 0;
 }
 
+std::optional<Finding> find_dropped_prior(const PlacePriorOptions& prior,
+                                          std::span<const Provenance> runs) {
+  if (runs.empty() || prior.source != ClassPriorKind::kNone) return std::nullopt;
+  const ValueTree* before = runs.back().options.find("prior.source");
+  if (before == nullptr || before->text != "places") return std::nullopt;
+  return Finding{Severity::kWarning,
+                 {.code = ErrorCode::kInvalidArgument,
+                  .what = "is none, was places in the run of " + printable(runs.back().input) +
+                          ": what stands around an object no longer counts for its class; "
+                          "--places FILE goes on so",
+                  .field = "prior.source"}};
+}
+
 void add_run(std::vector<Provenance>& runs, Provenance run) {
   if (runs.size() >= kMaxRuns) runs.erase(runs.begin() + 1);
   runs.push_back(std::move(run));

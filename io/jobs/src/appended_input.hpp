@@ -46,6 +46,11 @@ namespace hypermap {
 /// Errors: kLimit when the indices of the map leave no room for others.
 [[nodiscard]] Result<std::uint64_t> index_offset(const MapArchive& map, std::uint64_t first);
 
+/// What to say when the newest run knew what belongs where and this one does not: its objects then
+/// get classes by another rule than theirs. None when it knows, or the newest did not.
+[[nodiscard]] std::optional<Finding> find_dropped_prior(const PlacePriorOptions& prior,
+                                                        std::span<const Provenance> runs);
+
 /// Adds a run. Where there are `kMaxRuns` the oldest but one is forgotten.
 void add_run(std::vector<Provenance>& runs, Provenance run);
 /// What to say of the run that `add_run` will forget. Requires: `runs` has `kMaxRuns`.

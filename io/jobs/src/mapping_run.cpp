@@ -147,6 +147,7 @@ Result<void> prepare_to_append(MappingRun& run, const MappingJob& job, MappingRe
   if (map.topological_map && !goes_on(*map.topological_map, frames)) {
     map.topological_map->interrupt();
   }
+  note(find_dropped_prior(job.mapper.prior, map.provenance), job, report);
   if (map.octree) note(compare(frames, *map.octree), job, report);
   if (map.provenance.size() == kMaxRuns) report.findings.push_back(forgotten_run(map.provenance));
   return {};

@@ -37,7 +37,7 @@ bool is_section(const BoundOptions& options, const std::string& name) {
   });
 }
 
-/// "unknown option, did you mean ...?"; the nearest may be a section.
+/// Of what an options file has no key for. The nearest may be a section.
 std::string unknown_text(const BoundOptions& options, const std::string& name) {
   std::vector<std::string_view> names{kPresetKey};
   for (const BoundOption& option : options) {
@@ -66,11 +66,24 @@ Result<void> apply(const BoundOptions& options, const YamlNode& node, const std:
   return {};
 }
 
+/// Of a name that a value is given to: only whole ones can have one.
+std::string no_option_text(const BoundOptions& options, const std::string& name) {
+  std::vector<std::string_view> names;
+  names.reserve(options.size());
+  for (const BoundOption& option : options) names.emplace_back(option.name);
+  if (!is_section(options, name)) {
+    return "unknown option \"" + printable(name) + "\"" + did_you_mean(name, names);
+  }
+  const auto first = std::ranges::find_if(
+      names, [&](std::string_view one) { return one.starts_with(name + "."); });
+  return "\"" + name + "\" is a group of options, such as \"" + std::string(*first) + "\"";
+}
+
 Result<void> set_option(MapOptions& options, std::string_view name, std::string_view text) {
   const BoundOptions known = options_of(options);
   const BoundOption* option = find_option(known, name);
   if (option == nullptr) {
-    return fail(ErrorCode::kNotFound, unknown_text(known, std::string(name)), "option");
+    return fail(ErrorCode::kNotFound, no_option_text(known, std::string(name)), "option");
   }
   const auto document = parse_yaml(text, SourceName{});
   const Result<void> assigned =

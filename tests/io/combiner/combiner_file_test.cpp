@@ -58,9 +58,10 @@ TEST(CombinerFile, WithoutAShareAClassIsAsCommonAsAny) {
 
 TEST(CombinerFile, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(combiner_refusal("[]"), HasSubstr("c.json:1"));
-  EXPECT_THAT(combiner_refusal("{}"), HasSubstr("missing key \"format\""));
+  EXPECT_THAT(combiner_refusal("{}"),
+              HasSubstr("is no combiner of detectors, whose \"format\" is"));
   EXPECT_THAT(combiner_refusal(with("hypermap-combiner", "weights")),
-              HasSubstr("expected hypermap-combiner"));
+              HasSubstr("is no combiner of detectors"));
   EXPECT_THAT(combiner_refusal(with("\"version\":1", "\"version\":2")),
               HasSubstr("written by a newer version 2"));
   EXPECT_THAT(combiner_refusal(with("\"offset\"", "\"bias\"")), HasSubstr("offset"));

@@ -83,7 +83,7 @@ TEST(DetectorLine, FilesThatDoNotSayAreCalledByTheirStems) {
   const TempDir folder;
   test::write_tum(folder.path());
   test::write_text(folder / "a/yolo.jsonl", test::chair_in("rgb/102.010.pgm"));
-  test::write_text(folder / "b/yolo.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "b/yolo.jsonl", test::chair_in("rgb/103.010.pgm"));
   test::write_text(folder / "ssd.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
   ClassRegistry classes;
   const auto reader = opened(
@@ -113,7 +113,7 @@ TEST(DetectorLine, WhoAsksMayNameTheDetectorsOfFiles) {
   const TempDir folder;
   test::write_tum(folder.path());
   test::write_text(folder / "a.jsonl", test::chair_in("rgb/102.010.pgm"));
-  test::write_text(folder / "b.jsonl", test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "b.jsonl", test::chair_in("rgb/103.010.pgm"));
   test::write_text(folder / "y.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
   DatasetOptions options{.detections = {folder / "a.jsonl", folder / "y.jsonl", folder / "b.jsonl"},
                          .detector_names = {"ssd", "yolo"}};
@@ -127,6 +127,24 @@ TEST(DetectorLine, WhoAsksMayNameTheDetectorsOfFiles) {
                         "\"other\""));
   options.detector_names = {std::string(257, 'x')};
   EXPECT_THAT(refusal(folder.path(), options), HasSubstr("a.jsonl"));
+}
+
+TEST(DetectorLine, OneFileGivenTwiceIsNoSecondDetector) {
+  const TempDir folder;
+  test::write_tum(folder.path());
+  const std::string chair = test::chair_in("rgb/102.010.pgm");
+  test::write_text(folder / "a.jsonl", chair);
+  test::write_text(folder / "copy.jsonl", chair);
+  test::write_text(folder / "y.jsonl", kYoloLine + chair);
+  EXPECT_THAT(refusal(folder.path(), {.detections = {folder / "a.jsonl", folder / "copy.jsonl"}}),
+              HasSubstr("copy.jsonl: says what"));
+  EXPECT_THAT(refusal(folder.path(), {.detections = {folder / "y.jsonl", folder / "y.jsonl"}}),
+              HasSubstr("the same evidence would count twice"));
+  ClassRegistry classes;
+  EXPECT_NE(
+      opened(folder.path(), classes, {.detections = {folder / "a.jsonl", folder / "y.jsonl"}}),
+      nullptr)
+      << "two detectors may agree";
 }
 
 TEST(DetectorLine, DetectorsThatAreKnownKeepTheirIds) {

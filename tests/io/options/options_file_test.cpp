@@ -116,6 +116,10 @@ TEST(OptionsFile, UnknownNamesAreRefusedWithTheNearestOne) {
               HasSubstr("did you mean \"segmentation\""));
   EXPECT_THAT(to_string(with_option({}, "absence.removel", "existence").error()),
               HasSubstr("did you mean \"absence.removal\"?"));
+  EXPECT_THAT(to_string(with_option({}, "absence", "0.1").error()),
+              HasSubstr("\"absence\" is a group of options, such as \"absence."));
+  EXPECT_THAT(to_string(with_option({}, "absenc", "0.1").error()),
+              Not(HasSubstr("did you mean \"absence\"")));
 }
 
 TEST(OptionsFile, ValuesOutOfRangeAreRefusedWithTheirPlace) {

@@ -94,6 +94,21 @@ PairedDetections pair_detections(DetectionSet set,
   return out;
 }
 
+Result<void> refuse_repeated(const PairedDetections& paired,
+                             std::span<const PairedDetections> before) {
+  if (paired.set.num_detections() == 0) return {};
+  const auto same = std::ranges::find_if(before, [&](const PairedDetections& other) {
+    return other.set.detector.name == paired.set.detector.name &&
+           other.set.frames == paired.set.frames;
+  });
+  if (same == before.end()) return {};
+  return Unexpected(
+      Error{.code = ErrorCode::kInvalidArgument,
+            .what = "says what " + printable(same->file, 300) +
+                    " says, detection by detection: the same evidence would count twice",
+            .file = paired.file});
+}
+
 Result<DetectorId> register_detector(const PairedDetections& paired,
                                      std::string_view given,
                                      std::span<const DetectorId> read,

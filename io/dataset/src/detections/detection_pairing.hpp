@@ -30,6 +30,12 @@ struct PairedDetections {
                                                const std::vector<SequenceEntry>& entries,
                                                double stamp_tolerance_s);
 
+/// Errors: kInvalidArgument, naming its file, when one of those that were read `before` has the same
+/// detections in the same frames and does not say that another detector made them: they would count
+/// twice. Boundary: without detections nothing counts. Cost: as far as two are equal.
+[[nodiscard]] Result<void> refuse_repeated(const PairedDetections& paired,
+                                           std::span<const PairedDetections> before);
+
 /// The detector whose words these are: `given`, where that is a name, else by its own name, else by
 /// the stem of the file, beside those of the files that were `read` before.
 /// Errors: those of DetectorRegistry::add; kInvalidArgument for a file that says another name.
