@@ -71,6 +71,32 @@ class Parts(unittest.TestCase):
         self.assertEqual(run("split", self.map, "--tile", 2.5, "--output", tiles).returncode, 0)
         self.assertEqual(tree_digest(tiles), before)
 
+    def test_tiles_answer_as_the_whole_map_and_only_those_are_read_that_the_question_reaches(self):
+        tiles = self.folder / "asked"
+        self.assertEqual(run("split", self.map, "--tile", 2.5, "--output", tiles).returncode, 0)
+        things = ("--layer", "objects")
+        asked = [(*things, "--area", "-9 -9,9 -9,9 9,-9 9"), (*things, "--string", "chair"), (*things, "--at", "1,0.5"),
+                 ("--nearest", "chair", "--at", "0,0"), ("--layer", "octree", "--at", "1,0.5,0.05"),
+                 ("--layer", "occupancy", "--at", "1,0.5"), ("--layer", "semantic", "--area", "0 0,2 0,2 2,0 2")]
+        for question in asked:
+            whole, parts = (json.loads(run("query", archive, *question, "--json").stdout)["results"] for archive in (self.map, tiles))
+            for one in whole + parts:
+                for key in ("relations", "sentence", "support"):  # of all objects, not of these tiles alone
+                    one.pop(key, None)
+            if "octree" in question or "occupancy" in question:
+                whole, parts = ([one["value"] for one in answers] for answers in (whole, parts))
+            self.assertEqual(parts, whole, question)
+        index = json.loads((tiles / "tiles.json").read_text())
+        for one in index["tiles"]:
+            x0, y0, x1, y1 = one["reach"]
+            if not (x0 <= 1 <= x1 and y0 <= 0.5 <= y1):
+                (tiles / one["file"]).write_bytes(b"")
+        here = run("query", tiles, *things, "--at", "1,0.5", "--json")
+        self.assertEqual(here.returncode, 0, here.stderr)
+        everywhere = run("query", tiles / "tiles.json", *things, "--string", "chair")
+        self.assertEqual(everywhere.returncode, 2, everywhere.stderr)
+        self.assertIn("tile_", everywhere.stderr)
+
     def test_there_and_back_is_the_same_map(self):
         there, back = self.folder / "there.hmap", self.folder / "back.hmap"
         moved = run("transform", self.map, "--by", "1.2,-0.4,0.3,90", "--output", there)

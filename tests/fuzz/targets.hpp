@@ -36,6 +36,7 @@ void fuzz_semantic(std::string_view bytes);
 void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
+void fuzz_tile_set(std::string_view bytes);
 void fuzz_topology(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
 void fuzz_vector(std::string_view bytes);
@@ -84,6 +85,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"sogm", fuzz_sogm},
                                       {"surfaces", fuzz_surfaces},
                                       {"tile", fuzz_tile},
+                                      {"tile_set", fuzz_tile_set},
                                       {"topology", fuzz_topology},
                                       {"trajectory", fuzz_trajectory},
                                       {"vector", fuzz_vector},

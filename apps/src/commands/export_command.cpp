@@ -6,9 +6,11 @@
 #include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
+#include "hypermap/io/options/place_rules_file.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
 #include "load_arguments.hpp"
 #include "outputs.hpp"
+#include "places.hpp"
 
 #include <CLI/Validators.hpp>
 
@@ -24,6 +26,7 @@ struct ExportArguments {
   std::string palette;
   std::string rules;
   std::string zones;
+  std::string places;
   ClassNames class_names;
   ExportRequest request;
   LoadArguments load;
@@ -68,6 +71,9 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   if (!arguments.rules.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(request.rules, read_relation_options(arguments.rules));
   }
+  if (request.format == ExportFormat::kTopologicalMap) {
+    HYPERMAP_ASSIGN_OR_RETURN(request.place_rules, read_place_rules(places_file(arguments.places)));
+  }
   if (request.format == ExportFormat::kNav2) {
     HYPERMAP_ASSIGN_OR_RETURN(request.zones, read_zone_rules(zones_file(arguments.zones)));
   }
@@ -97,6 +103,7 @@ void check(const ExportArguments& arguments) {
               arguments.palette,
               arguments.rules,
               arguments.zones,
+              arguments.places,
               arguments.class_names.file});
   const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
                          format == ExportFormat::kNav2;
@@ -113,6 +120,10 @@ void check(const ExportArguments& arguments) {
     throw CLI::ValidationError(
         "--rules",
         "goes with --format geojson and relations, not with --format " + arguments.format);
+  }
+  if (!arguments.places.empty() && format != ExportFormat::kTopologicalMap) {
+    throw CLI::ValidationError(
+        "--places", "goes with --format topological-map, not with --format " + arguments.format);
   }
   if (!arguments.zones.empty() && format != ExportFormat::kNav2) {
     throw CLI::ValidationError("--zones",
@@ -165,6 +176,10 @@ void add_export_command(CLI::App& program, Action& action) {
                      arguments->zones,
                      "nav2: YAML file of where robots keep out and go slowly by classes (default: "
                      "data/nav2.yaml)");
+  command.add_option("--places",
+                     arguments->places,
+                     "topological-map: YAML file with what belongs where, by which vertices bear "
+                     "the class of their place (default: data/places.yaml)");
   arguments->class_names.add_to(command);
   show_examples(command,
                 {"hypermap export lab.hmap --format ros-map --output lab_map",

@@ -11,6 +11,8 @@
 #include "hypermap/io/archive/map_places.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/options/place_rules_file.hpp"
+#include "place_json.hpp"
+#include "place_routes.hpp"
 #include "tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -26,27 +28,6 @@ namespace hypermap::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kMetreDigits = 2;
-
-Error for_flag(Error error, const char* flag) {
-  if (error.field.empty()) error.field = flag;
-  return error;
-}
-
-Json json_of(const Eigen::Vector2d& point) {
-  return {point.x(), point.y()};
-}
-
-Json json_of_room(const MapPlaces& places, RoomNumber number) {
-  if (number == kNoRoom) return nullptr;
-  const MapRoom& room = places.rooms[number - 1];
-  return {{"room", number}, {"place", room.place ? Json(*room.place) : Json(nullptr)}};
-}
-
-void print_document(const Json& json) {
-  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
 
 const SemanticLayer* objects_in(const MapArchive& archive) {
   return archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
@@ -89,42 +70,11 @@ std::string place_sentence(const MapArchive& archive,
   return sentence_of(graph, id, naming, place);
 }
 
-std::string route_text(const MapPlaces& places, const PlaceRoute& route) {
-  std::string text =
-      "from " + route.from.name + " to " + route.to.name + ": " + fixed(route.length_m, 1) + " m";
-  if (route.cost != route.length_m) text += " (cost " + fixed(route.cost, 1) + ")";
-  text += ", ";
-  if (route.doorways.empty()) return text + "within " + room_name(places, route.from.room);
-  text += "out of " + room_name(places, route.from.room);
-  for (std::size_t i = 0; i < route.doorways.size(); ++i) {
-    const Doorway& doorway = route.doorways[i];
-    text += ", by the doorway at " + fixed(doorway.position.x(), kMetreDigits) + "," +
-            fixed(doorway.position.y(), kMetreDigits) + " (" +
-            fixed(doorway.width_m, kMetreDigits) + " m wide) into " +
-            room_name(places, route.rooms[i + 1]);
-  }
-  return text;
-}
-
-Json json_of(const MapPlaces& places, const RouteEnd& end) {
-  Json json{{"name", end.name}};
-  if (end.object) json["id"] = *end.object;
-  json["position"] = json_of(end.position);
-  json["in"] = json_of_room(places, end.room);
-  return json;
-}
-
-Json json_of(const Doorway& doorway) {
-  return {{"rooms", {doorway.from, doorway.to}},
-          {"position", json_of(doorway.position)},
-          {"width_m", doorway.width_m}};
-}
-
 Json json_of(const MapArchive& archive, const MapRoom& room) {
   Json json{{"room", room.room.number},
             {"place", room.place ? Json(*room.place) : Json(nullptr)},
             {"area_m2", room.room.area_m2},
-            {"middle", json_of(room.room.middle)},
+            {"middle", json_of_point(room.room.middle)},
             {"places", Json::array()},
             {"objects", Json::array()}};
   for (const PlaceProbability& one : room.belief) {
@@ -137,21 +87,53 @@ Json json_of(const MapArchive& archive, const MapRoom& room) {
 }
 
 /// Errors: those of map_places.
-Result<MapPlaces> places_of(const MapArchive& archive, PlaceRules rules) {
+Result<AskedPlaces> places_of(const MapArchive& archive, PlaceRules rules) {
   HYPERMAP_ASSIGN_OR_RETURN(
       const auto classifier,
       BelongingsClassifier::create(with_vocabulary(std::move(rules), archive.vocabulary)));
-  return map_places(archive, classifier);
+  HYPERMAP_ASSIGN_OR_RETURN(MapPlaces rooms, map_places(archive, classifier));
+  auto vertices = vertex_places(archive, rooms, classifier);
+  return AskedPlaces{.rooms = std::move(rooms), .vertices = std::move(vertices)};
 }
 
-void print_rooms(const MapArchive& archive, const MapPlaces& places, bool json) {
-  if (json) {
-    Json document{{"rooms", Json::array()}, {"doorways", Json::array()}};
-    for (const MapRoom& room : places.rooms) document["rooms"].push_back(json_of(archive, room));
-    for (const Doorway& one : places.plan.doorways) document["doorways"].push_back(json_of(one));
-    return print_document(document);
+Json json_of(const MapArchive& archive, const AskedPlaces& places, std::uint32_t vertex) {
+  const VertexPlace& place = places.vertices[vertex];
+  const auto& [position, kind] = archive.topological_map->vertices()[vertex];
+  Json json{{"vertex", vertex},
+            {"kind", name_of(kind)},
+            {"position", {position.x(), position.y(), position.z()}},
+            {"room", place.room == kNoRoom ? Json(nullptr) : Json(place.room)},
+            {"place", place.place ? Json(*place.place) : Json(nullptr)},
+            {"objects", place.objects},
+            {"joined", Json::array()}};
+  for (const VertexId next : archive.topological_map->neighbours(VertexId{vertex})) {
+    json["joined"].push_back(next.value);
   }
-  Table table({"room", "place", "P", "area m2", "middle", "objects"}, LastColumn::kText);
+  return json;
+}
+
+void print_rooms_json(const MapArchive& archive, const AskedPlaces& asked) {
+  Json document{{"rooms", Json::array()}, {"doorways", Json::array()}, {"vertices", Json::array()}};
+  for (const MapRoom& room : asked.rooms.rooms) {
+    document["rooms"].push_back(json_of(archive, room));
+  }
+  for (const Doorway& one : asked.rooms.plan.doorways) {
+    document["doorways"].push_back(json_of_doorway(one));
+  }
+  for (std::uint32_t i = 0; i < asked.vertices.size(); ++i) {
+    document["vertices"].push_back(json_of(archive, asked, i));
+  }
+  print_document(document);
+}
+
+std::size_t num_vertices_in(const AskedPlaces& asked, RoomNumber room) {
+  return static_cast<std::size_t>(std::ranges::count(asked.vertices, room, &VertexPlace::room));
+}
+
+void print_rooms(const MapArchive& archive, const AskedPlaces& asked) {
+  const MapPlaces& places = asked.rooms;
+  Table table({"room", "place", "P", "area m2", "middle", "vertices", "objects"},
+              LastColumn::kText);
   for (const MapRoom& room : places.rooms) {
     std::string objects;
     for (const std::uint64_t id : room.objects) {
@@ -162,6 +144,7 @@ void print_rooms(const MapArchive& archive, const MapPlaces& places, bool json) 
                room.belief.empty() ? "-" : fixed(room.belief.front().probability, 2),
                fixed(room.room.area_m2, 1),
                fixed(room.room.middle.x(), 2) + " " + fixed(room.room.middle.y(), 2),
+               std::to_string(num_vertices_in(asked, room.room.number)),
                printable(objects, 500)});
   }
   std::printf("%s%s, %s\n",
@@ -186,41 +169,6 @@ Result<void> print_place(const MapArchive& archive,
                                    {"sentence", sentence}});
   }
   if (json) print_document(document);
-  return {};
-}
-
-Result<void> print_route(const MapArchive& archive,
-                         const MapPlaces& places,
-                         const MetreCosts& metre_costs,
-                         const std::string& ends,
-                         bool json) {
-  const std::size_t comma = ends.find(',');
-  if (comma == std::string::npos || comma == 0 || comma + 1 == ends.size()) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be FROM,TO, each an id, a class, a place or \"room N\", is \"" +
-                    printable(ends) + "\"",
-                "route");
-  }
-  const auto from = route_end(archive, places, std::string_view(ends).substr(0, comma));
-  if (!from) return Unexpected(for_flag(from.error(), "--route"));
-  const auto to = route_end(archive, places, std::string_view(ends).substr(comma + 1));
-  if (!to) return Unexpected(for_flag(to.error(), "--route"));
-  const auto route = find_place_route(places, *from, *to, metre_costs);
-  if (!route) return Unexpected(for_flag(route.error(), "--route"));
-  if (!json) {
-    std::printf("%s\n", printable(route_text(places, *route), 2000).c_str());
-    return {};
-  }
-  Json document{{"from", json_of(places, route->from)},
-                {"to", json_of(places, route->to)},
-                {"length_m", route->length_m},
-                {"cost", route->cost},
-                {"rooms", Json::array()},
-                {"doorways", Json::array()}};
-  for (const RoomNumber room : route->rooms)
-    document["rooms"].push_back(json_of_room(places, room));
-  for (const Doorway& one : route->doorways) document["doorways"].push_back(json_of(one));
-  print_document(document);
   return {};
 }
 
@@ -268,12 +216,12 @@ Result<void> print_places(const MapArchive& archive,
                           const RelationGraph& graph,
                           bool json) {
   HYPERMAP_ASSIGN_OR_RETURN(const PlaceRules rules, read_place_rules(places_file(arguments.rules)));
-  HYPERMAP_ASSIGN_OR_RETURN(const MapPlaces places, places_of(archive, rules));
+  HYPERMAP_ASSIGN_OR_RETURN(const AskedPlaces places, places_of(archive, rules));
   if (arguments.route) {
     return print_route(archive, places, rules.metre_costs, *arguments.route, json);
   }
-  if (arguments.place) return print_place(archive, places, graph, *arguments.place, json);
-  print_rooms(archive, places, json);
+  if (arguments.place) return print_place(archive, places.rooms, graph, *arguments.place, json);
+  json ? print_rooms_json(archive, places) : print_rooms(archive, places);
   return {};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Long because: the flags of one command, and which of them go together, are read side by side.
+#include "asked_tiles.hpp"
 #include "command.hpp"
 #include "completeness.hpp"
 #include "hypermap/core/base/count_text.hpp"
@@ -183,27 +184,25 @@ ExitCode tell_routes(const MapArchive& archive, const QueryRequest& request) {
   return ExitCode::kDone;
 }
 
+/// Whether what the map has at a place, in one of its layers, is all that is asked.
+bool asks_layer_alone(const QueryRequest& request) {
+  const QueryArguments& arguments = request.arguments;
+  return !arguments.nearest && arguments.related.empty() && !arguments.why && !request.why_not &&
+         !request.similar_to && !asks_places(arguments.places) && !arguments.time.is_asked();
+}
+
 /// What the question needs. Other times and the nearest object are told without the octree, unless
 /// boxes are guessed, and the way to it by the 2D layers alone.
 Result<PartialMap> load_for(const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
   const bool asks_now = !arguments.time.is_asked();
-  if (asks_now && (!arguments.nearest || arguments.complete)) {
-    HYPERMAP_ASSIGN_OR_RETURN(
-        auto loaded,
-        load_archive(
-            arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
-    return PartialMap{.map = std::move(loaded.value)};
-  }
-  const ArchiveParts parts{
-      .octrees = false, .objects = !arguments.approach.free_space, .class_grids = false};
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
-                            load_archive_parts(arguments.file,
-                                               parts,
-                                               arguments.load.limits,
-                                               archive_layer_types(),
-                                               stop_when_interrupted()));
-  return std::move(loaded.value);
+  const bool asks_all = asks_now && (!arguments.nearest || arguments.complete);
+  const ArchiveParts parts{.octrees = asks_all,
+                           .objects = asks_all || !arguments.approach.free_space,
+                           .class_grids = asks_all};
+  const auto region =
+      asks_layer_alone(request) ? asked_region(request.query) : std::optional<Rect>();
+  return load_asked(arguments.file, region, parts, arguments.load);
 }
 
 /// The error, and of which time it is.
@@ -280,7 +279,13 @@ ExitCode run(QueryRequest request) {
 void add_query_command(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<QueryArguments>();
   CLI::App& command = *program.add_subcommand("query", "What is where in a map, and where is what");
-  command.add_option("file", arguments->file, "archive or configuration")->required();
+  command
+      .add_option(
+          "file",
+          arguments->file,
+          "archive, configuration, or folder of tiles as `hypermap split` writes it, of which the "
+          "tiles that the question reaches are read")
+      ->required();
   command.add_option("--layer", arguments->layer, "a layer as info lists it");
   command.add_option(
       "--at",

@@ -2,12 +2,12 @@
 #include "hypermap/io/archive/map_places.hpp"
 
 #include "hypermap/core/base/nearest_name.hpp"
-#include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/cleared_floor.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/grids/low_obstacles.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
+#include "place_amounts.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +19,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::string_view kFloorLayer = "occupancy";
 /// An object whose shape is in no room: beyond the wall that it hangs at.
 constexpr double kRoomReachM = 0.5;
 
@@ -31,11 +30,11 @@ std::span<const SemanticObject> shapes_of(const MapArchive& archive) {
 /// The floor without what stands on it: objects, and what was looked over. Errors: those of
 /// map_places.
 Result<OccupancyGrid> floor_of(const MapArchive& archive) {
-  const Layer* occupancy = archive.hypermap.find(kFloorLayer);
+  const Layer* occupancy = archive.hypermap.find(kOccupancyLayer);
   if (occupancy == nullptr || occupancy->content.as<OccupancyLayer>() == nullptr) {
     return fail(ErrorCode::kNotFound,
                 "the map has no occupancy grid of that name, by which rooms are told",
-                std::string(kFloorLayer));
+                std::string(kOccupancyLayer));
   }
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyLayer floor, without_objects(archive, *occupancy));
   const bool has_heights = archive.octree && occupancy->info.frame_id == shown_frame_id(archive);
@@ -54,28 +53,6 @@ RoomNumber room_of_shape(const RoomPlan& plan, const SemanticObject& object) {
   const auto most = std::ranges::max_element(
       cells, [](const auto& a, const auto& b) { return a.second < b.second; });
   return most != cells.end() ? most->first : room_at(plan, position_of(object), kRoomReachM);
-}
-
-/// How many objects of each class are in a room.
-ClassAmounts amounts_in(const MapArchive& archive, const std::vector<std::uint64_t>& ids) {
-  const auto* shapes = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
-  std::vector<ObjectBeliefs> beliefs;
-  ClassAmounts named;
-  for (const std::uint64_t id : ids) {
-    const Object* object = archive.objects.find(ObjectId{static_cast<std::uint32_t>(id)});
-    if (object != nullptr) {
-      beliefs.push_back(object_beliefs(*object));
-    } else {
-      named[canonical_class_name(shapes->find(id)->name)] += 1.0;
-    }
-  }
-  ClassAmounts amounts = class_amounts(beliefs, archive.classes);
-  for (const auto& [name, amount] : named) amounts[name] += amount;
-  ClassAmounts of_classes;
-  for (const auto& [name, amount] : amounts) {
-    of_classes[archive.vocabulary.class_of(name)] += amount;
-  }
-  return of_classes;
 }
 
 std::optional<std::uint64_t> number_in(std::string_view text) {
@@ -130,7 +107,7 @@ Result<MapPlaces> map_places(const MapArchive& archive,
     if (room != kNoRoom) places.rooms[room - 1].objects.push_back(object.id);
   }
   for (MapRoom& room : places.rooms) {
-    room.belief = classifier.classify(amounts_in(archive, room.objects));
+    room.belief = classifier.classify(amounts_of(archive, room.objects));
     room.place = classifier.decide(room.belief);
   }
   return places;

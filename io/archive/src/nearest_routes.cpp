@@ -18,8 +18,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::string_view kGridLayer = "occupancy";
-
 /// The layer of that name, else the first, that holds a T. Errors: kNotFound.
 template <class T>
 Result<const Layer*> layer_with(const MapArchive& archive,
@@ -84,7 +82,8 @@ class RouteQuestion {
       : archive_(archive), query_(query), options_(options) {}
 
   Result<ReachedObjects> answer(std::size_t count) {
-    HYPERMAP_ASSIGN_OR_RETURN(grid_, layer_with<OccupancyLayer>(archive_, kGridLayer, kNoGrid));
+    HYPERMAP_ASSIGN_OR_RETURN(grid_,
+                              layer_with<OccupancyLayer>(archive_, kOccupancyLayer, kNoGrid));
     HYPERMAP_ASSIGN_OR_RETURN(shapes_,
                               layer_with<SemanticLayer>(archive_, kSemanticLayer, kNoShapes));
     HYPERMAP_TRY(check_frame(archive_, query_.frame_id));

@@ -4,6 +4,7 @@
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/json_text.hpp"
 #include "hypermap/io/codec/staged_folder.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
 
 #include <cmath>
 #include <utility>
@@ -11,13 +12,12 @@
 namespace hypermap {
 namespace {
 
-constexpr std::string_view kIndexName = "tiles.json";
 constexpr std::string_view kTilePrefix = "tile_";
 constexpr std::string_view kTileSuffix = ".hmap";
 
 Result<void> require_replaceable_set(const std::filesystem::path& folder) {
   return require_replaceable(folder, "tile of a map", [](const std::string& name) {
-    return name == kIndexName || (name.starts_with(kTilePrefix) && name.ends_with(kTileSuffix));
+    return name == kTileIndexName || (name.starts_with(kTilePrefix) && name.ends_with(kTileSuffix));
   });
 }
 
@@ -27,19 +27,53 @@ std::string tile_name(const Rect& area, double edge_m) {
          std::string(kTileSuffix);
 }
 
+void extend(Rect& rect, const Rect& by) {
+  rect.min = rect.min.cwiseMin(by.min);
+  rect.max = rect.max.cwiseMax(by.max);
+}
+
+/// The tile's area with all that is in it of a size. Shapes of frames that nothing connects with
+/// the map are in no tile.
+Rect reach_of(const MapArchive& part, const Rect& area) {
+  Rect reach = area;
+  for (const Object& object : part.objects.objects()) {
+    extend(reach, {object.box.min_in_map.head<2>(), object.box.max_in_map.head<2>()});
+  }
+  for (const Layer& layer : part.hypermap.layers()) {
+    const auto* shapes = layer.content.as<SemanticLayer>();
+    const auto map_from_layer = part.hypermap.frames().to_from("map", layer.info.frame_id);
+    if (shapes == nullptr || !map_from_layer) continue;
+    for (const SemanticObject& shape : shapes->objects()) {
+      const Rect box = bounds_of(shape);
+      for (const double x : {box.min.x(), box.max.x()}) {
+        for (const double y : {box.min.y(), box.max.y()}) {
+          const Eigen::Vector2d corner = *map_from_layer * Eigen::Vector2d(x, y);
+          extend(reach, {corner, corner});
+        }
+      }
+    }
+  }
+  return reach;
+}
+
 MapTile described(const MapArchive& part, const Rect& area, double edge_m) {
   const LeafCount leaves = part.octree ? part.octree->num_leaves() : LeafCount{};
   return {.file = tile_name(area, edge_m),
           .area = area,
+          .reach = reach_of(part, area),
           .num_voxels = leaves.occupied + leaves.free,
           .num_objects = part.objects.size()};
 }
 
+std::string rect_json(const Rect& rect) {
+  const std::vector<double> numbers{rect.min.x(), rect.min.y(), rect.max.x(), rect.max.y()};
+  return json_array(numbers, [](double value) { return json_number(value); });
+}
+
 std::string tile_json(const MapTile& tile) {
-  const std::vector<double> area{
-      tile.area.min.x(), tile.area.min.y(), tile.area.max.x(), tile.area.max.y()};
   return json_object({{"file", json_quoted(tile.file)},
-                      {"area", json_array(area, [](double value) { return json_number(value); })},
+                      {"area", rect_json(tile.area)},
+                      {"reach", rect_json(tile.reach)},
                       {"voxels", std::to_string(tile.num_voxels)},
                       {"objects", std::to_string(tile.num_objects)}});
 }
@@ -70,7 +104,7 @@ Result<SplitReport> run_split(const MapArchive& archive,
     report.tiles.push_back(tile);
     report.left_out = std::move(part.left_out);
   }
-  HYPERMAP_TRY(staged.write(kIndexName, index_json(report, job.edge_m)));
+  HYPERMAP_TRY(staged.write(kTileIndexName, index_json(report, job.edge_m)));
   HYPERMAP_TRY(require_replaceable_set(job.output));  // the writing took a while
   HYPERMAP_TRY(staged.commit());
   return report;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_places.hpp"
+#include "small_flat.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,63 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr double kCellM = 0.05;
-
-BelongingsClassifier home() {
-  PlaceRules rules;
-  rules.places = {"bedroom", "kitchen"};
-  rules.belongings = {{"oven", {{"kitchen", 9}}}, {"bed", {{"bedroom", 9}}}};
-  return BelongingsClassifier::create(rules).value();
-}
-
-SemanticObject shape(std::uint64_t id, const std::string& name, const Rect& rect) {
-  SemanticObject object;
-  object.id = id;
-  object.name = name;
-  object.parts = {
-      make_polygon({rect.min, {rect.max.x(), rect.min.y()}, rect.max, {rect.min.x(), rect.max.y()}})
-          .value()};
-  return object;
-}
-
-/// A kitchen of 4 m by 3 m (room 1) west of a bedroom of 3 m by 3 m (room 2) with a door of 0.9 m
-/// at y = 1 to 1.9 in the wall at x = 4 to 4.1. The oven (3) stands in the kitchen, the bed (5) in
-/// the bedroom with a cup (7) on it, a lamp (9) hangs in the bedroom's wall, a tree (11) is
-/// outside.
-MapArchive small_flat() {
-  OccupancyGrid grid =
-      OccupancyGrid::create(
-          {.resolution_m = kCellM, .origin = {-0.5, -0.5}, .cols = 162, .rows = 80}, kOccupiedCell)
-          .value();
-  const auto set = [&](const Rect& rect, std::int8_t value) {
-    const auto cells = [](double m) { return static_cast<int>(std::lround((m + 0.5) / kCellM)); };
-    for (int row = cells(rect.min.y()); row < cells(rect.max.y()); ++row) {
-      for (int col = cells(rect.min.x()); col < cells(rect.max.x()); ++col) {
-        grid.set({col, row}, value);
-      }
-    }
-  };
-  const Rect bed{{5.5, 1}, {7.1, 3}};
-  set({{0, 0}, {4, 3}}, kFreeCell);
-  set({{4.1, 0}, {7.1, 3}}, kFreeCell);
-  set({{4, 1}, {4.1, 1.9}}, kFreeCell);
-  set(bed, kOccupiedCell);
-  MapArchive archive;
-  EXPECT_TRUE(archive.hypermap.add_layer(
-      {.info = {.name = "occupancy", .file = "occupancy"}, .content = OccupancyLayer(grid)}));
-  std::vector<SemanticObject> objects{shape(3, "oven", {{0, 2}, {0.6, 2.6}}),
-                                      shape(5, "bed", bed),
-                                      shape(7, "cup", {{6, 2}, {6.1, 2.1}}),
-                                      shape(9, "lamp", {{7.15, 1.5}, {7.25, 1.6}}),
-                                      shape(11, "tree", {{7.5, 3.2}, {7.59, 3.3}})};
-  EXPECT_TRUE(
-      archive.hypermap.add_layer({.info = {.name = "semantic", .file = "semantic"},
-                                  .content = SemanticLayer::create(std::move(objects)).value()}));
-  return archive;
-}
-
 TEST(MapPlaces, EachObjectIsInItsRoomAndEachRoomIsWhatStandsInIt) {
-  const MapPlaces places = map_places(small_flat(), home()).value();
+  const MapPlaces places = map_places(test::small_flat(), test::home()).value();
   ASSERT_THAT(places.rooms, SizeIs(2));
   EXPECT_THAT(places.rooms[0].objects, ElementsAre(3));
   EXPECT_THAT(places.rooms[1].objects, ElementsAre(5, 7, 9));
@@ -103,10 +49,10 @@ SemanticOctree low_over(const Rect& rect, double top_m) {
 }
 
 TEST(MapPlaces, WhatWasLookedOverIsNoWallThoughNobodyNamedIt) {
-  MapArchive archive = small_flat();
+  MapArchive archive = test::small_flat();
   archive.hypermap.remove_layer("semantic");  // so nobody knows of the bed: 1.6 m by 2 m
   const auto bedroom_m2 = [&] {
-    const MapPlaces places = map_places(archive, home()).value();
+    const MapPlaces places = map_places(archive, test::home()).value();
     return places.rooms[1].room.area_m2;
   };
   EXPECT_NEAR(bedroom_m2(), 9.0 - 3.2, 0.1);
@@ -117,18 +63,18 @@ TEST(MapPlaces, WhatWasLookedOverIsNoWallThoughNobodyNamedIt) {
 }
 
 TEST(MapPlaces, WhatIsBelievedOfAnObjectCountsMoreThanItsName) {
-  MapArchive archive = small_flat();
+  MapArchive archive = test::small_flat();
   const ClassId bed = archive.classes.add("bed").value();
   Object object;
   object.id = ObjectId{3};
   object.belief.observe(std::vector<ClassEvidence>{{bed, Probability(0.99)}}, Probability(0.5));
   archive.objects = ObjectMap::restore({object}, ObjectId{4}).value();
-  const MapPlaces places = map_places(archive, home()).value();
+  const MapPlaces places = map_places(archive, test::home()).value();
   EXPECT_NE(places.rooms[0].place, "kitchen");
 }
 
 TEST(MapPlaces, AnUnknownRoomHasANumberAlone) {
-  MapArchive archive = small_flat();
+  MapArchive archive = test::small_flat();
   PlaceRules rules;
   rules.places = {"garden", "kitchen"};
   rules.belongings = {{"tree", {{"garden", 9}}}};
@@ -138,18 +84,18 @@ TEST(MapPlaces, AnUnknownRoomHasANumberAlone) {
 }
 
 TEST(MapPlaces, WithoutAnOccupancyGridThereAreNone) {
-  const auto none = map_places(MapArchive{}, home());
+  const auto none = map_places(MapArchive{}, test::home());
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(none.error().field, "occupancy");
-  MapArchive alone = small_flat();
+  MapArchive alone = test::small_flat();
   alone.hypermap.remove_layer("semantic");
-  EXPECT_THAT(map_places(alone, home()).value().rooms, SizeIs(2));
+  EXPECT_THAT(map_places(alone, test::home()).value().rooms, SizeIs(2));
 }
 
 TEST(PlaceRoute, LeadsThroughTheDoorway) {
-  const MapArchive archive = small_flat();
-  const MapPlaces places = map_places(archive, home()).value();
+  const MapArchive archive = test::small_flat();
+  const MapPlaces places = map_places(archive, test::home()).value();
   const RouteEnd oven = route_end(archive, places, "Oven").value();
   const RouteEnd cup = route_end(archive, places, "7").value();
   EXPECT_EQ(oven.name, "oven 3");
@@ -175,8 +121,8 @@ TEST(PlaceRoute, LeadsThroughTheDoorway) {
 }
 
 TEST(PlaceRoute, AnEndIsAnObjectARoomOrAPlace) {
-  const MapArchive archive = small_flat();
-  const MapPlaces places = map_places(archive, home()).value();
+  const MapArchive archive = test::small_flat();
+  const MapPlaces places = map_places(archive, test::home()).value();
   EXPECT_EQ(route_end(archive, places, "kitchen")->room, 1U);
   EXPECT_EQ(route_end(archive, places, "room 2")->room, 2U);
   EXPECT_EQ(route_end(archive, places, "5")->object, 5U);
@@ -188,11 +134,11 @@ TEST(PlaceRoute, AnEndIsAnObjectARoomOrAPlace) {
 }
 
 TEST(PlaceRoute, WithoutADoorwayThereIsNone) {
-  MapArchive archive = small_flat();
+  MapArchive archive = test::small_flat();
   OccupancyGrid grid = archive.hypermap.find_as<OccupancyLayer>("occupancy")->grid;
   for (int row = 0; row < 80; ++row) grid.set({90, row}, kOccupiedCell);
   EXPECT_TRUE(archive.hypermap.set_content("occupancy", OccupancyLayer(grid)));
-  const MapPlaces places = map_places(archive, home()).value();
+  const MapPlaces places = map_places(archive, test::home()).value();
   const auto route = find_place_route(places,
                                       route_end(archive, places, "oven").value(),
                                       route_end(archive, places, "bed").value());

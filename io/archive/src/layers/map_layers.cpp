@@ -21,7 +21,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::string_view kOccupancyName = "occupancy";
 
 std::vector<const Object*> objects_of(const ObjectMap& objects,
                                       std::span<const ObjectId> confirmed) {
@@ -51,8 +50,8 @@ Result<void> put_occupancy(MapArchive& archive,
   auto grid = guarded_layer([&] {
     return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
   });
-  if (grid) return put_layer(archive.hypermap, kOccupancyName, OccupancyLayer(std::move(*grid)));
-  archive.hypermap.remove_layer(kOccupancyName);
+  if (grid) return put_layer(archive.hypermap, kOccupancyLayer, OccupancyLayer(std::move(*grid)));
+  archive.hypermap.remove_layer(kOccupancyLayer);
   return Unexpected(std::move(grid).error());
 }
 
@@ -164,7 +163,7 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
   const auto note = [&derived](const Result<void>& put, std::string_view layer) {
     if (!put) derived.left_out.push_back(left_out(put.error(), layer));
   };
-  note(put_occupancy(archive, leaves, options), kOccupancyName);
+  note(put_occupancy(archive, leaves, options), kOccupancyLayer);
   auto carving = options.carve_footprints
                      ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
                      : std::nullopt;

@@ -17,6 +17,8 @@
 
 namespace hypermap {
 
+/// The 2D layer of where the floor is free.
+inline constexpr std::string_view kOccupancyLayer = "occupancy";
 /// The 2D layer of the confirmed objects.
 inline constexpr std::string_view kSemanticLayer = "semantic";
 

@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/class_palette.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/places/place_classifier.hpp"
 #include "hypermap/core/places/relation_options.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/exports/zone_masks.hpp"
@@ -68,6 +69,9 @@ struct ExportRequest {
   ClassPalette palette = {};     ///< Of formats in colour.
   ZoneRules zones = {};          ///< kNav2: of its masks.
   RelationOptions rules = {};    ///< kGeojson and kRelations: of relations.
+  /// kTopologicalMap: what belongs where, by which vertices bear the class of their place
+  /// (`vertex_places`); none, or a map without the floor of its rooms: they bear none.
+  std::optional<PlaceRules> place_rules = std::nullopt;
 };
 
 /// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",

@@ -11,9 +11,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
+
+/// Of a set of tiles, in its folder.
+inline constexpr std::string_view kTileIndexName = "tiles.json";
 
 struct SplitJob {
   double edge_m = 10.0;  ///< Of the squares, with corners at its multiples.
@@ -25,6 +29,7 @@ struct SplitJob {
 struct MapTile {
   std::string file;  ///< "tile_<column>_<row>.hmap", numbers of edges from the origin.
   Rect area;         ///< Half open, in frame `map`.
+  Rect reach;        ///< The same with all of its objects and shapes, which may jut out of it.
   std::size_t num_voxels = 0;
   std::size_t num_objects = 0;
 };
@@ -36,7 +41,8 @@ struct SplitReport {
 
 /// Writes a folder with an archive for each tile that has something (`map_tiles`, `cropped`) and
 /// `tiles.json`, which says what lies where: `tile_m`, `tiles` [{`file`, `area` [x, y, x, y],
-/// `voxels`, `objects`}]. The folder appears whole or not at all.
+/// `reach` likewise, `voxels`, `objects`}]; tile_set.hpp reads it. The folder appears whole or not
+/// at all.
 ///
 /// Errors: those of map_tiles, cropped and write_archive; kInvalidArgument for a folder that holds
 /// anything but such files; kIo; kInterrupted when progress, which counts tiles, says so.
