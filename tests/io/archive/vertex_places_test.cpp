@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/vertex_places.hpp"
+
 #include "small_flat.hpp"
 
 #include <gmock/gmock.h>
@@ -74,8 +75,8 @@ TEST(VertexPlaces, OneInNoRoomIsWhatTheObjectsAroundItMakeOfIt) {
   EXPECT_EQ(vertices[4].place, std::nullopt) << "four edges away";
 }
 
-// [smap] 3.5.1: traversability cost of a class of places. Edges of 0.95 m: three in the kitchen, one
-// half in the bedroom, where a metre costs 2.
+// [smap] 3.5.1: traversability cost of a class of places. Edges of 0.95 m: three in the kitchen,
+// one half in the bedroom, where a metre costs 2.
 TEST(VertexRoute, AMetreCostsWhatItDoesAtItsVertices) {
   const MapArchive archive = walked_flat();
   const MapPlaces rooms = map_places(archive, test::home()).value();
@@ -99,8 +100,9 @@ TEST(VertexRoute, PiecesThatNoEdgeJoinsAreTold) {
   const RouteEnd bed{.name = "the corner", .position = {7, 2.9}, .room = 2};
   const auto none = find_vertex_route(archive, places_of(archive), oven, bed);
   ASSERT_FALSE(none);
-  EXPECT_EQ(to_string(none.error()),
-            "no edges of the topological map join vertex 0, at oven 3, and vertex 5, at the corner");
+  EXPECT_EQ(
+      to_string(none.error()),
+      "no edges of the topological map join vertex 0, at oven 3, and vertex 5, at the corner");
 }
 
 TEST(VertexPlaces, WithoutATopologicalMapThereAreNone) {
