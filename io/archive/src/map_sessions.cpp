@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 
 namespace hypermap {
 namespace {
@@ -68,6 +69,18 @@ Result<MapSession> find_session(std::span<const Provenance> runs, std::string_vi
   return fail(ErrorCode::kNotFound,
               "the map has no session '" + printable(name) + "'; " + known,
               "session");
+}
+
+std::vector<std::string> names_of_several(std::span<const MapSession> sessions) {
+  std::map<std::string, std::size_t> counts;
+  for (const MapSession& one : sessions) {
+    if (!one.name.empty()) ++counts[one.name];
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, count] : counts) {
+    if (count > 1) names.push_back(name);
+  }
+  return names;
 }
 
 std::optional<MapSession> session_of_frame(std::span<const MapSession> sessions,

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "hypermap/io/archive/transformed_map.hpp"
 #include "map_registration.hpp"
 #include "merge_plan.hpp"
@@ -137,12 +138,27 @@ Finding forgotten_runs(std::size_t count) {
                     .field = "provenance"}};
 }
 
+/// Of sessions that can no longer be told apart by name.
+std::vector<Finding> shared_names(const MapArchive& map) {
+  std::vector<Finding> findings;
+  for (const std::string& name : names_of_several(sessions_of(map.provenance))) {
+    findings.push_back(
+        {.error = {.code = ErrorCode::kInvalidArgument,
+                   .what = "several sessions are called '" + printable(name) +
+                           "': by that name the newest is found, the others by nothing",
+                   .field = "session"}});
+  }
+  return findings;
+}
+
 Result<MergeResult> finished(Sum sum, LayerOptions layers, const MergeJob& job) {
   HYPERMAP_ASSIGN_OR_RETURN(const DerivedLayers derived,
                             derive_layers(sum.map, job.options.mapper.objects, layers));
   MergeReport& report = sum.report;
   report.findings.insert(report.findings.end(), derived.left_out.begin(), derived.left_out.end());
   if (sum.num_forgotten_runs > 0) report.findings.push_back(forgotten_runs(sum.num_forgotten_runs));
+  const std::vector<Finding> shared = shared_names(sum.map);
+  report.findings.insert(report.findings.end(), shared.begin(), shared.end());
   report.leaves = sum.map.octree->num_leaves();
   report.num_objects =
       confirmed_objects(sum.map.objects, job.options.mapper.objects.confirmation).size();

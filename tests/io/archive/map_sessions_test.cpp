@@ -25,6 +25,15 @@ TEST(MapSessions, GoByNameElseByNumber) {
   EXPECT_THAT(to_string(find_session({}, "1").error()), HasSubstr("does not tell of any"));
 }
 
+TEST(MapSessions, NamesOfSeveralAreKnown) {
+  auto runs = two_sessions(30);
+  EXPECT_THAT(names_of_several(sessions_of(runs)), testing::IsEmpty());
+  runs[1].session = runs[0].session;
+  runs.emplace_back();
+  runs.emplace_back();
+  EXPECT_THAT(names_of_several(sessions_of(runs)), testing::ElementsAre("morning"));
+}
+
 TEST(MapSessions, AFrameIsOfTheSessionThatCountsIt) {
   const auto sessions = sessions_of(two_sessions(30));
   EXPECT_EQ(session_of_frame(sessions, 0)->name, "morning");

@@ -44,6 +44,9 @@ struct MapSession {
 [[nodiscard]] Result<MapSession> find_session(std::span<const Provenance> runs,
                                               std::string_view name);
 
+/// Names that several sessions bear, ascending. Of these `find_session` gives the newest alone.
+[[nodiscard]] std::vector<std::string> names_of_several(std::span<const MapSession> sessions);
+
 /// The one that a frame is of, as the map counts frames; none where that was not kept.
 [[nodiscard]] std::optional<MapSession> session_of_frame(std::span<const MapSession> sessions,
                                                          std::uint64_t frame_index);
