@@ -5,10 +5,12 @@
 #include "completeness.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/map_query.hpp"
 #include "hypermap/io/archive/nearest_routes.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/archive/related_query.hpp"
+#include "hypermap/io/jobs/tile_set.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
 #include "nearest_text.hpp"
 #include "number_lists.hpp"
@@ -191,13 +193,24 @@ bool asks_layer_alone(const QueryRequest& request) {
          !request.similar_to && !asks_places(arguments.places) && !arguments.time.is_asked();
 }
 
+/// Whether voxels may tell something of it: not of objects, shapes and cells as they are.
+bool asks_voxels(const QueryRequest& request) {
+  const std::string& layer = request.query.layer;
+  const bool is_flat =
+      layer == kObjectsLayer || layer == kSemanticLayer || layer == kOccupancyLayer;
+  return !is_flat || request.why_not || asks_places(request.arguments.places) ||
+         request.arguments.complete;
+}
+
 /// What the question needs. Other times and the nearest object are told without the octree, unless
-/// boxes are guessed, and the way to it by the 2D layers alone.
+/// boxes are guessed, and the way to it by the 2D layers alone. Of a set of tiles, which may not
+/// fit into memory, voxels are read for questions to them alone.
 Result<PartialMap> load_for(const QueryRequest& request) {
   const QueryArguments& arguments = request.arguments;
   const bool asks_now = !arguments.time.is_asked();
   const bool asks_all = asks_now && (!arguments.nearest || arguments.complete);
-  const ArchiveParts parts{.octrees = asks_all,
+  const bool is_divided = is_tile_set(arguments.file);
+  const ArchiveParts parts{.octrees = asks_all && (!is_divided || asks_voxels(request)),
                            .objects = asks_all || !arguments.approach.free_space,
                            .class_grids = asks_all};
   const auto region =

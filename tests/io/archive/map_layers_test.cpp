@@ -172,7 +172,19 @@ TEST(DerivedLayers, OfAnEmptyMapAreEmpty) {
   const auto derived = derive_layers(archive, {}, {});
   ASSERT_TRUE(derived);
   EXPECT_EQ(derived->main, MapRegion{});
-  EXPECT_TRUE(derived->outlying.empty() && derived->left_out.empty());
+  EXPECT_TRUE(derived->outlying.empty());
+}
+
+TEST(DerivedLayers, WithoutAVoxelInTheBandThereIsNoGridAndTheMapCanBeSaved) {
+  MapArchive archive = archive_of({{0.02, 0.02}, {3.02, 1.02}});  // 0.52 m high
+  const auto derived = derive_layers(archive, {}, {.min_height_m = 50.0, .max_height_m = 60.0});
+  ASSERT_TRUE(derived) << to_string(derived.error());
+  ASSERT_EQ(derived->left_out.size(), 1U);
+  EXPECT_EQ(derived->left_out[0].error.entry, "occupancy");
+  EXPECT_NE(to_string(derived->left_out[0].error).find("no voxel lies between"), std::string::npos);
+  EXPECT_EQ(archive.hypermap.find("occupancy"), nullptr);
+  const auto bytes = write_archive(archive);
+  EXPECT_TRUE(bytes) << to_string(bytes.error());
 }
 
 TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {

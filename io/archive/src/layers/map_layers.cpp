@@ -50,9 +50,16 @@ Result<void> put_occupancy(MapArchive& archive,
   auto grid = guarded_layer([&] {
     return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
   });
-  if (grid) return put_layer(archive.hypermap, kOccupancyLayer, OccupancyLayer(std::move(*grid)));
+  const bool has_cells = grid && grid->geometry().num_cells() > 0;
+  if (has_cells) {
+    return put_layer(archive.hypermap, kOccupancyLayer, OccupancyLayer(std::move(*grid)));
+  }
   archive.hypermap.remove_layer(kOccupancyLayer);
-  return Unexpected(std::move(grid).error());
+  if (!grid) return Unexpected(std::move(grid).error());
+  return fail(ErrorCode::kNotFound,
+              "no voxel lies between projection.min_height_m (" +
+                  std::to_string(options.min_height_m) + ") and projection.max_height_m (" +
+                  std::to_string(options.max_height_m) + ")");
 }
 
 /// As put_occupancy.
