@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/io/jobs/rank_crew.hpp"
 
 #include <CLI/App.hpp>
 
@@ -69,6 +70,11 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
 void add_combine_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_detect_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_map_command(CLI::App& program, const CommonOptions& common, Action& action);
+/// `ranks`: see CommandLine.
+void add_map_many_command(CLI::App& program,
+                          const CommonOptions& common,
+                          MessagePort* ranks,
+                          Action& action);
 void add_import_command(CLI::App& program, Action& action);
 void add_crop_command(CLI::App& program, Action& action);
 void add_split_command(CLI::App& program, const CommonOptions& common, Action& action);

@@ -11,7 +11,7 @@
 
 namespace hypermap::app {
 
-CommandLine::CommandLine()
+CommandLine::CommandLine(MessagePort* ranks)
     : program("Semantic volumetric maps from posed RGB-D frames and detections") {
   program.name("hypermap");
   program.set_version_flag("--version", std::string("hypermap ") + kVersion);
@@ -27,6 +27,7 @@ CommandLine::CommandLine()
   add_detect_command(program, common, action);
   add_combine_command(program, common, action);
   add_map_command(program, common, action);
+  add_map_many_command(program, common, ranks, action);
   add_import_command(program, action);
   add_crop_command(program, action);
   add_split_command(program, common, action);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "command.hpp"
+#include "hypermap/io/jobs/rank_crew.hpp"
 
 #include <CLI/App.hpp>
 
@@ -12,7 +13,9 @@ namespace hypermap::app {
 /// Ready to parse; then `action` is what was asked for. Stays where it is, as parsed options are
 /// written into it.
 struct CommandLine {
-  CommandLine();
+  /// `ranks`: what carries messages to the other ranks where this program is one of several; else
+  /// none.
+  explicit CommandLine(MessagePort* ranks = nullptr);
 
   CLI::App program;
   CommonOptions common;

@@ -19,11 +19,15 @@ Result<std::vector<std::string>> class_names(const std::optional<std::string>& p
 }  // namespace
 
 void DatasetArguments::add_to(CLI::App& command) {
-  const OptionTable& table = option_table(DatasetOptions{});
   command
       .add_option("--input", input, "folder: TUM RGB-D, 7-Scenes, Open3D, ScanNet, dataset.yaml")
       ->required();
   command.add_option("--dataset", description, kDescriptionHelp);
+  add_reading_to(command);
+}
+
+void DatasetArguments::add_reading_to(CLI::App& command) {
+  const OptionTable& table = option_table(DatasetOptions{});
   command.add_option(
       "--classes", classes, "names of a model's outputs, one a line (default: COCO)");
   command.add_option("--first", first, "leave out so many frames at the start")

@@ -28,6 +28,8 @@ struct DatasetArguments {
   std::optional<std::size_t> max_frames;
 
   void add_to(CLI::App& command);
+  /// All but which folder it is, and what describes it.
+  void add_reading_to(CLI::App& command);
   /// Errors: those of read_class_names.
   [[nodiscard]] Result<DatasetOptions> options() const;
   /// Errors: those of read_class_names.

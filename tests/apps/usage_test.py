@@ -6,7 +6,7 @@ import unittest
 
 from program import run
 
-COMMANDS = ("simulate detect combine map import crop split transform merge info classes config query shell export stack cells "
+COMMANDS = ("simulate detect combine map map-many import crop split transform merge info classes config query shell export stack cells "
             "snapshot eval diff tune check repair").split()
 
 
@@ -30,6 +30,9 @@ class Usage(unittest.TestCase):
                           ["map", "--input", "x", "--output", "y", "--weights", "yolo=1e7"],
                           ["map", "--input", "x", "--output", "y", "--weights", "yolo"],
                           ["map", "--input", "x", "--output", "y", "--detector", "yolo"],
+                          ["map-many"], ["map-many", "x"], ["map-many", "x", "--output", "x"],
+                          ["map-many", "x", "--output", "y", "--jobs", "-1"],
+                          ["map-many", "x", "--output", "y", "--detector", "yolo"],
                           ["classes", "x", "--set", "y", "--clear"],
                           ["simulate", "--output", "x", "--frames", "0"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],

@@ -105,8 +105,24 @@ void write_tiles(const fs::path& to) {
       "cols_2.bin\nabc>def?");
 }
 
+void write_lists(const fs::path& to) {
+  write_seed(to,
+             "sequences",
+             "all_keys",
+             "sequences:\n- kitchen\n- input: /data/hall\n  name: hall\n  dataset: hall.yaml\n"
+             "  detections: [{file: a.json, detector: a}, b.jsonl]\n  poses: closed.txt\n  up: -y\n"
+             "  transform: [4.2, 0, 0, 90]\n");
+  write_seed(to,
+             "part_record",
+             "all_keys",
+             "format: hypermap-part\nversion: 1\nprogram: hypermap 0.1.0\ninput: xxh3-128:0\n"
+             "settings: xxh3-128:1\ncontent: xxh3-128:2\nframes: 40\nskipped: 1\nobjects: 2\n"
+             "tentative: 3\nsessions: 1\noccupied: 4\nfree: 5\nfindings: [odd, more]\n");
+}
+
 void write_seeds(const fs::path& from, const fs::path& to) {
   write_tiles(to);
+  write_lists(to);
   const auto sample = write_archive(simulated_archive());
   if (sample) write_members(view_bytes(*sample), "sample", to);
   std::error_code ec;

@@ -29,10 +29,12 @@ void fuzz_octree(std::string_view bytes);
 void fuzz_options(std::string_view bytes);
 void fuzz_pgm(std::string_view bytes);
 void fuzz_png(std::string_view bytes);
+void fuzz_part_record(std::string_view bytes);
 void fuzz_provenance(std::string_view bytes);
 void fuzz_salvage(std::string_view bytes);
 void fuzz_scene(std::string_view bytes);
 void fuzz_semantic(std::string_view bytes);
+void fuzz_sequences(std::string_view bytes);
 void fuzz_sogm(std::string_view bytes);
 void fuzz_surfaces(std::string_view bytes);
 void fuzz_tile(std::string_view bytes);
@@ -78,10 +80,12 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"options", fuzz_options},
                                       {"pgm", fuzz_pgm},
                                       {"png", fuzz_png},
+                                      {"part_record", fuzz_part_record},
                                       {"provenance", fuzz_provenance},
                                       {"salvage", fuzz_salvage},
                                       {"scene", fuzz_scene},
                                       {"semantic", fuzz_semantic},
+                                      {"sequences", fuzz_sequences},
                                       {"sogm", fuzz_sogm},
                                       {"surfaces", fuzz_surfaces},
                                       {"tile", fuzz_tile},

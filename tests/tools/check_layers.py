@@ -42,6 +42,7 @@ THIRD_PARTY = {
     "xxhash.h": ("XxHash::headers", ("archive",)),
     "CLI/": ("CLI11::CLI11", ("apps",)),
     "histedit.h": ("LibEdit::LibEdit", ("apps",)),
+    "mpi.h": ("MPI::MPI_CXX", ("apps",)),
 }
 # Of the C library.
 SYSTEM = re.compile(r"^(dirent|dlfcn|fcntl|poll|unistd|sys/\w+)\.h$")
@@ -49,7 +50,7 @@ SYSTEM = re.compile(r"^(dirent|dlfcn|fcntl|poll|unistd|sys/\w+)\.h$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"^[a-z_0-9]+$")
 MODULE = re.compile(r"hypermap_add_module\((\w+)(.*?)\)\s*$", re.MULTILINE | re.DOTALL)
-APPS = re.compile(r"target_link_libraries\(hypermap_commands\s(.*?)\)", re.DOTALL)
+APPS = re.compile(r"target_link_libraries\(hypermap_(?:commands|ranks_cli)\s(.*?)\)", re.DOTALL)
 SECTION = re.compile(r"\b(SOURCES|ROOMS|PACKAGES|PUBLIC_LINK|PRIVATE_LINK)\b")
 OURS = re.compile(r"hypermap::(\w+)")
 DRAWN = re.compile(r"^    (\w+) -> ([\w, ]+)$", re.MULTILINE)
@@ -86,8 +87,9 @@ def libraries(root):
         code = re.sub(r"#.*", "", source_tree.read(path))
         for match in MODULE.finditer(code):
             found[match.group(1)] = Library(match.group(1), folder, sections_of(match.group(2)))
-        for match in APPS.finditer(code):
-            found["apps"] = Library("apps", "apps", {"PRIVATE_LINK": match.group(1)})
+        links = " ".join(match.group(1) for match in APPS.finditer(code))
+        if links:
+            found["apps"] = Library("apps", "apps", {"PRIVATE_LINK": links})
     return found
 
 

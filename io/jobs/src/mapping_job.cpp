@@ -9,8 +9,7 @@
 #include "mapping_counts.hpp"
 #include "mapping_run.hpp"
 #include "outlying_regions.hpp"
-
-#include <sys/resource.h>
+#include "peak_memory.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -21,12 +20,6 @@
 
 namespace hypermap {
 namespace {
-
-std::size_t peak_rss_bytes() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024U;
-}
 
 /// What is wrong with one frame, named; what is wrong with the machine ends the job.
 bool spares_other_frames(const Error& error) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -171,6 +172,14 @@ Result<MergeResult> merge_or_throw(const MergeJob& job, const JobProgress& progr
   HYPERMAP_TRY(validate(job.options));
   HYPERMAP_ASSIGN_OR_RETURN(std::vector<PlannedMap> plan, plan_merge(job));
   if (job.registers) HYPERMAP_TRY(register_all(plan, job));
+  return merge_planned(plan, job, progress);
+}
+
+}  // namespace
+
+Result<MergeResult> merge_planned(std::span<const PlannedMap> plan,
+                                  const MergeJob& job,
+                                  const JobProgress& progress) {
   LayerOptions layers = job.options.layers;
   Sum sum{.map = {.hypermap = {}}, .report = {}};
   for (const PlannedMap& map : plan) {
@@ -180,8 +189,6 @@ Result<MergeResult> merge_or_throw(const MergeJob& job, const JobProgress& progr
   }
   return finished(std::move(sum), layers, job);
 }
-
-}  // namespace
 
 Result<MergeResult> run_merge(const MergeJob& job, const JobProgress& progress) {
   return guarded(ErrorCode::kUnavailable, "the map", [&] { return merge_or_throw(job, progress); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is known of maps before they are merged: which were made when, and where each lies.
+/// What is known of maps before they are merged: which were made when, and where each lies; and
+/// their merging by that.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
@@ -10,6 +11,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace hypermap {
@@ -29,6 +31,13 @@ struct PlannedMap {
 /// The maps in the order in which they are added. Their voxels and objects are not read.
 /// Errors: as run_merge says of what needs neither.
 [[nodiscard]] Result<std::vector<PlannedMap>> plan_merge(const MergeJob& job);
+
+/// Adds the maps in their order, never more than two in memory, and derives the layers.
+/// Requires: what they point to is there still; `job.files` is not looked at.
+/// Errors: as run_merge says of what needs voxels and objects.
+[[nodiscard]] Result<MergeResult> merge_planned(std::span<const PlannedMap> plan,
+                                                const MergeJob& job,
+                                                const JobProgress& progress);
 
 /// The error with the name of the map, where it has none.
 [[nodiscard]] Unexpected about_map(const MergedFile& file, Error error);

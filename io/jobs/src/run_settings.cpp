@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_settings.hpp"
 
+#include "content_hash.hpp"
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/core/base/option_table.hpp"
 #include "hypermap/io/archive/provenance.hpp"
 #include "hypermap/io/archive/vocabulary_file.hpp"
-#include "hypermap/io/codec/byte_source.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,21 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNone = "none";
-constexpr std::uint64_t kPieceBytes = std::uint64_t{1} << 20U;
 /// Of the detector: what changes none of its detections, or follows from the job.
 constexpr std::array<std::string_view, 2> kLeftOut{"num_threads", "detector"};
-
-Result<std::string> content_hash(const fs::path& path) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto file,
-                            open_file(path, std::numeric_limits<std::uint64_t>::max()));
-  InputHash hash;
-  for (std::uint64_t at = 0; at < file->size(); at += kPieceBytes) {
-    const auto num_bytes = static_cast<std::size_t>(std::min(kPieceBytes, file->size() - at));
-    HYPERMAP_ASSIGN_OR_RETURN(const std::string piece, file->read_at(at, num_bytes));
-    hash.add(piece);
-  }
-  return hash.text();
-}
 
 /// Name and content of a file; of a folder the name.
 Result<std::string> identity_of(const fs::path& path) {
@@ -149,7 +134,7 @@ const std::string& text_or_none(const ValueTree* value, const std::string& none)
 
 }  // namespace
 
-Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& dataset) {
+Result<ValueTree> asked_settings(const MappingJob& job) {
   std::vector<ValueTree::Entry> entries;
   add_table(job.dataset, "", entries);
   HYPERMAP_ASSIGN_OR_RETURN(std::string description, identity_of(job.dataset.description));
@@ -175,8 +160,13 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   entries.emplace_back("views", make_text(job.keep_views ? "yes" : "no"));
   entries.emplace_back("places", make_text(rules_text(job.place_rules)));
   entries.emplace_back("class_names", make_text(vocabulary_text(job.vocabulary)));
-  entries.emplace_back("frames", make_text(frames_text(dataset)));
   return make_map(std::move(entries));
+}
+
+Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& dataset) {
+  HYPERMAP_ASSIGN_OR_RETURN(ValueTree settings, asked_settings(job));
+  settings.entries.emplace_back("frames", make_text(frames_text(dataset)));
+  return settings;
 }
 
 Result<void> refuse_other_settings(const ValueTree& now, const ValueTree& before) {

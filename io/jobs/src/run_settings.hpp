@@ -12,10 +12,13 @@
 namespace hypermap {
 
 /// A map of texts: which frames of which files, by which detector, aligned how. Files that the job
-/// names are told by name and content, frames by their names. Not in it: where the input lies, and
-/// what changes no map (threads, limits, checkpoints, `max_skipped_share`, `strict`, `force`).
+/// names are told by name and content. Not in it: where the input lies, and what changes no map
+/// (threads, limits, checkpoints, `max_skipped_share`, `strict`, `force`).
 ///
 /// Errors: kIo for a file that cannot be read. Cost: reads each file that the job names.
+[[nodiscard]] Result<ValueTree> asked_settings(const MappingJob& job);
+
+/// These, and the frames of the dataset by their names. Errors: those of asked_settings.
 [[nodiscard]] Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& dataset);
 
 /// Errors: kInvalidArgument naming the first setting in which the two differ, and both values.
