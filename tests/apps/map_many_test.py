@@ -81,6 +81,8 @@ class MapMany(ManyCase):
         self.assertTrue((self.folder / "a.hmap.parts/room0.hmap").exists())
         self.assertEqual(self.notes("a.hmap"), ["kept"] * NUM_ROOMS)
         self.assertFalse((self.folder / "a.hmap.parts").exists())
+        self.many("B.HMAP")
+        self.assertEqual(digest(self.folder / "B.HMAP"), digest(self.folder / "a.hmap"))
 
     def test_a_sequence_that_fails_is_named_and_the_others_are_kept(self):
         (self.folder / "room3/groundtruth.txt").write_text("no numbers\n")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/io/jobs/map_many_job.hpp"
 #include "hypermap/io/jobs/map_many_ranks.hpp"
 #include "load_arguments.hpp"
@@ -38,7 +39,7 @@ struct MapManyArguments {
 
   /// Whether --output is the merged map itself, not a folder for it and its parts.
   [[nodiscard]] bool writes_file() const {
-    return std::filesystem::path(output).extension() == kMapSuffix;
+    return is_spelling_of(std::filesystem::path(output).extension().string(), kMapSuffix);
   }
 };
 
