@@ -99,6 +99,17 @@ std::string session_text(const MapSession& session) {
   return text + ", from " + printable(session.input);
 }
 
+/// How grids lie, and what stacks and supercells are made of.
+void print_parts(const ArchiveInfo& info) {
+  for (const LayerSummary& layer : info.layers) {
+    if (layer.grid) std::printf("%s\n", lattice_text(layer).c_str());
+  }
+  for (const LayerSummary& layer : info.layers) {
+    if (layer.parts.empty()) continue;
+    std::printf("%s%s\n", printable(layer.name).c_str(), parts_text(layer).c_str());
+  }
+}
+
 void print(const ArchiveInfo& info) {
   Table table({"layer", "class", "frame", "extent", "content"});
   for (const LayerSummary& layer : info.layers) {
@@ -114,13 +125,7 @@ void print(const ArchiveInfo& info) {
               info.classes.size() == 1 ? "class" : "classes",
               count_text(info.transforms.size(), "transform").c_str(),
               static_cast<long long>(info.format_version));
-  for (const LayerSummary& layer : info.layers) {
-    if (layer.grid) std::printf("%s\n", lattice_text(layer).c_str());
-  }
-  for (const LayerSummary& layer : info.layers) {
-    if (layer.parts.empty()) continue;
-    std::printf("%s%s\n", printable(layer.name).c_str(), parts_text(layer).c_str());
-  }
+  print_parts(info);
   std::string relations;
   for (const RelationKind kind : kRelationKinds) {
     const std::size_t count = info.num_relations[static_cast<std::size_t>(kind)];

@@ -40,9 +40,9 @@ struct DoneUpdate {
 
 /// The name of the layer as the map has it, or as it was given.
 std::string layer_of(const UpdateArguments& arguments, const Hypermap& map) {
-  const std::string wanted = !arguments.layer.empty()  ? arguments.layer
-                             : arguments.batch.empty() ? "occupancy"
-                                                       : "semantic";
+  std::string wanted = !arguments.layer.empty()  ? arguments.layer
+                       : arguments.batch.empty() ? "occupancy"
+                                                 : "semantic";
   if (map.find(wanted) != nullptr) return wanted;
   for (const Layer& layer : map.layers()) {
     if (is_spelling_of(layer.info.name, wanted)) return layer.info.name;
