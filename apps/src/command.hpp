@@ -79,6 +79,7 @@ void add_import_command(CLI::App& program, Action& action);
 void add_crop_command(CLI::App& program, Action& action);
 void add_split_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_transform_command(CLI::App& program, Action& action);
+void add_update_command(CLI::App& program, Action& action);
 void add_merge_command(CLI::App& program, const CommonOptions& common, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_classes_command(CLI::App& program, Action& action);

@@ -32,6 +32,7 @@ CommandLine::CommandLine(MessagePort* ranks)
   add_crop_command(program, action);
   add_split_command(program, common, action);
   add_transform_command(program, action);
+  add_update_command(program, action);
   add_merge_command(program, common, action);
   add_info_command(program, action);
   add_classes_command(program, action);

@@ -157,11 +157,12 @@ class Exports(FaultCase):
                 self.check_faults(lambda path=output: path.write_bytes(OLD),
                                   ["export", Inputs.objects(0.05), "--format", form, "--output", output], count=SAMPLE // 2)
 
-    def test_a_map_that_is_told_what_names_mean(self):
-        archive = self.out / "a.hmap"
+    def test_a_map_that_is_told_what_names_mean_or_updated(self):
+        archive, batch = self.out / "a.hmap", self.folder / "batch.yaml"
+        batch.write_text('add: [{name: plant, shape: "POLYGON((0 0, 1 0, 1 1, 0 0))"}]\n')
         self.is_repeatable = False
-        self.check_faults(lambda: shutil.copy(Inputs.objects(0.1), archive),
-                          ["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], count=SAMPLE)
+        for change in (["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], ["update", archive, "--batch", batch]):
+            self.check_faults(lambda: shutil.copy(Inputs.objects(0.1), archive), change, count=SAMPLE)
 
     def test_maps_of_others_and_what_changed(self):
         archive, grid = self.out / "a.hmap", self.folder / "grid"

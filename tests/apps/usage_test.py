@@ -6,8 +6,8 @@ import unittest
 
 from program import run
 
-COMMANDS = ("simulate detect combine map map-many import crop split transform merge info classes config query shell export stack cells "
-            "snapshot eval diff tune check repair").split()
+COMMANDS = ("simulate detect combine map map-many import crop split transform update merge info classes config query shell export stack "
+            "cells snapshot eval diff tune check repair").split()
 
 
 class Usage(unittest.TestCase):
@@ -34,6 +34,7 @@ class Usage(unittest.TestCase):
                           ["map-many", "x", "--output", "y", "--jobs", "-1"],
                           ["map-many", "x", "--output", "y", "--detector", "yolo"],
                           ["classes", "x", "--set", "y", "--clear"],
+                          ["update", "x"], ["update", "x", "--batch", "y", "--grid", "z"],
                           ["simulate", "--output", "x", "--frames", "0"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
                           ["query", "x", "--at", "1,2"]]:

@@ -60,6 +60,8 @@ void write_members(std::shared_ptr<const ByteSource> source,
     if (!content) continue;
     const std::string name = fs::path(member.name).filename().string();
     write_seed(to, target_of(name), archive + "." + name, *content);
+    if (target_of(name) == "semantic")
+      write_seed(to, "update", archive + "." + name, "delete: [1]\nadd:\n" + *content);
     if (records.size() + content->size() > kMaxSeedBytes) continue;
     records += (records.empty() ? "" : std::string(kEndOfMember));
     records += member.name + "\n" + *content;
@@ -120,9 +122,28 @@ void write_lists(const fs::path& to) {
              "tentative: 3\nsessions: 1\noccupied: 4\nfree: 5\nfindings: [odd, more]\n");
 }
 
+/// Clouds of a few points: text, rows, and columns packed as literals.
+void write_clouds(const fs::path& to) {
+  const std::string head =
+      "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 2\nHEIGHT 1\nDATA ";
+  write_seed(to, "cloud", "text.pcd", head + "ascii\n1 2 3 4\n5 nan 7 8\n");
+  const std::string rows(26, '\x3F');
+  write_seed(to, "cloud", "rows.pcd", head + "binary\n" + rows);
+  const std::string sizes("\x1B\0\0\0\x1A\0\0\0", 8);
+  write_seed(to, "cloud", "columns.pcd", head + "binary_compressed\n" + sizes + "\x19" + rows);
+  write_seed(to,
+             "cloud",
+             "text.ply",
+             "ply\nformat ascii 1.0\ncomment label 3 chair\nelement vertex 1\nproperty float x\n"
+             "property float y\nproperty double z\nproperty uchar label\nelement face 1\n"
+             "property list uchar int i\nend_header\n1 2 3 3\n1 0\n");
+  write_seed(to, "cloud", "names.yaml", "0: ~\n3: chair\n-1: dining table\n");
+}
+
 void write_seeds(const fs::path& from, const fs::path& to) {
   write_tiles(to);
   write_lists(to);
+  write_clouds(to);
   const auto sample = write_archive(simulated_archive());
   if (sample) write_members(view_bytes(*sample), "sample", to);
   std::error_code ec;

@@ -11,6 +11,7 @@ namespace hypermap::fuzz {
 void fuzz_archive(std::string_view bytes);
 void fuzz_bmp(std::string_view bytes);
 void fuzz_classes(std::string_view bytes);
+void fuzz_cloud(std::string_view bytes);
 void fuzz_combiner(std::string_view bytes);
 void fuzz_config(std::string_view bytes);
 void fuzz_dataset(std::string_view bytes);
@@ -41,6 +42,7 @@ void fuzz_tile(std::string_view bytes);
 void fuzz_tile_set(std::string_view bytes);
 void fuzz_topology(std::string_view bytes);
 void fuzz_trajectory(std::string_view bytes);
+void fuzz_update(std::string_view bytes);
 void fuzz_vector(std::string_view bytes);
 void fuzz_views(std::string_view bytes);
 void fuzz_vocabulary(std::string_view bytes);
@@ -62,6 +64,7 @@ struct Target {
 inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"bmp", fuzz_bmp},
                                       {"classes", fuzz_classes},
+                                      {"cloud", fuzz_cloud},
                                       {"combiner", fuzz_combiner},
                                       {"config", fuzz_config},
                                       {"dataset", fuzz_dataset},
@@ -92,6 +95,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"tile_set", fuzz_tile_set},
                                       {"topology", fuzz_topology},
                                       {"trajectory", fuzz_trajectory},
+                                      {"update", fuzz_update},
                                       {"vector", fuzz_vector},
                                       {"views", fuzz_views},
                                       {"vocabulary", fuzz_vocabulary},

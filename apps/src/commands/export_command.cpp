@@ -9,6 +9,7 @@
 #include "hypermap/io/options/place_rules_file.hpp"
 #include "hypermap/io/options/relation_rules_file.hpp"
 #include "load_arguments.hpp"
+#include "number_lists.hpp"
 #include "outputs.hpp"
 #include "places.hpp"
 
@@ -16,6 +17,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace hypermap::app {
 namespace {
@@ -27,6 +29,7 @@ struct ExportArguments {
   std::string rules;
   std::string zones;
   std::string places;
+  std::string area;
   ClassNames class_names;
   ExportRequest request;
   LoadArguments load;
@@ -90,6 +93,15 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   remark(loaded.value, request);
   return written;
+}
+
+/// Throws: CLI::ValidationError for a text that is no polygon.
+Polygon sub_map_area_of(const std::string& text) {
+  auto ring = parse_points(text, "--area");
+  if (!ring) throw CLI::ValidationError("--area", ring.error().what);
+  auto area = make_polygon(*std::move(ring));
+  if (!area) throw CLI::ValidationError("--area", area.error().what);
+  return *std::move(area);
 }
 
 /// Whether the options go together, and the output is no input. Throws: CLI::ValidationError.
@@ -163,6 +175,12 @@ void add_export_command(CLI::App& program, Action& action) {
   command.add_flag("--without-objects",
                    arguments->request.without_objects,
                    "ros-map: the floor that the map's objects stand on is free");
+  command.add_option("--area",
+                     arguments->area,
+                     "ros-map: polygon \"x y,x y,x y,...\", metres: only cells whose interior it "
+                     "meets");
+  command.add_option(
+      "--frame", arguments->request.area_frame_id, "of --area (default: the layer's)");
   command.add_flag("--complete",
                    arguments->request.complete,
                    "geojson: also a guess of the box of objects that were seen from few sides");
@@ -181,16 +199,19 @@ void add_export_command(CLI::App& program, Action& action) {
                      "topological-map: YAML file with what belongs where, by which vertices bear "
                      "the class of their place (default: data/places.yaml)");
   arguments->class_names.add_to(command);
-  show_examples(command,
-                {"hypermap export lab.hmap --format ros-map --output lab_map",
-                 "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
-                 "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
-                 "hypermap export lab.hmap --format relations --output lab.dot",
-                 "hypermap export lab.hmap --format glb --with-voxels --output lab.glb",
-                 "hypermap export lab.hmap --format nav2 --output lab_nav2",
-                 "hypermap export lab.hmap --format geopackage --output lab.gpkg"});
+  show_examples(
+      command,
+      {"hypermap export lab.hmap --format ros-map --output lab_map",
+       "hypermap export lab.hmap --format ros-map --without-objects --output lab_floor",
+       "hypermap export lab.hmap --format ros-map --area \"0 0,4 0,4 3,0 3\" --output corner",
+       "hypermap export lab.hmap --format ply --class chair --output chairs.ply",
+       "hypermap export lab.hmap --format relations --output lab.dot",
+       "hypermap export lab.hmap --format glb --with-voxels --output lab.glb",
+       "hypermap export lab.hmap --format nav2 --output lab_nav2",
+       "hypermap export lab.hmap --format geopackage --output lab.gpkg"});
   command.callback([arguments, &action] {
     arguments->request.format = parse_export_format(arguments->format).value();
+    if (!arguments->area.empty()) arguments->request.area = sub_map_area_of(arguments->area);
     check(*arguments);
     action = [arguments] {
       const auto written = run(*arguments);

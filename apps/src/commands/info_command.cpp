@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "dataset_arguments.hpp"
 #include "hypermap/core/base/count_text.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/archive/archive_sizes.hpp"
 #include "hypermap/io/archive/map_sessions.hpp"
@@ -78,6 +79,15 @@ std::string bounds_text(const LayerSummary& layer) {
   return text + " m";
 }
 
+/// "occupancy: 60 x 40 cells of 0.05 m from (-1.500, -1.000), turned by 0.00 degrees".
+std::string lattice_text(const LayerSummary& layer) {
+  const GridGeometry& grid = *layer.grid;
+  return printable(layer.name) + ": " + std::to_string(grid.cols) + " x " +
+         std::to_string(grid.rows) + " cells of " + number_text(grid.resolution_m) + " m from (" +
+         fixed(grid.origin.x(), 3) + ", " + fixed(grid.origin.y(), 3) + "), turned by " +
+         fixed(grid.yaw_rad * 180.0 / std::numbers::pi, 2) + " degrees";
+}
+
 /// "morning: 0.0 s to 33.2 s, from lab".
 std::string session_text(const MapSession& session) {
   std::string text = printable(name_of(session)) + ": ";
@@ -87,6 +97,17 @@ std::string session_text(const MapSession& session) {
     text += "times unknown";
   }
   return text + ", from " + printable(session.input);
+}
+
+/// How grids lie, and what stacks and supercells are made of.
+void print_parts(const ArchiveInfo& info) {
+  for (const LayerSummary& layer : info.layers) {
+    if (layer.grid) std::printf("%s\n", lattice_text(layer).c_str());
+  }
+  for (const LayerSummary& layer : info.layers) {
+    if (layer.parts.empty()) continue;
+    std::printf("%s%s\n", printable(layer.name).c_str(), parts_text(layer).c_str());
+  }
 }
 
 void print(const ArchiveInfo& info) {
@@ -104,10 +125,7 @@ void print(const ArchiveInfo& info) {
               info.classes.size() == 1 ? "class" : "classes",
               count_text(info.transforms.size(), "transform").c_str(),
               static_cast<long long>(info.format_version));
-  for (const LayerSummary& layer : info.layers) {
-    if (layer.parts.empty()) continue;
-    std::printf("%s%s\n", printable(layer.name).c_str(), parts_text(layer).c_str());
-  }
+  print_parts(info);
   std::string relations;
   for (const RelationKind kind : kRelationKinds) {
     const std::size_t count = info.num_relations[static_cast<std::size_t>(kind)];

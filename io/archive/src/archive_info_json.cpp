@@ -18,6 +18,15 @@ std::string json_of(const Eigen::Vector3d& point, bool flat) {
   return text + "]";
 }
 
+std::string json_of(const GridGeometry& grid) {
+  return json_object({{"columns", std::to_string(grid.cols)},
+                      {"rows", std::to_string(grid.rows)},
+                      {"resolution_m", json_number(grid.resolution_m)},
+                      {"origin",
+                       "[" + json_number(grid.origin.x()) + "," + json_number(grid.origin.y()) +
+                           "," + json_number(grid.yaw_rad) + "]"}});
+}
+
 std::string json_of(const LayerSummary& layer) {
   std::string text = json_object({{"name", json_quoted(layer.name)},
                                   {"class", json_quoted(layer.class_name)},
@@ -28,6 +37,7 @@ std::string json_of(const LayerSummary& layer) {
                                          {"free", std::to_string(layer.cells->free)},
                                          {"unknown", std::to_string(layer.cells->unknown)},
                                          {"between", std::to_string(layer.cells->between)}});
+  if (layer.grid) text += ",\"grid\":" + json_of(*layer.grid);
   if (layer.num_objects) text += ",\"objects\":" + std::to_string(*layer.num_objects);
   if (layer.num_tentative) text += ",\"tentative\":" + std::to_string(*layer.num_tentative);
   for (const auto& [key, count] : {std::pair("leaves", layer.leaves), {"voxels", layer.voxels}}) {

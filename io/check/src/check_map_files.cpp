@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks of maps and of their parts.
 #include "file_checks.hpp"
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/places/topological_routes.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_server.hpp"
@@ -9,8 +10,12 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/embedding_file.hpp"
 #include "hypermap/io/codec/image_file.hpp"
+#include "hypermap/io/codec/point_cloud_file.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -122,6 +127,16 @@ Result<FileSummary> check_embedding(const std::filesystem::path& path) {
   const std::string model = file.model ? " of " + printable(*file.model) : "";
   return FileSummary{"embedding" + model + " of " + std::to_string(file.vector.size()) + " numbers",
                      {}};
+}
+
+Result<FileSummary> check_cloud(const std::filesystem::path& path) {
+  HYPERMAP_ASSIGN_OR_RETURN(const LabelledPoints cloud, read_point_cloud(path));
+  std::string summary = count_text(cloud.points.size(), "point");
+  if (cloud.num_unmeasured > 0)
+    summary += ", " + std::to_string(cloud.num_unmeasured) + " places without a measurement";
+  const std::set<std::int64_t> labels(cloud.labels.begin(), cloud.labels.end());
+  summary += cloud.labels.empty() ? ", no labels" : ", " + count_text(labels.size(), "label");
+  return FileSummary{std::move(summary), {}};
 }
 
 }  // namespace hypermap

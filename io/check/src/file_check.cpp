@@ -43,6 +43,8 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
       return check_tile(path);
     case FileKind::kEmbedding:
       return check_embedding(path);
+    case FileKind::kCloud:
+      return check_cloud(path);
     default:
       break;
   }

@@ -49,5 +49,6 @@ struct FileSummary {
 /// tiles; else one of [sogm]'s public implementation.
 [[nodiscard]] Result<FileSummary> check_tile(const std::filesystem::path& path);
 [[nodiscard]] Result<FileSummary> check_embedding(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_cloud(const std::filesystem::path& path);
 
 }  // namespace hypermap

@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
+#include "hypermap/projection/layers/hypermap_query.hpp"
 #include "map_file_pair.hpp"
 
 #include <cmath>
@@ -14,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace hypermap {
 
@@ -44,6 +46,13 @@ std::string world_file(const GridGeometry& geometry) {
 
 std::string world_name(const std::string& image) {
   return std::filesystem::path(image).replace_extension(".pgw").string();
+}
+
+/// The error of a sub-map with the flag that gave its cause.
+Unexpected of_area(Error error) {
+  if (error.field == "area") error.field = "--area";
+  if (error.field == "frame_id") error.field = "--frame";
+  return Unexpected(std::move(error));
 }
 
 }  // namespace
@@ -103,6 +112,14 @@ Result<WrittenFiles> export_ros_map(const MapArchive& archive, const ExportReque
   OccupancyLayer map = *layer->content.as<OccupancyLayer>();
   if (request.without_objects) {
     HYPERMAP_ASSIGN_OR_RETURN(map, without_objects(archive, *layer, ObjectRims::kGo));
+  }
+  if (request.area) {
+    auto part = sub_map({.info = layer->info, .content = std::move(map)},
+                        archive.hypermap.frames(),
+                        request.area_frame_id,
+                        *request.area);
+    if (!part) return of_area(part.error());
+    map = *std::move(part);
   }
   const OccupancyCounts counts = map.grid.counts();
   if (counts.occupied + counts.free + counts.between == 0) return WrittenFiles{};

@@ -99,6 +99,15 @@ Result<void> validate(const ExportRequest& request) {
                 "goes with --format ros-map, not with " + flag_of(request.format),
                 "--without-objects");
   }
+  if (request.area && request.format != ExportFormat::kRosMap) {
+    return fail(ErrorCode::kInvalidArgument,
+                "goes with --format ros-map, not with " + flag_of(request.format) +
+                    "; crop makes a part of a whole map",
+                "--area");
+  }
+  if (!request.area_frame_id.empty() && !request.area) {
+    return fail(ErrorCode::kInvalidArgument, "needs --area", "--frame");
+  }
   if (request.keep_rotation && request.format == ExportFormat::kNav2) {
     return fail(ErrorCode::kInvalidArgument,
                 "does not go with --format nav2, whose filters do not turn masks",

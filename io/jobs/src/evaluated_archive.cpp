@@ -6,6 +6,9 @@
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
 #include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/map_layers.hpp"
+#include "hypermap/io/archive/semantic_yaml.hpp"
+#include "hypermap/io/codec/file_kind.hpp"
 #include "hypermap/projection/layers/evaluated_objects.hpp"
 
 #include <algorithm>
@@ -54,13 +57,51 @@ std::optional<BelievedObject> believed(const Object& object,
   return result;
 }
 
+Result<MapArchive> archive_of(const std::filesystem::path& path, const EvaluatedSource& source) {
+  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
+                            load_archive(path, source.limits, archive_layer_types(), source.stop));
+  return std::move(loaded.value);
+}
+
+/// An archive whose only layer is a semantic YAML file.
+Result<MapArchive> archive_of_shapes(const std::filesystem::path& path,
+                                     const EvaluatedSource& source) {
+  const LoadBudget budget(source.limits.sums, source.stop);
+  HYPERMAP_ASSIGN_OR_RETURN(auto layer, read_semantic_layer(path, {}, budget));
+  MapArchive archive;
+  HYPERMAP_TRY(archive.hypermap.add_layer({{.name = source.layer}, std::move(layer.value)}));
+  return archive;
+}
+
 }  // namespace
+
+Result<UnderstoodVoxels> understood_voxels(const MapArchive& archive) {
+  UnderstoodVoxels voxels{.leaves = shown_leaves(archive), .classes = archive.classes};
+  if (archive.vocabulary.empty()) return voxels;
+  voxels.classes = {};
+  std::vector<ClassId> meant;
+  meant.reserve(archive.classes.size());
+  for (const std::string& name : archive.classes.names()) {
+    HYPERMAP_ASSIGN_OR_RETURN(const ClassId id,
+                              voxels.classes.add(archive.vocabulary.shown_class(name)));
+    meant.push_back(id);
+  }
+  voxels.leaves = [leaves = std::move(voxels.leaves), meant](const LeafVisitor& visit) {
+    leaves([&](const LeafSample& leaf) {
+      LeafSample understood = leaf;
+      if (leaf.best_class) understood.best_class = meant[leaf.best_class->value];
+      visit(understood);
+    });
+  };
+  return voxels;
+}
 
 Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
                                         const EvaluatedSource& source) {
-  HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
-                            load_archive(path, source.limits, archive_layer_types(), source.stop));
-  EvaluatedArchive result{.archive = std::move(loaded.value)};
+  const bool is_bare = find_file_kind(path) == FileKind::kSemantic;
+  HYPERMAP_ASSIGN_OR_RETURN(MapArchive archive,
+                            is_bare ? archive_of_shapes(path, source) : archive_of(path, source));
+  EvaluatedArchive result{.archive = std::move(archive)};
   const auto found = result.archive.hypermap.at(source.layer);
   if (!found) return Unexpected(with_source(found.error(), {path.string()}));
   const auto* semantic = (*found)->content.as<SemanticLayer>();
@@ -68,7 +109,7 @@ Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
     return Unexpected(
         Error{ErrorCode::kUnsupported, "is no semantic layer", path.string(), source.layer});
   }
-  result.frame_id = (*found)->info.frame_id;
+  if (!is_bare) result.frame_id = (*found)->info.frame_id;
   result.objects = evaluated_objects(*semantic);
   for (std::size_t i = 0; i < result.objects.size(); ++i) {
     const std::uint64_t id = semantic->objects()[i].id;
@@ -83,7 +124,8 @@ Result<EvaluatedArchive> load_in_frame(const std::filesystem::path& path,
                                        const EvaluatedSource& source,
                                        const std::string& frame_id) {
   HYPERMAP_ASSIGN_OR_RETURN(EvaluatedArchive loaded, load_evaluated(path, source));
-  if (loaded.frame_id == frame_id) return loaded;
+  const bool is_said = !loaded.frame_id.empty() && !frame_id.empty();
+  if (!is_said || loaded.frame_id == frame_id) return loaded;
   return Unexpected(Error{.code = ErrorCode::kUnsupported,
                           .what = "is in frame " + printable(loaded.frame_id) +
                                   ", must be in that of the truth: " + printable(frame_id),

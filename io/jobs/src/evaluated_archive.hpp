@@ -3,8 +3,10 @@
 /// An archive as evaluations see it: shapes, boxes, beliefs, voxels.
 #pragma once
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 #include "hypermap/core/evaluation/object_predictions.hpp"
+#include "hypermap/core/geometry/leaf.hpp"
 #include "hypermap/core/vocabulary/class_vocabulary.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 
@@ -16,7 +18,8 @@
 
 namespace hypermap {
 
-/// The objects of a layer, the frame in which they are given, and all else of their archive.
+/// The objects of a layer, the frame in which they are given (empty where the file does not say
+/// it), and all else of their archive.
 struct EvaluatedArchive {
   MapArchive archive = {};
   std::vector<EvaluatedObject> objects = {};
@@ -30,9 +33,11 @@ struct EvaluatedSource {
   StopCheck stop = {};
 };
 
-/// Boxes that the layer does not give are those of the archive's objects of the same ids.
-/// Errors: those of load_archive; kNotFound when there is no such layer; kUnsupported when it is no
-/// semantic one.
+/// An archive, a bare configuration, or a semantic YAML file by itself, which is the layer,
+/// whatever its name, in the frame of what it is held against. Boxes that the layer does not give
+/// are those of the archive's objects of the same ids. Errors: those of load_archive and
+/// read_semantic_layer; kNotFound when there is no such layer; kUnsupported when it is no semantic
+/// one.
 [[nodiscard]] Result<EvaluatedArchive> load_evaluated(const std::filesystem::path& path,
                                                       const EvaluatedSource& source);
 
@@ -45,6 +50,14 @@ struct EvaluatedSource {
 /// Names of classes become what they mean by the vocabulary: in the objects, in the true surfaces,
 /// and wherever the archive is asked.
 void understand(EvaluatedArchive& evaluated, const ClassVocabulary& vocabulary);
+
+/// Voxels with the classes that their names mean by the archive's vocabulary.
+struct UnderstoodVoxels {
+  LeafSource leaves;
+  ClassRegistry classes;
+};
+/// Requires: the archive outlives them. Errors: of ClassRegistry::add.
+[[nodiscard]] Result<UnderstoodVoxels> understood_voxels(const MapArchive& archive);
 
 /// The vocabulary that was given, else the map's, else the truth's.
 [[nodiscard]] ClassVocabulary vocabulary_of(const std::optional<ClassVocabulary>& given,

@@ -3,8 +3,6 @@
 
 #include "evaluated_archive.hpp"
 #include "evaluated_relations.hpp"
-#include "hypermap/core/base/class_registry.hpp"
-#include "hypermap/io/archive/map_layers.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -19,33 +17,6 @@ namespace {
 
 EvaluatedSource source_of(const EvaluationJob& job) {
   return {.layer = job.layer, .limits = job.limits, .stop = job.stop};
-}
-
-/// Voxels with the classes that their names mean by the archive's vocabulary.
-struct UnderstoodVoxels {
-  LeafSource leaves;
-  ClassRegistry classes;
-};
-
-Result<UnderstoodVoxels> understood_voxels(const MapArchive& archive) {
-  UnderstoodVoxels voxels{.leaves = shown_leaves(archive), .classes = archive.classes};
-  if (archive.vocabulary.empty()) return voxels;
-  voxels.classes = {};
-  std::vector<ClassId> meant;
-  meant.reserve(archive.classes.size());
-  for (const std::string& name : archive.classes.names()) {
-    HYPERMAP_ASSIGN_OR_RETURN(const ClassId id,
-                              voxels.classes.add(archive.vocabulary.shown_class(name)));
-    meant.push_back(id);
-  }
-  voxels.leaves = [leaves = std::move(voxels.leaves), meant](const LeafVisitor& visit) {
-    leaves([&](const LeafSample& leaf) {
-      LeafSample understood = leaf;
-      if (leaf.best_class) understood.best_class = meant[leaf.best_class->value];
-      visit(understood);
-    });
-  };
-  return voxels;
 }
 
 std::string extension_frame(const MapArchive& archive, std::string_view format) {
@@ -187,6 +158,8 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   EvaluationOutcome outcome{.report = evaluate(map.objects, truth.objects, options),
                             .knows_frames_named = knows_frames_named(truth.objects)};
   outcome.truths = true_object_outcomes(outcome.report, map, truth);
+  outcome.plan =
+      compared_plan({map.objects, map.ids}, {truth.objects, truth.ids}, outcome.report, options);
   outcome.why_no_voxels = why_no_voxels(map.archive, truth.archive);
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));

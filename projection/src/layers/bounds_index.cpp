@@ -90,6 +90,20 @@ void BoundsIndex::remove(Objects objects, const SemanticObject& object) noexcept
   give_up();
 }
 
+void BoundsIndex::change_many(Objects objects,
+                              std::span<const ObjectBounds> gone,
+                              std::span<const ObjectBounds> come) noexcept try {
+  if (!is_whole_ || gone.size() + come.size() > objects.size()) {
+    tree_->boxes = packed(objects);
+    is_whole_ = true;
+    return;
+  }
+  for (const auto& [rect, id] : gone) tree_->boxes.remove({box_of(rect), id});
+  for (const auto& [rect, id] : come) tree_->boxes.insert({box_of(rect), id});
+} catch (const std::bad_alloc&) {
+  give_up();
+}
+
 std::vector<std::uint64_t> BoundsIndex::find(Objects objects, const Rect& rect) const {
   std::vector<std::uint64_t> ids;
   if (is_whole_) {

@@ -14,7 +14,14 @@
 
 namespace hypermap {
 
-/// An R-tree beside the objects, which each call is given as they are before its change.
+/// Where an object lies.
+struct ObjectBounds {
+  Rect bounds;
+  std::uint64_t id = 0;
+};
+
+/// An R-tree beside the objects, which each call is given as they are before its change, but for
+/// `change_many`.
 ///
 /// Boost's tree need not survive memory that ends within a change. It is given up then, and all
 /// objects are looked at until a later change has made the tree anew: what is found stays right.
@@ -37,6 +44,12 @@ class BoundsIndex {
   void replace(Objects objects, const SemanticObject& old, const SemanticObject& object);
   /// `object` is one of the objects.
   void remove(Objects objects, const SemanticObject& object) noexcept;
+  /// Many changes at once: `objects` are those after it, `gone` those that are no more or that lie
+  /// elsewhere now, `come` the new ones and these again. Where most objects change the tree is
+  /// packed anew.
+  void change_many(Objects objects,
+                   std::span<const ObjectBounds> gone,
+                   std::span<const ObjectBounds> come) noexcept;
 
   /// Ids of the objects whose bounds meet the rectangle, in no order.
   [[nodiscard]] std::vector<std::uint64_t> find(Objects objects, const Rect& rect) const;

@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/core/base/utf8.hpp"
+#include "hypermap/projection/grids/grid_patch.hpp"
 #include "hypermap/projection/layers/layer_members.hpp"
 
 #include <algorithm>
@@ -32,6 +33,13 @@ auto find_layer(Layers& layers, std::string_view name) {
 /// Where a layer of this form has its place behind all others of it.
 std::vector<Layer>::iterator end_of_form(std::vector<Layer>& layers, bool strict) {
   return strict ? std::find_if_not(layers.begin(), layers.end(), is_strict_form) : layers.end();
+}
+
+Unexpected of_other_class(const Layer& layer, std::string_view expected) {
+  return fail(ErrorCode::kUnsupported,
+              printable(layer.info.name) + " is of class " + printable(class_of(layer)) +
+                  ", the update is for one of " + std::string(expected),
+              "layer");
 }
 
 }  // namespace
@@ -106,13 +114,37 @@ Result<void> Hypermap::put_layer(Layer layer) {
   return set_content(layer.info.name, std::move(layer.content));
 }
 
-Result<void> Hypermap::update(std::string_view name, const LayerContent& update) {
+Result<const Layer*> Hypermap::updatable(std::string_view name) const {
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, at(name));
-  if (!layer->info.enable_update.value_or(true)) {
-    return fail(ErrorCode::kUnsupported, "takes no updates, as its enable_update says", "layer");
-  }
+  if (layer->info.enable_update.value_or(true)) return layer;
+  return fail(ErrorCode::kUnsupported,
+              printable(name) + " takes no updates, as its enable_update says",
+              "layer");
+}
+
+Result<void> Hypermap::update(std::string_view name, const LayerContent& update) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, updatable(name));
   HYPERMAP_ASSIGN_OR_RETURN(LayerContent content, layer->content->updated(update));
   return set_content(name, std::move(content));
+}
+
+Result<SemanticUpdateReport> Hypermap::update(std::string_view name, const SemanticUpdate& update) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, updatable(name));
+  const auto* shapes = layer->content.as<SemanticLayer>();
+  if (shapes == nullptr) return of_other_class(*layer, kSemanticLayerClass);
+  SemanticLayer changed = *shapes;
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticUpdateReport report, changed.apply(update));
+  HYPERMAP_TRY(set_content(name, std::move(changed)));
+  return report;
+}
+
+Result<void> Hypermap::update(std::string_view name, const OccupancyGrid& part) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer, updatable(name));
+  const auto* cells = layer->content.as<OccupancyLayer>();
+  if (cells == nullptr) return of_other_class(*layer, kOccupancyLayerClass);
+  OccupancyLayer changed = *cells;
+  HYPERMAP_ASSIGN_OR_RETURN(changed.grid, patched(std::move(changed.grid), part));
+  return set_content(name, std::move(changed));
 }
 
 bool Hypermap::remove_layer(std::string_view name) {

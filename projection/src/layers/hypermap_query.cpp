@@ -2,6 +2,7 @@
 #include "hypermap/projection/layers/hypermap_query.hpp"
 
 #include "hypermap/core/geometry/polygon_motion.hpp"
+#include "hypermap/projection/grids/cropped_grid.hpp"
 
 #include <cmath>
 #include <set>
@@ -85,6 +86,29 @@ Result<Answers> query_int(const Hypermap& map,
                           std::int64_t value,
                           const std::optional<Polygon>& area) {
   return run_query(map, scope, {.value = value, .area = area});
+}
+
+Result<OccupancyLayer> sub_map(const Layer& layer,
+                               const FrameTree& frames,
+                               std::string_view frame_id,
+                               const Polygon& area) {
+  HYPERMAP_TRY(check_finite(area));
+  const auto* cells = layer.content.as<OccupancyLayer>();
+  if (cells == nullptr) {
+    return fail(ErrorCode::kUnsupported,
+                printable(layer.info.name) + " is of class " + printable(class_of(layer)) +
+                    ", only " + std::string(kOccupancyLayerClass) + " has sub-maps",
+                "layer");
+  }
+  const std::string_view asked_in = frame_id.empty() ? layer.info.frame_id : frame_id;
+  HYPERMAP_ASSIGN_OR_RETURN(const Eigen::Isometry2d layer_from_area,
+                            frames.to_from(layer.info.frame_id, asked_in));
+  auto part = sub_map(cells->grid, moved(area, layer_from_area));
+  if (!part) {
+    return fail(
+        ErrorCode::kNotFound, "meets no cell of layer " + printable(layer.info.name), "area");
+  }
+  return OccupancyLayer(*std::move(part), cells->extra);
 }
 
 std::vector<std::string> distinct_names(const std::vector<LayerAnswer>& answers) {

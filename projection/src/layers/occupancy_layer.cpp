@@ -25,7 +25,7 @@ bool is_asked_for(std::int8_t occupancy, const LayerQuery& query) {
 }  // namespace
 
 LayerStatistics OccupancyLayer::statistics() const {
-  LayerStatistics statistics{.cells = grid.counts()};
+  LayerStatistics statistics{.cells = grid.counts(), .grid = grid.geometry()};
   if (grid.geometry().num_cells() == 0) return statistics;
   const Rect rect = hypermap::bounds(grid.geometry());
   statistics.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(rect.min.x(), rect.min.y(), 0.0),

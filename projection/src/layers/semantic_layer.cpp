@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
-#include "bounds_index.hpp"
-#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/utf8.hpp"
+#include "semantic_layer_impl.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <utility>
 
 namespace hypermap {
@@ -15,54 +13,54 @@ namespace {
 
 using Ids = std::vector<std::uint64_t>;
 
-Unexpected invalid(const SemanticObject& object, std::string what, std::string field) {
-  Error error{
-      .code = ErrorCode::kInvalidArgument, .what = std::move(what), .field = std::move(field)};
+Result<void> validate_name(const SemanticObject& object) {
+  const std::string& name = object.name;
+  if (name.empty()) return refused_object(object, "must not be empty", "name");
+  if (name.size() > SemanticLayer::kMaxNameBytes) {
+    return refused_object(object,
+                          "has " + std::to_string(name.size()) + " bytes, the limit is " +
+                              std::to_string(SemanticLayer::kMaxNameBytes),
+                          "name");
+  }
+  if (first_bad_utf8(name) < name.size()) return refused_object(object, "is no UTF-8", "name");
+  return {};
+}
+
+}  // namespace
+
+Unexpected refused_object(const SemanticObject& object,
+                          std::string what,
+                          std::string field,
+                          ErrorCode code) {
+  Error error{.code = code, .what = std::move(what), .field = std::move(field)};
   error.entry = "object " + std::to_string(object.id) + " (" + printable(object.name, 40) + ")";
   return Unexpected(std::move(error));
 }
 
-Result<void> validate_name(const SemanticObject& object) {
-  const std::string& name = object.name;
-  if (name.empty()) return invalid(object, "must not be empty", "name");
-  if (name.size() > SemanticLayer::kMaxNameBytes) {
-    return invalid(object,
-                   "has " + std::to_string(name.size()) + " bytes, the limit is " +
-                       std::to_string(SemanticLayer::kMaxNameBytes),
-                   "name");
-  }
-  if (first_bad_utf8(name) < name.size()) return invalid(object, "is no UTF-8", "name");
-  return {};
+Unexpected too_many_objects() {
+  return fail(ErrorCode::kLimit,
+              "more than " + std::to_string(SemanticLayer::kMaxObjects) + " objects",
+              "objects");
 }
 
-Result<void> validate(const SemanticObject& object) {
+Result<void> validate_object(const SemanticObject& object) {
   HYPERMAP_TRY(validate_name(object));
-  if (object.parts.empty()) return invalid(object, "has no polygon", "shape");
+  if (object.parts.empty()) return refused_object(object, "has no polygon", "shape");
   for (const double confidence : object.confidence) {
     if (!(confidence >= 0.0 && confidence <= 1.0)) {
-      return invalid(object, "must be from 0 to 1, is " + std::to_string(confidence), "confidence");
+      return refused_object(
+          object, "must be from 0 to 1, is " + std::to_string(confidence), "confidence");
     }
   }
   const std::size_t count = object.confidence.size();
   if (count > 1 && count != object.tags.size()) {
-    return invalid(object,
-                   std::to_string(count) + " values for " + std::to_string(object.tags.size()) +
-                       " tags, expected one for each",
-                   "confidence");
+    return refused_object(object,
+                          std::to_string(count) + " values for " +
+                              std::to_string(object.tags.size()) + " tags, expected one for each",
+                          "confidence");
   }
   return {};
 }
-
-bool has_lower_id(const SemanticObject& object, std::uint64_t id) {
-  return object.id < id;
-}
-
-Ids sorted(Ids ids) {
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
-}  // namespace
 
 std::optional<double> confidence_of(const SemanticObject& object) {
   const auto best = std::max_element(object.confidence.begin(), object.confidence.end());
@@ -90,46 +88,6 @@ Rect bounds_of(const SemanticObject& object) {
   return rect;
 }
 
-struct SemanticLayer::Impl {
-  std::vector<SemanticObject> objects;  // ascending ids
-  BoundsIndex index;
-  std::set<std::pair<std::string, std::uint64_t>> names;  // canonical names, with ids
-
-  auto place(std::uint64_t id) {
-    return std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
-  }
-  [[nodiscard]] const SemanticObject* find(std::uint64_t id) const {
-    const auto found = std::lower_bound(objects.begin(), objects.end(), id, has_lower_id);
-    return found != objects.end() && found->id == id ? &*found : nullptr;
-  }
-  /// Under which name the object is found. Requires: it is there.
-  [[nodiscard]] auto name_of(const SemanticObject& object) const {
-    return names.find({canonical_class_name(object.name), object.id});
-  }
-  /// Names the object, then changes the index; neither when memory ends. Tells the name's place.
-  template <class Change>
-  auto announce(const SemanticObject& object, const Change& change) {
-    const auto [name, is_new] = names.emplace(canonical_class_name(object.name), object.id);
-    try {
-      change();
-    } catch (...) {
-      if (is_new) names.erase(name);
-      throw;
-    }
-    return name;
-  }
-  /// Ids of those whose bounds meet the box and whose shape passes the exact test.
-  template <class ExactTest>
-  [[nodiscard]] Ids select(const Rect& rect, const ExactTest& meets) const {
-    Ids ids = index.find(objects, rect);
-    std::erase_if(ids, [&](std::uint64_t id) {
-      const SemanticObject& object = *find(id);
-      return std::none_of(object.parts.begin(), object.parts.end(), meets);
-    });
-    return sorted(std::move(ids));
-  }
-};
-
 SemanticLayer::SemanticLayer() : impl_(std::make_unique<Impl>()) {}
 SemanticLayer::SemanticLayer(const SemanticLayer& other)
     : MapLayer(other), impl_(std::make_unique<Impl>(*other.impl_)) {}
@@ -142,16 +100,14 @@ SemanticLayer& SemanticLayer::operator=(SemanticLayer&& other) noexcept = defaul
 SemanticLayer::~SemanticLayer() = default;
 
 Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects) {
-  if (objects.size() > kMaxObjects) {
-    return fail(
-        ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
-  }
-  for (const SemanticObject& object : objects) HYPERMAP_TRY(validate(object));
+  if (objects.size() > kMaxObjects) return too_many_objects();
+  for (const SemanticObject& object : objects) HYPERMAP_TRY(validate_object(object));
   std::sort(
       objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   const auto duplicate = std::adjacent_find(
       objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id == b.id; });
-  if (duplicate != objects.end()) return invalid(*duplicate, "is borne by two objects", "id");
+  if (duplicate != objects.end())
+    return refused_object(*duplicate, "is borne by two objects", "id");
   SemanticLayer layer;
   for (const SemanticObject& object : objects)
     layer.impl_->names.emplace(canonical_class_name(object.name), object.id);
@@ -161,12 +117,9 @@ Result<SemanticLayer> SemanticLayer::create(std::vector<SemanticObject> objects)
 }
 
 Result<void> SemanticLayer::add(SemanticObject object) {
-  HYPERMAP_TRY(validate(object));
-  if (find(object.id) != nullptr) return invalid(object, "is borne by another object", "id");
-  if (impl_->objects.size() >= kMaxObjects) {
-    return fail(
-        ErrorCode::kLimit, "more than " + std::to_string(kMaxObjects) + " objects", "objects");
-  }
+  HYPERMAP_TRY(validate_object(object));
+  if (find(object.id) != nullptr) return refused_object(object, "is borne by another object", "id");
+  if (impl_->objects.size() >= kMaxObjects) return too_many_objects();
   auto& objects = impl_->objects;
   if (objects.size() == objects.capacity()) objects.reserve(2 * objects.size() + 1);
   impl_->announce(object, [&] { impl_->index.insert(objects, object); });
@@ -179,7 +132,7 @@ Result<void> SemanticLayer::replace(SemanticObject object) {
   if (old == nullptr) {
     return fail(ErrorCode::kNotFound, "no object has the id " + std::to_string(object.id), "id");
   }
-  HYPERMAP_TRY(validate(object));
+  HYPERMAP_TRY(validate_object(object));
   const auto old_name = impl_->name_of(*old);
   const auto name =
       impl_->announce(object, [&] { impl_->index.replace(impl_->objects, *old, object); });

@@ -223,5 +223,23 @@ TEST(SemanticYaml, TheLaboratoryHasTwentyEightObjects) {
   EXPECT_EQ(layer->value.objects().size(), 28U);
 }
 
+TEST(SemanticYaml, MoreObjectsThanOtherTextsMayHaveAreRead) {
+  constexpr std::size_t kCount = 150'000;
+  std::string yaml;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    yaml +=
+        "- name: a class with a name that is not short at all, so that the text is long\n"
+        "  shape: POLYGON((0 0,1 0,1 1,0 0))\n  tags: ~\n  confidence: 0.5\n";
+  }
+  ASSERT_GT(yaml.size(), YamlLimits{}.max_bytes);
+  EXPECT_EQ(parsed_layer(yaml).value.objects().size(), kCount);
+  SemanticReadOptions few;
+  few.yaml.max_bytes = 1000;
+  const auto refused = parse_semantic_layer(yaml, kLayerSource, few);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kLimit);
+  EXPECT_THAT(refused.error().what, HasSubstr("the limit for YAML is 1000"));
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -2,11 +2,13 @@
 #include "hypermap/io/jobs/evaluation_job.hpp"
 
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/io/archive/semantic_yaml.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -250,6 +252,29 @@ TEST_F(EvaluationJobTest, AnOlderTruthStillServesAndItIsSaidWhatIsNotEvaluated) 
   EXPECT_EQ(
       run_evaluation({.map = dir / "flat.hmap", .truth = dir / "new.hmap"}).value().why_no_voxels,
       "the map has no octree");
+}
+
+TEST_F(EvaluationJobTest, SemanticFilesAreMapsAndTruthsOfAnyFrame) {
+  const auto write = [&](const std::string& name, const SemanticLayer& layer) {
+    std::ofstream(dir / name) << write_semantic_layer(layer);
+    return dir / name;
+  };
+  const auto truth = write("truth.yaml", chairs_at({0, 2}));
+  const auto map = write("map.yaml", chairs_at({0.1}));
+  const auto lab = saved("lab.hmap", chairs_at({0.1, 2.1}), "lab");
+  const auto bare = run_evaluation({.map = map, .truth = truth, .against = lab});
+  ASSERT_TRUE(bare) << to_string(bare.error());
+  EXPECT_DOUBLE_EQ(*bare->report.all.one_to_one.recall, 0.5);
+  EXPECT_NEAR(*bare->report.all.one_to_one.distance_m, 0.1, 1e-9);
+  EXPECT_TRUE(bare->against);
+  EXPECT_DOUBLE_EQ(
+      *run_evaluation({.map = lab, .truth = truth}).value().report.all.one_to_one.recall, 1.0);
+  EXPECT_TRUE(run_evaluation({.map = map, .truth = lab}));
+  std::ofstream(dir / "bad.yaml") << "- name: chair\n  shape: POLYGON((0 0, 1 1))\n";
+  const auto refused = run_evaluation({.map = dir / "bad.yaml", .truth = truth});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().file, (dir / "bad.yaml").string());
+  EXPECT_EQ(refused.error().line, 2);
 }
 
 }  // namespace

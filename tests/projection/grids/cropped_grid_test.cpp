@@ -57,5 +57,30 @@ TEST(CroppedGrid, OfNoCellIsOneUnknownCell) {
   EXPECT_EQ(cropped(OccupancyGrid(), [](const Eigen::Vector2d&) { return true; }), OccupancyGrid());
 }
 
+// The area meets the interiors of the first two cells of the first row, and touches the edges of
+// those around: from x = 10.9 to 12 and y = 20 to 21.
+TEST(SubMap, HoldsTheCellsWhoseInteriorTheAreaMeets) {
+  const auto part =
+      sub_map(six_cells(0.0), make_polygon({{10.9, 20}, {12, 20}, {12, 21}, {10.9, 21}}).value());
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->geometry(),
+            (GridGeometry{.resolution_m = 1.0, .origin = {10, 20}, .cols = 2, .rows = 1}));
+  EXPECT_EQ(std::vector<std::int8_t>(part->cells().begin(), part->cells().end()),
+            (std::vector<std::int8_t>{0, 100}));
+}
+
+// The hypotenuse leaves the first row at (11, 21), so of the second row it meets the first cell.
+TEST(SubMap, IsUnknownWhereTheAreaMeetsNoCell) {
+  const auto part = sub_map(six_cells(0.0), make_polygon({{9, 20}, {13, 20}, {9, 22}}).value());
+  ASSERT_TRUE(part);
+  EXPECT_EQ(std::vector<std::int8_t>(part->cells().begin(), part->cells().end()),
+            (std::vector<std::int8_t>{0, 100, 7, 100, -1, -1}));
+}
+
+TEST(SubMap, OfAnAreaBesideTheGridIsNone) {
+  EXPECT_FALSE(sub_map(six_cells(0.2), make_polygon({{0, 0}, {1, 0}, {1, 1}}).value()));
+  EXPECT_FALSE(sub_map(six_cells(0.0), make_polygon({{9, 20}, {10, 20}, {10, 21}}).value()));
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -130,5 +130,23 @@ TEST(HypermapQuery, NamesAreListedOnceInTheirOrder) {
               ElementsAre("cup", "chair"));
 }
 
+// The room lies at (10, 0) of the map, turned by 90 degrees: its (0.2, 9.5) is (0.5, 0.2) there.
+TEST(HypermapQuery, ASubMapOfAnAreaInAnyFrame) {
+  const Hypermap map = example();
+  const Layer& layer = **map.at("occupancy");
+  const auto in_map = sub_map(layer, map.frames(), "", rectangle(0.2, 0.2, 1.5, 0.8));
+  ASSERT_TRUE(in_map);
+  EXPECT_THAT(in_map->grid.cells(), ElementsAre(0, 100));
+  const auto in_room = sub_map(layer, map.frames(), "room", rectangle(0.2, 8.5, 0.8, 9.8));
+  ASSERT_TRUE(in_room) << to_string(in_room.error());
+  EXPECT_EQ(*in_room, *in_map);
+  EXPECT_EQ(sub_map(layer, map.frames(), "cellar", rectangle(0, 0, 1, 1)).error().code,
+            ErrorCode::kNotFound);
+  EXPECT_EQ(sub_map(layer, map.frames(), "", rectangle(7, 7, 8, 8)).error().code,
+            ErrorCode::kNotFound);
+  EXPECT_EQ(sub_map(**map.at("things"), map.frames(), "", rectangle(0, 0, 1, 1)).error().code,
+            ErrorCode::kUnsupported);
+}
+
 }  // namespace
 }  // namespace hypermap

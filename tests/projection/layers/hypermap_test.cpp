@@ -63,5 +63,29 @@ TEST(Hypermap, ALayerHasAFrame) {
   EXPECT_EQ(map.add_layer(nowhere).error().field, "frame_id");
 }
 
+TEST(Hypermap, APartOfAGridTakesThePlaceOfItsCells) {
+  const auto cells = [](const GridGeometry& geometry, std::int8_t value) {
+    return OccupancyGrid::create(geometry, value).value();
+  };
+  const GridGeometry whole{.resolution_m = 1.0, .cols = 3, .rows = 1};
+  const GridGeometry middle{.resolution_m = 1.0, .origin = {1, 0}, .cols = 1, .rows = 1};
+  Hypermap map;
+  for (const bool open : {true, false}) {
+    ASSERT_TRUE(map.add_layer({.info = {.name = open ? "open" : "shut", .enable_update = open},
+                               .content = OccupancyLayer(cells(whole, 0))}));
+  }
+  ASSERT_TRUE(map.add_layer({.info = {.name = "shapes"}, .content = SemanticLayer()}));
+  ASSERT_TRUE(map.update("open", cells(middle, 100)));
+  const auto& grid = map.find_as<OccupancyLayer>("open")->grid;
+  EXPECT_EQ(std::vector<std::int8_t>(grid.cells().begin(), grid.cells().end()),
+            (std::vector<std::int8_t>{0, 100, 0}));
+  EXPECT_EQ(map.update("shut", cells(middle, 100)).error().code, ErrorCode::kUnsupported);
+  EXPECT_EQ(map.find_as<OccupancyLayer>("shut")->grid, cells(whole, 0));
+  EXPECT_EQ(map.update("shapes", cells(middle, 100)).error().code, ErrorCode::kUnsupported);
+  GridGeometry beyond = middle;
+  beyond.origin.x() = 3;
+  EXPECT_EQ(map.update("open", cells(beyond, 0)).error().code, ErrorCode::kInvalidArgument);
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory ends within the edits of a semantic layer: a program of its own.
 #include "hypermap/projection/layers/semantic_layer.hpp"
+#include "hypermap/projection/layers/semantic_update.hpp"
 #include "support/allocation_faults.hpp"
 #include "support/sanitized.hpp"
 
@@ -93,8 +94,15 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair<const char*, Edit>{
             "Replace",
             [](SemanticLayer& layer) { return layer.replace(square(40, 300, -300)).has_value(); }},
-        std::pair<const char*, Edit>{"Erase",
-                                     [](SemanticLayer& layer) { return layer.erase(40); }}),
+        std::pair<const char*, Edit>{"Erase", [](SemanticLayer& layer) { return layer.erase(40); }},
+        std::pair<const char*, Edit>{"Apply",
+                                     [](SemanticLayer& layer) {
+                                       return layer
+                                           .apply({.to_number = {square(0, 20, -10)},
+                                                   .to_modify = {{.id = 44, .name = "chair"}},
+                                                   .to_delete = {40}})
+                                           .has_value();
+                                     }}),
     [](const auto& edit) { return edit.param.first; });
 
 }  // namespace

@@ -47,7 +47,7 @@ Result<OccupancyLayer> MemberFileReader::grid(std::string_view suffix) {
 }
 
 Result<SemanticLayer> MemberFileReader::shapes(std::string_view suffix) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, take(suffix, limits_.max_text_bytes));
+  HYPERMAP_ASSIGN_OR_RETURN(const std::string text, take(suffix, limits_.max_shapes_bytes));
   HYPERMAP_ASSIGN_OR_RETURN(auto layer,
                             parse_semantic_layer(text, last_source_, {}, members_.budget()));
   keep(std::move(layer.findings));

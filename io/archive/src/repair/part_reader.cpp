@@ -37,7 +37,7 @@ Result<ReadPart<LayerContent>> PartReader::read_sound_shapes(const LayerEntry& e
   return read<LayerContent>([&](SalvagedMembers& members) -> Result<Loaded<LayerContent>> {
     const std::string name = stem_of(entry.info);
     HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml,
-                              members.take(name, "file", limits_.max_text_bytes));
+                              members.take(name, "file", limits_.max_shapes_bytes));
     HYPERMAP_ASSIGN_OR_RETURN(
         auto layer,
         parse_semantic_layer(yaml, members.source_of(name), {.skip_bad = true}, budget_));

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 14> kFileKindNames{"archive",
+constexpr std::array<std::string_view, 15> kFileKindNames{"archive",
                                                           "octree",
                                                           "map",
                                                           "image",
@@ -31,31 +31,25 @@ constexpr std::array<std::string_view, 14> kFileKindNames{"archive",
                                                           "dataset",
                                                           "truth",
                                                           "tile",
-                                                          "embedding"};
+                                                          "embedding",
+                                                          "cloud"};
 
 struct Hint {
   std::string_view text;
   FileKind kind;
 };
 
-constexpr std::array<Hint, 18> kExtensions{{{".hmap", FileKind::kArchive},
-                                            {".tile", FileKind::kTile},
-                                            {".ot", FileKind::kOctree},
-                                            {".bt", FileKind::kOctree},
-                                            {".png", FileKind::kImage},
-                                            {".jpg", FileKind::kImage},
-                                            {".jpeg", FileKind::kImage},
-                                            {".bmp", FileKind::kImage},
-                                            {".pgm", FileKind::kImage},
-                                            {".txt", FileKind::kTrajectory},
-                                            {".log", FileKind::kTrajectory},
-                                            {".tum", FileKind::kTrajectory},
-                                            {".json", FileKind::kDetections},
-                                            {".jsonl", FileKind::kDetections},
-                                            {".yaml", FileKind::kConfig},
-                                            {".yml", FileKind::kConfig},
-                                            {".npy", FileKind::kEmbedding},
-                                            {".zip", FileKind::kArchive}}};
+constexpr std::array<Hint, 20> kExtensions{
+    {{".hmap", FileKind::kArchive},    {".tile", FileKind::kTile},
+     {".ot", FileKind::kOctree},       {".bt", FileKind::kOctree},
+     {".png", FileKind::kImage},       {".jpg", FileKind::kImage},
+     {".jpeg", FileKind::kImage},      {".bmp", FileKind::kImage},
+     {".pgm", FileKind::kImage},       {".txt", FileKind::kTrajectory},
+     {".log", FileKind::kTrajectory},  {".tum", FileKind::kTrajectory},
+     {".json", FileKind::kDetections}, {".jsonl", FileKind::kDetections},
+     {".yaml", FileKind::kConfig},     {".yml", FileKind::kConfig},
+     {".npy", FileKind::kEmbedding},   {".pcd", FileKind::kCloud},
+     {".ply", FileKind::kCloud},       {".zip", FileKind::kArchive}}};
 
 /// First hint whose text the content holds.
 constexpr std::array<Hint, 8> kJsonHints{{{"\"detections\"", FileKind::kDetections},
@@ -186,6 +180,8 @@ std::optional<FileKind> by_content(std::string_view bytes) {
   if (bytes.starts_with("PK")) return FileKind::kArchive;
   if (bytes.starts_with("# Octomap")) return FileKind::kOctree;
   if (bytes.starts_with("\x93NUMPY")) return FileKind::kEmbedding;
+  if (bytes.starts_with("# .PCD") || bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
+    return FileKind::kCloud;
   if (is_image(bytes)) return image_kind(bytes);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");

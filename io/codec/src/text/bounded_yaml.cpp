@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/bounded_yaml.hpp"
 
+#include "flat_records.hpp"
 #include "hypermap/core/base/utf8.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "yaml_tree_builder.hpp"
@@ -129,6 +130,7 @@ Result<YamlDocument> parse_yaml(std::string_view bytes,
   }
   if (auto checked = check_encoding(bytes); !checked) return refuse(checked.error());
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (auto records = flat_records(bytes, limits)) return YamlDocument{source, *std::move(records)};
   auto tree = parse_tree(bytes, limits);
   if (!tree) return refuse(tree.error());
   return YamlDocument{source, std::move(*tree)};

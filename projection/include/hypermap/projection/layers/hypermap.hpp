@@ -12,6 +12,7 @@
 #include "hypermap/projection/layers/map_layer.hpp"
 #include "hypermap/projection/layers/occupancy_layer.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
+#include "hypermap/projection/layers/semantic_update.hpp"
 
 #include <concepts>
 #include <optional>
@@ -106,6 +107,14 @@ class Hypermap {
   /// Errors: kNotFound; kUnsupported when the layer's enable_update is false; those of the type.
   /// The layer is then as it was.
   [[nodiscard]] Result<void> update(std::string_view name, const LayerContent& update);
+  /// The same with single changes of a semantic layer, all or none. Errors: also kUnsupported for a
+  /// layer of another type; those of SemanticLayer::apply. Cost: of a copy of the layer, which
+  /// others may share.
+  [[nodiscard]] Result<SemanticUpdateReport> update(std::string_view name,
+                                                    const SemanticUpdate& update);
+  /// The same with the cells of a part of an occupancy layer, in the frame of the layer; its bounds
+  /// stay. Errors: as above; those of patched.
+  [[nodiscard]] Result<void> update(std::string_view name, const OccupancyGrid& part);
   /// Whether there was one.
   bool remove_layer(std::string_view name);
 
@@ -130,6 +139,9 @@ class Hypermap {
   friend bool operator==(const Hypermap&, const Hypermap&) = default;
 
  private:
+  /// The layer, if its flag allows updates.
+  [[nodiscard]] Result<const Layer*> updatable(std::string_view name) const;
+
   std::vector<Layer> layers_;
   FrameTree frames_;
   ValueTree extra_;

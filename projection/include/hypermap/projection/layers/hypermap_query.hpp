@@ -62,6 +62,15 @@ struct QueryScope {
     std::int64_t value,
     const std::optional<Polygon>& area = std::nullopt);
 
+/// The part of an occupancy layer that lies in an area of the frame `frame_id` (empty: the layer's
+/// own): the cells that an area query takes (sub_map of cropped_grid.hpp), in the layer's frame.
+/// Errors: as above; kUnsupported for a layer of another class; kNotFound when the area meets no
+/// cell.
+[[nodiscard]] Result<OccupancyLayer> sub_map(const Layer& layer,
+                                             const FrameTree& frames,
+                                             std::string_view frame_id,
+                                             const Polygon& area);
+
 /// The names of `answers` in order, each once: what getStrings lists.
 [[nodiscard]] std::vector<std::string> distinct_names(const std::vector<LayerAnswer>& answers);
 

@@ -33,6 +33,7 @@ class LayerWriter;
 /// How much a layer holds and where. Of the counts, the one that its kind has.
 struct LayerStatistics {
   std::optional<OccupancyCounts> cells = {};
+  std::optional<GridGeometry> grid = {};          ///< Of these cells.
   std::optional<std::size_t> num_objects = {};    ///< That the map shows.
   std::optional<std::size_t> num_tentative = {};  ///< Of tracked objects: not sure enough yet.
   std::optional<LeafCount> leaves = {};

@@ -22,6 +22,9 @@ namespace hypermap {
 
 inline constexpr std::string_view kSemanticLayerClass = "SemanticLayer";
 
+struct SemanticUpdate;
+struct SemanticUpdateReport;
+
 /// An object with a name and a shape.
 struct SemanticObject {
   std::uint64_t id = 0;             ///< Unique in its layer.
@@ -76,6 +79,14 @@ class SemanticLayer final : public MapLayer {
   [[nodiscard]] Result<void> replace(SemanticObject object);
   /// Whether there was one.
   bool erase(std::uint64_t id);
+  /// All changes of an update, or none (semantic_update.hpp). Source: [hypermap] 3.3.4.
+  ///
+  /// Errors, naming the object: kInvalidArgument when an id stands more than once in the update, an
+  /// added one is that of an object of the layer, a polygon is none (make_polygon), or as add;
+  /// kNotFound when an object that is to be modified or deleted is not there; kLimit.
+  /// Cost: O(k log n) for k objects of the update in a layer of n; objects whose ids lie above the
+  /// lowest deleted or added one move within their list, the tree stays.
+  [[nodiscard]] Result<SemanticUpdateReport> apply(const SemanticUpdate& update);
 
   /// One more than the largest id; 0 when empty.
   [[nodiscard]] std::uint64_t next_id() const;

@@ -53,8 +53,10 @@ struct ArchiveInfo {
 [[nodiscard]] ArchiveInfo describe(const MapArchive& archive);
 
 /// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
-/// {`occupied`, `free`, `unknown`, `between`} or `objects` (of tracked ones also `tentative`) or
-/// `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and supercells, `bounds`
+/// {`occupied`, `free`, `unknown`, `between`} with `grid` {`columns`, `rows`, `resolution_m`,
+/// `origin` [x, y, yaw], metres and radians} where they are of one, or `objects` (of tracked ones
+/// also `tentative`) or `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and
+/// supercells, `bounds`
 /// {`min`, `max`}}], `classes` [{`id`, `name`}], `detectors` [{`id`, `name`,
 /// `type`, `architecture`, `classes`; null what is not stated}], `class_names` {`aliases`,
 /// `super_classes`: how many}, `transforms`, `relations` {`on`,

@@ -96,6 +96,7 @@ struct MapArchive {
 struct ArchiveLimits {
   ZipLimits zip = {};
   std::uint64_t max_text_bytes = std::uint64_t{16} << 20;       ///< Of a YAML entry.
+  std::uint64_t max_shapes_bytes = std::uint64_t{1} << 30;      ///< Of a semantic layer.
   std::uint64_t max_objects_bytes = std::uint64_t{1} << 30;     ///< Of the objects, a line each.
   std::uint64_t max_embeddings_bytes = std::uint64_t{2} << 30;  ///< Of the objects' embeddings.
   std::uint64_t max_views_bytes = std::uint64_t{2} << 30;       ///< Of the objects' views.

@@ -14,14 +14,19 @@
 #include "hypermap/io/codec/wkt.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace hypermap {
 
+/// Of a file of objects: as many as a layer holds, with a few corners each.
+inline constexpr YamlLimits kSemanticYamlLimits{.max_bytes = std::size_t{1} << 30U,
+                                                .max_nodes = 8'000'000};
+
 struct SemanticReadOptions {
-  YamlLimits yaml = {};
+  YamlLimits yaml = kSemanticYamlLimits;
   WktLimits wkt = {};
   /// Leave out entries that are wrong, each an error among the findings, instead of refusing the
   /// file.

@@ -28,6 +28,7 @@ enum class FileKind : std::uint8_t {
   kTruth,      ///< A list of what stands in a recorded sequence.
   kTile,       ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
   kEmbedding,  ///< One vector, to be compared with those of objects: `.npy`, or JSON.
+  kCloud,      ///< Points, PCD or PLY.
 };
 
 /// The names of the command line, in the order of the enumerators.

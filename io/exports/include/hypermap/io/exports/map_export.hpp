@@ -63,29 +63,31 @@ struct ExportRequest {
   std::vector<std::string> classes;
   /// Grids keep the yaw of their origin, which most programs ignore; else they are resampled.
   bool keep_rotation = false;
-  bool without_objects = false;  ///< kRosMap: the floor that objects stand on is free.
-  bool complete = false;         ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
-  bool with_voxels = false;      ///< kGlb: objects bear their voxels, which the surface then lacks.
-  ClassPalette palette = {};     ///< Of formats in colour.
-  ZoneRules zones = {};          ///< kNav2: of its masks.
-  RelationOptions rules = {};    ///< kGeojson and kRelations: of relations.
+  bool without_objects = false;      ///< kRosMap: the floor that objects stand on is free.
+  std::optional<Polygon> area = {};  ///< kRosMap: only the cells whose interior it meets (sub_map).
+  std::string area_frame_id = {};    ///< Frame of `area`; empty: the layer's.
+  bool complete = false;       ///< kGeojson: with guesses of boxes (`completed_boxes`), as such.
+  bool with_voxels = false;    ///< kGlb: objects bear their voxels, which the surface then lacks.
+  ClassPalette palette = {};   ///< Of formats in colour.
+  ZoneRules zones = {};        ///< kNav2: of its masks.
+  RelationOptions rules = {};  ///< kGeojson and kRelations: of relations.
   /// kTopologicalMap: what belongs where, by which vertices bear the class of their place
   /// (`vertex_places`); none, or a map without the floor of its rooms: they bear none.
   std::optional<PlaceRules> place_rules = std::nullopt;
 };
 
 /// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",
-/// "--complete", "--class", "--without-objects", "--with-voxels", and the formats that it goes
-/// with.
+/// "--complete", "--class", "--without-objects", "--area", "--with-voxels", and the formats that it
+/// goes with.
 [[nodiscard]] Result<void> validate(const ExportRequest& request);
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
 /// files that were written; none, and nothing is written, when the export would be empty.
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
-/// is not known; kUnsupported for a layer of another kind than the format needs; those of validate;
-/// kInvalidArgument for an output name that the format does not allow, or, as kTiles, kViews and
-/// kNav2, a folder with other files; kIo.
+/// is not known, an area meets no cell, or nothing connects its frame; kUnsupported for a layer of
+/// another kind than the format needs; those of validate; kInvalidArgument for an output name that
+/// the format does not allow, or, as kTiles, kViews and kNav2, a folder with other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 

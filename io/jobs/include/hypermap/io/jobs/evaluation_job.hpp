@@ -5,6 +5,7 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/evaluation/calibration.hpp"
+#include "hypermap/core/evaluation/compared_plan.hpp"
 #include "hypermap/core/evaluation/map_comparison.hpp"
 #include "hypermap/core/evaluation/map_evaluation.hpp"
 #include "hypermap/core/evaluation/relation_evaluation.hpp"
@@ -86,14 +87,16 @@ struct EvaluationOutcome {
   /// What stands on, in, under and beside what; none without true surfaces and objects of the map.
   std::optional<RelationEvaluation> relations = std::nullopt;
   std::vector<ObjectOutcome> objects = {};  ///< Of the map alone, tentative ones too, by id.
+  ComparedPlan plan = {};                   ///< Both from above, for a picture.
 };
 
-/// Errors: those of load_archive, validate(EvaluationOptions) and validate(CalibrationOptions);
-/// kNotFound when an archive lacks the layer, or when neither the map nor the truth has an object
-/// of a class asked for; kUnsupported when the layer is no semantic one, or in another frame than
-/// that of the truth.
-/// Boundary: classes that are asked for restrict the one-to-one and thesis metrics; voxels and
-/// calibration are of all classes.
+/// Maps and truths are archives, bare configurations, or semantic YAML files, which have no other
+/// part and lie in the frame of the other side.
+/// Errors: those of load_archive, read_semantic_layer, validate(EvaluationOptions) and
+/// validate(CalibrationOptions); kNotFound when an archive lacks the layer, or when neither the map
+/// nor the truth has an object of a class asked for; kUnsupported when the layer is no semantic
+/// one, or in another frame than that of the truth. Boundary: classes that are asked for restrict
+/// the one-to-one and thesis metrics; voxels and calibration are of all classes.
 [[nodiscard]] Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job);
 
 }  // namespace hypermap
