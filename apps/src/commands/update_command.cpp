@@ -4,6 +4,7 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/archive/semantic_update_file.hpp"
+#include "hypermap/io/archive/updated_shapes.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
 #include "hypermap/projection/grids/grid_patch.hpp"
 #include "load_arguments.hpp"
@@ -66,11 +67,11 @@ std::string text_of(const SemanticUpdateReport& report) {
          " modified, " + std::to_string(report.num_deleted) + " deleted";
 }
 
-Result<DoneUpdate> update_shapes(const UpdateArguments& arguments, Hypermap& map) {
+Result<DoneUpdate> update_by_batch(const UpdateArguments& arguments, MapArchive& map) {
   HYPERMAP_ASSIGN_OR_RETURN(auto batch,
                             read_semantic_update(arguments.batch, {}, budget_of(arguments)));
-  const std::string layer = layer_of(arguments, map);
-  const auto report = map.update(layer, batch.value);
+  const std::string layer = layer_of(arguments, map.hypermap);
+  const auto report = update_shapes(map, layer, std::move(batch.value));
   if (!report) return Unexpected(with_source(report.error(), {arguments.batch}));
   return DoneUpdate{.text = text_of(*report),
                     .json = {{"layer", layer},
@@ -122,10 +123,9 @@ Result<DoneUpdate> updated_map(const UpdateArguments& arguments) {
       auto loaded,
       load_archive(
           arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
-  Hypermap& map = loaded.value.hypermap;
-  HYPERMAP_ASSIGN_OR_RETURN(
-      DoneUpdate done,
-      arguments.batch.empty() ? update_cells(arguments, map) : update_shapes(arguments, map));
+  HYPERMAP_ASSIGN_OR_RETURN(DoneUpdate done,
+                            arguments.batch.empty() ? update_cells(arguments, loaded.value.hypermap)
+                                                    : update_by_batch(arguments, loaded.value));
   HYPERMAP_TRY(save_archive(loaded.value, target, {.limits = arguments.load.limits}));
   done.findings.insert(done.findings.end(), loaded.findings.begin(), loaded.findings.end());
   return done;

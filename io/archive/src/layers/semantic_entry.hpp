@@ -24,6 +24,7 @@ struct ShapeRepairs {
   std::size_t missing_commas = 0;
 
   ShapeRepairs& operator+=(const ShapeRepairs& more);
+  friend bool operator==(const ShapeRepairs&, const ShapeRepairs&) = default;
 };
 
 /// An object whose id is not settled yet.

@@ -53,6 +53,7 @@ class UpdateReader {
       auto entry = parse_semantic_entry(node, options_.wkt, budget_);
       if (!entry) return tl::make_unexpected(with_object_name(entry.error(), node));
       remark(node, entry->repairs);
+      if (entry->repairs != ShapeRepairs{}) entry->object.shape_text.clear();  // said once
       auto& added = entry->has_id ? loaded_.value.to_add : loaded_.value.to_number;
       added.push_back(std::move(entry->object));
     }
@@ -66,6 +67,7 @@ class UpdateReader {
       auto entry = parse_modification_entry(node, options_.wkt, budget_);
       if (!entry) return tl::make_unexpected(with_object_name(entry.error(), node));
       remark(node, entry->repairs);
+      if (entry->repairs != ShapeRepairs{}) entry->modification.shape_text.clear();
       loaded_.value.to_modify.push_back(std::move(entry->modification));
     }
     return {};
