@@ -30,6 +30,20 @@ TEST(ObservationLog, TheFirstAndTheNewestStay) {
   EXPECT_EQ(observation_log.state().newest.back().frame_index, 99U);
 }
 
+TEST(ObservationLog, TheFirstIsTheNewestAsLongAsItIsAlone) {
+  ObservationLog log;
+  ObservationLogEntry entry = seen(3);
+  entry.belief_change = 1.23456F;
+  log.add(entry);
+  EXPECT_FLOAT_EQ(log.state().newest[0].belief_change, 1.235F);
+  EXPECT_EQ(log.state().first, log.state().newest[0]);
+  log.add_to_newest(LogOdds(-0.25), LogOdds(-1.0));
+  EXPECT_FLOAT_EQ(log.state().newest[0].effect, 0.75F);
+  EXPECT_FLOAT_EQ(log.state().newest[0].belief_change, 0.235F);
+  EXPECT_FLOAT_EQ(log.state().summaries[0].effect_sum, 0.75F);
+  EXPECT_EQ(log.state().first, log.state().newest[0]);
+}
+
 TEST(ObservationLog, SumsAreKeptPerClassAndDirection) {
   ObservationLog observation_log;
   for (int i = 0; i < 3; ++i) observation_log.add(seen(5));

@@ -23,6 +23,7 @@ class TileSetTest : public testing::Test {
  protected:
   void SetUp() override {
     map.views.clear();  // whose pictures are none
+    for (const char* name : {"cup", "table", "vase"}) EXPECT_TRUE(map.classes.add(name));
     const auto split = run_split(map, {.edge_m = 2.5, .output = folder});
     ASSERT_TRUE(split) << to_string(split.error());
     set = read_tile_set(folder).value();

@@ -115,21 +115,23 @@ Result<ObservationLog> ObservationLog::from_state(ObservationLogState state) {
 }
 
 void ObservationLog::add(const ObservationLogEntry& entry) {
-  if (!state_.first) state_.first = entry;
-  state_.newest.push_back(entry);
-  float& belief_change = state_.newest.back().belief_change;
-  belief_change = in_thousandths(static_cast<double>(belief_change));
+  ObservationLogEntry kept = entry;
+  kept.belief_change = in_thousandths(static_cast<double>(entry.belief_change));
+  if (!state_.first) state_.first = kept;
+  state_.newest.push_back(kept);
   keep_newest(state_.newest);
-  summarise(summary_of(entry));
+  summarise(summary_of(kept));
 }
 
 void ObservationLog::add_to_newest(LogOdds existence_change, LogOdds belief_change) {
   ObservationLogEntry& newest = state_.newest.back();
+  const bool is_first = state_.first == newest;
   const auto key = key_of(summary_of(newest));
   const auto effect = static_cast<float>(existence_change.value());
   newest.effect += effect;
   newest.belief_change =
       in_thousandths(static_cast<double>(newest.belief_change) + belief_change.value());
+  if (is_first) state_.first = newest;
   const auto sum = std::ranges::find(state_.summaries, key, &key_of);
   if (sum != state_.summaries.end()) sum->effect_sum += effect;
 }
