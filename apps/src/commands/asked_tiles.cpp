@@ -19,7 +19,13 @@ Result<PartialMap> load_asked(const std::string& file,
                               const ArchiveParts& parts,
                               const LoadArguments& load) {
   const StopCheck stop = stop_when_interrupted();
-  if (!is_tile_set(file)) {
+  const bool is_divided = is_tile_set(file);
+  if (!is_divided && parts.octrees && parts.objects && parts.class_grids) {
+    HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
+                              load_archive(file, load.limits, archive_layer_types(), stop));
+    return PartialMap{.map = std::move(loaded.value)};
+  }
+  if (!is_divided) {
     HYPERMAP_ASSIGN_OR_RETURN(
         auto loaded, load_archive_parts(file, parts, load.limits, archive_layer_types(), stop));
     return std::move(loaded.value);

@@ -18,7 +18,7 @@ namespace hypermap::app {
 [[nodiscard]] std::optional<Rect> asked_region(const MapQuery& query);
 
 /// Reads an archive, or, of the folder of a set of tiles or its index, the tiles that `region`
-/// reaches. Errors: those of load_archive_parts, read_tile_set and load_tiles.
+/// reaches. Errors: those of load_archive and load_archive_parts, read_tile_set and load_tiles.
 [[nodiscard]] Result<PartialMap> load_asked(const std::string& file,
                                             const std::optional<Rect>& region,
                                             const ArchiveParts& parts,
