@@ -45,7 +45,6 @@ TEST(SemanticUpdateFile, HasThreeLists) {
   EXPECT_EQ(update.to_modify[0].extra.entries.at(0).first, "owner");
   EXPECT_FALSE(update.to_modify[1].name);
   EXPECT_EQ(update.to_modify[1].parts.value().size(), 1U);
-  EXPECT_EQ(update.to_add[0].shape_text, "POLYGON((0 0,1 0,1 1,0 0))");
   EXPECT_EQ(update.to_modify[1].shape_text, "") << "it was mended, and is written as it was read";
   EXPECT_THAT(update.to_modify[1].tags.value(), SizeIs(0));
   EXPECT_THAT(update.to_modify[1].confidence.value(), ElementsAre(0.1));
