@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/map_places.hpp"
+
 #include "small_flat.hpp"
 
 #include <gmock/gmock.h>

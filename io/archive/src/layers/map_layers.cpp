@@ -21,7 +21,6 @@
 namespace hypermap {
 namespace {
 
-
 std::vector<const Object*> objects_of(const ObjectMap& objects,
                                       std::span<const ObjectId> confirmed) {
   std::vector<const Object*> found;

@@ -30,9 +30,9 @@ struct PairedDetections {
                                                const std::vector<SequenceEntry>& entries,
                                                double stamp_tolerance_s);
 
-/// Errors: kInvalidArgument, naming its file, when one of those that were read `before` has the same
-/// detections in the same frames and does not say that another detector made them: they would count
-/// twice. Boundary: without detections nothing counts. Cost: as far as two are equal.
+/// Errors: kInvalidArgument, naming its file, when one of those that were read `before` has the
+/// same detections in the same frames and does not say that another detector made them: they would
+/// count twice. Boundary: without detections nothing counts. Cost: as far as two are equal.
 [[nodiscard]] Result<void> refuse_repeated(const PairedDetections& paired,
                                            std::span<const PairedDetections> before);
 

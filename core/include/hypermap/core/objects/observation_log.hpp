@@ -88,8 +88,8 @@ class ObservationLog {
   [[nodiscard]] static Result<ObservationLog> from_state(ObservationLogState state);
 
   void add(const ObservationLogEntry& entry);
-  /// The frame of the newest entry changed more: so much of the existence and of the log-odds of the
-  /// entry's class. Requires: an entry.
+  /// The frame of the newest entry changed more: so much of the existence and of the log-odds of
+  /// the entry's class. Requires: an entry.
   void add_to_newest(LogOdds existence_change, LogOdds belief_change);
   /// Joins the log of a duplicate: newest by frame, then as here. A frame that one of them was
   /// detected in and the other one was not shows the thing: the missed detection is taken back, as
