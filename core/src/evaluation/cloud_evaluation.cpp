@@ -148,7 +148,8 @@ Result<void> validate(const TrueCloud& cloud) {
       return refused("is of no class that is there", "class_of_point");
   }
   for (const Eigen::Vector3f& point : cloud.points) {
-    if (!point.allFinite() || double{point.cwiseAbs().maxCoeff()} > kMaxTrueCoordinateM)
+    if (!point.allFinite() ||
+        static_cast<double>(point.cwiseAbs().maxCoeff()) > kMaxTrueCoordinateM)
       return refused("must be finite and within 1e6 m", "points");
   }
   return {};
