@@ -19,7 +19,7 @@ void fuzz_cloud(std::string_view bytes) {
   require(std::ranges::all_of(cloud->points,
                               [&](const Eigen::Vector3f& point) {
                                 return point.allFinite() &&
-                                       double{point.cwiseAbs().maxCoeff()} <= limit;
+                                       static_cast<double>(point.cwiseAbs().maxCoeff()) <= limit;
                               }),
           "points are finite and within the limit");
 }
