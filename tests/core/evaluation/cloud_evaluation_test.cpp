@@ -152,7 +152,7 @@ BruteForce brute_force(const std::vector<LeafSample>& leaves, const TrueCloud& c
     all.right += is_right ? 1U : 0U;
   }
   for (const Eigen::Vector3f& point : cloud.points) {
-    double least_m = INFINITY;
+    double least_m = std::numeric_limits<double>::infinity();
     for (const LeafSample& leaf : leaves) {
       const Eigen::Array3d beyond =
           (point.cast<double>() - leaf.centre_in_map).array().abs() - 0.5 * leaf.edge_m;
