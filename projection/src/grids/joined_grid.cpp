@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,7 +26,8 @@ Result<Cell> first_cell(const GridGeometry& lattice, const GridGeometry& part) {
   if ((corner - whole).cwiseAbs().maxCoeff() > kLatticeTolerance) {
     return no_part("must lie on the lattice of the other parts");
   }
-  if (whole.cwiseAbs().maxCoeff() > std::numeric_limits<int>::max() / 4) {
+  constexpr double kFarCells = 5e8;  // sums of two stay within int; no grid is as large
+  if (whole.cwiseAbs().maxCoeff() > kFarCells) {
     return fail(ErrorCode::kLimit, "parts lie too far from each other for one grid", "grid");
   }
   return Cell{.col = static_cast<int>(whole.x()), .row = static_cast<int>(whole.y())};

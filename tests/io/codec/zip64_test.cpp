@@ -61,7 +61,7 @@ TEST(Zip64, AnArchiveBeyondFourGiBIsReadWhereThatIsAllowed) {
   const auto zip = open_large(dir / "large.zip");
   ASSERT_TRUE(zip) << to_string(zip.error());
   ASSERT_EQ(zip->members().size(), 4U);
-  EXPECT_EQ(zip->members()[2].data_offset, 4 * kGiB + 3 * 31U);
+  EXPECT_EQ(zip->members()[2].data_offset, 4 * kGiB + 93);  // three headers of 31 bytes
   EXPECT_EQ(zip->read("last").value(), "content");
   EXPECT_EQ(zip->read_start("c", 2).value(), "\0\0"s);
   const auto refused =

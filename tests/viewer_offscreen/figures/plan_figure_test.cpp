@@ -9,8 +9,8 @@
 namespace hypermap {
 namespace {
 
-constexpr Rgb8 kRed{205, 30, 30};
-constexpr Rgb8 kBlue{0, 90, 181};
+constexpr Rgb8 kMissedRed{205, 30, 30};
+constexpr Rgb8 kTruthBlue{0, 90, 181};
 constexpr Rgb8 kGreen{20, 130, 60};
 
 Polygon square_about(double x, double y) {
@@ -49,17 +49,17 @@ ComparedPlan corners() {
 
 TEST(PlanFigure, EachFateHasItsMark) {
   const ColorImage matched = draw_compared_plan(corners(), "both").value();
-  EXPECT_EQ(count(matched, kRed), 0);
-  EXPECT_GT(count(matched, kBlue), 100);
+  EXPECT_EQ(count(matched, kMissedRed), 0);
+  EXPECT_GT(count(matched, kTruthBlue), 100);
   ComparedPlan plan = corners();
   plan.truths.push_back(shape_at(5, 5, ComparedFate::kMissed));
-  const int missed = count(draw_compared_plan(plan, "missed").value(), kRed);
+  const int missed = count(draw_compared_plan(plan, "missed").value(), kMissedRed);
   EXPECT_GT(missed, 50);
   plan.truths.pop_back();
   plan.objects.push_back(shape_at(5, 5, ComparedFate::kFalse));
-  EXPECT_GT(count(draw_compared_plan(plan, "false").value(), kRed), 50);
+  EXPECT_GT(count(draw_compared_plan(plan, "false").value(), kMissedRed), 50);
   plan.objects.back().fate = ComparedFate::kApart;
-  EXPECT_EQ(count(draw_compared_plan(plan, "apart").value(), kRed), 0);
+  EXPECT_EQ(count(draw_compared_plan(plan, "apart").value(), kMissedRed), 0);
 }
 
 TEST(PlanFigure, WhatBelongsTogetherIsJoined) {
@@ -80,7 +80,7 @@ TEST(PlanFigure, XIsToTheRightAndYUp) {
   const double px_per_m = 1200.0 / 10.8;
   const auto u = static_cast<int>(std::lround(40.0 + 0.9 * px_per_m));
   const auto v = static_cast<int>(std::lround(64.0 + 0.9 * px_per_m));
-  EXPECT_EQ(image.at(u, v), kRed);
+  EXPECT_EQ(image.at(u, v), kMissedRed);
   EXPECT_EQ(image.width_px(), 1280);
   EXPECT_NEAR(image.height_px(), 64 + 1200 + 92, 1);
 }
@@ -88,7 +88,7 @@ TEST(PlanFigure, XIsToTheRightAndYUp) {
 TEST(PlanFigure, NothingOneAndManyAreDrawn) {
   EXPECT_TRUE(draw_compared_plan({}, "nothing"));
   const ComparedPlan one{.truths = {shape_at(-7, 1e5, ComparedFate::kMissed)}, .objects = {}};
-  EXPECT_GT(count(draw_compared_plan(one, "one").value(), kRed), 50);
+  EXPECT_GT(count(draw_compared_plan(one, "one").value(), kMissedRed), 50);
   ComparedPlan row;
   for (int i = 0; i < 300; ++i) row.objects.push_back(shape_at(3.0 * i, 0, ComparedFate::kFalse));
   EXPECT_TRUE(draw_compared_plan(row, "a row"));
