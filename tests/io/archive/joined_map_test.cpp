@@ -21,6 +21,7 @@ using test::wide_map;
 std::vector<MapArchive> tiles_of(const MapArchive& map) {
   std::vector<MapArchive> tiles;
   const auto regions = map_tiles(map, 2.5).value();
+  tiles.reserve(regions.size());
   for (const CropRegion& region : regions) tiles.push_back(cropped(map, region).value().map);
   return tiles;
 }
