@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace hypermap::app {
 
@@ -10,10 +11,9 @@ ExitCode run_edit(const std::string& file,
                   const std::string& output,
                   const LoadArguments& load,
                   const MapEdit& edit) {
-  const auto whole =
-      load_archive(file, load.limits, archive_layer_types(), stop_when_interrupted());
+  auto whole = load_archive(file, load.limits, archive_layer_types(), stop_when_interrupted());
   if (!whole) return report(whole.error());
-  const auto edited = edit(whole->value);
+  const auto edited = edit(std::move(whole->value));
   if (!edited) {
     Error error = edited.error();
     if (error.file.empty()) error.file = file;
@@ -22,7 +22,7 @@ ExitCode run_edit(const std::string& file,
   if (const auto saved = save_archive(edited->map, output, {.limits = load.limits}); !saved) {
     return report(saved.error());
   }
-  std::printf("%s%s\n", edited->text.c_str(), output.c_str());
+  std::fputs(edited->text.c_str(), stdout);
   ExitCode worst = edited->findings;
   for (const Finding& finding : whole->findings) worst = std::max(worst, report(finding));
   return worst;

@@ -15,15 +15,15 @@ namespace hypermap::app {
 
 struct EditedMap {
   MapArchive map;
-  std::string text = {};                ///< Lines to print before the name of the new archive.
+  std::string text = {};                ///< Lines to print when it is written.
   ExitCode findings = ExitCode::kDone;  ///< kFindings when the edit told of something on stderr.
 };
 
-using MapEdit = std::function<Result<EditedMap>(const MapArchive& whole)>;
+using MapEdit = std::function<Result<EditedMap>(MapArchive whole)>;
 
-/// Reads the archive `file`, writes what `edit` makes of it as `output`, prints `text` and the
-/// output's name, and reports what was found while reading. An error of `edit` that names no file
-/// is of `file`; nothing is written then.
+/// Reads the archive `file`, writes what `edit` makes of it as `output`, prints its text, and
+/// reports what was found while reading. An error of `edit` that names no file is of `file`;
+/// nothing is written then.
 ExitCode run_edit(const std::string& file,
                   const std::string& output,
                   const LoadArguments& load,

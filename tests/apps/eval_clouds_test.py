@@ -5,12 +5,10 @@
 Usage: eval_clouds_test.py PROGRAM [unittest args]"""
 
 import json
-import pathlib
-import shutil
 import struct
-import tempfile
 import unittest
 
+from laboratory import LaboratoryCase
 from program import DATA, digest, run
 
 
@@ -20,22 +18,17 @@ def png_size(path):
     return struct.unpack(">II", head[16:24])
 
 
-class Clouds(unittest.TestCase):
+class Clouds(LaboratoryCase):
+    SIMULATION = ("--frames", 20, "--size", "320x240")
+    RESOLUTION_M = 0.1
+
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-clouds-"))
-        cls.lab, cls.map, cls.cloud = cls.folder / "lab", cls.folder / "lab.hmap", cls.folder / "lab.ply"
-        steps = [("simulate", "--frames", 20, "--seed", 1, "--detector", "perfect", "--size", "320x240", "--output", cls.lab),
-                 ("map", "--input", cls.lab, "--output", cls.map, "--resolution", 0.1),
-                 ("export", cls.map, "--format", "ply", "--output", cls.cloud)]
-        cls.failed = [result.stderr for result in (run(*step) for step in steps) if result.returncode not in (0, 1)]
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
-
-    def setUp(self):
-        self.assertEqual(self.failed, [])
+        super().setUpClass()
+        cls.cloud = cls.folder / "lab.ply"
+        exported = run("export", cls.map, "--format", "ply", "--output", cls.cloud)
+        if exported.returncode != 0:
+            cls.failed.append(exported.stderr)
 
     def evaluated(self, *more, map_=None, truth=None, status=0):
         result = run("eval", "--map", map_ or self.map, "--truth", truth or self.cloud, *more)
@@ -80,10 +73,10 @@ class Clouds(unittest.TestCase):
 
     def test_options_of_other_truths_are_refused(self):
         for option in (["--classes", "chair"], ["--against", self.map], ["--image", self.folder / "x.png"],
-                       ["--reliability", self.folder / "x.png"], ["--input", self.lab]):
+                       ["--reliability", self.folder / "x.png"], ["--input", self.folder / "lab"]):
             self.assertIn(option[0], self.evaluated(*option, status=2))
         for option in (["--labels", "x.yaml"], ["--transform", "0,0,0,0"]):
-            self.assertIn("needs a cloud as truth", self.evaluated(*option, truth=self.lab / "truth.hmap", status=2))
+            self.assertIn("needs a cloud as truth", self.evaluated(*option, truth=self.folder / "lab" / "truth.hmap", status=2))
         self.assertFalse((self.folder / "x.png").exists())
 
     def test_recorded_clouds_are_read(self):
@@ -110,11 +103,11 @@ class Clouds(unittest.TestCase):
 
     def test_a_picture_of_both(self):
         picture = self.folder / "plan.png"
-        text = self.evaluated("--image", picture, truth=self.lab / "truth.hmap")
+        text = self.evaluated("--image", picture, truth=self.folder / "lab" / "truth.hmap")
         self.assertIn("precision", text)
         self.assertEqual(png_size(picture)[0], 1280)
         before = digest(picture)
-        self.evaluated("--image", picture, truth=self.lab / "truth.hmap")
+        self.evaluated("--image", picture, truth=self.folder / "lab" / "truth.hmap")
         self.assertEqual(digest(picture), before)
         self.assertEqual(run("eval", "--map", self.map, "--truth", self.map, "--image", "a.jpg").returncode, 4)
         self.assertEqual(run("eval", "--map", self.map, "--truth", self.map, "--image", self.map).returncode, 4)

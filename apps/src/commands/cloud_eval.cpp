@@ -2,8 +2,10 @@
 #include "cloud_eval.hpp"
 
 #include "hypermap/core/base/count_text.hpp"
+#include "json_numbers.hpp"
 #include "placement_argument.hpp"
 #include "tables.hpp"
+#include "voxel_texts.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,30 +18,9 @@ namespace {
 
 using CloudJson = nlohmann::ordered_json;
 
-CloudJson optional_number(const std::optional<double>& value) {
-  return value ? CloudJson(*value) : CloudJson(nullptr);
-}
-
 std::optional<double> coverage_of(const CloudEvaluation& evaluation, const std::string& name) {
   const auto found = evaluation.coverage_of_class.find(name);
   return found == evaluation.coverage_of_class.end() ? std::nullopt : found->second.share();
-}
-
-CloudJson json_of(const std::string& name,
-                  const ClassVoxelCounts& counts,
-                  const CloudEvaluation& evaluation) {
-  CloudJson confused = CloudJson::object();
-  for (const auto& [other, n] : counts.confused_for) confused[other] = n;
-  return {{"labelled", counts.labelled},
-          {"right", counts.right_labels},
-          {"wrong_class", counts.wrong_class},
-          {"precision", optional_number(counts.precision())},
-          {"true", counts.true_voxels},
-          {"found", counts.found},
-          {"unlabelled", counts.true_unlabelled},
-          {"recall", optional_number(counts.recall())},
-          {"covered", optional_number(coverage_of(evaluation, name))},
-          {"confused_for", std::move(confused)}};
 }
 
 CloudJson json_of(const std::optional<PointDistances>& distances) {
@@ -49,6 +30,12 @@ CloudJson json_of(const std::optional<PointDistances>& distances) {
           {"median_m", distances->median_m},
           {"p95_m", distances->upper_m},
           {"max_m", distances->max_m}};
+}
+
+/// A row with the share of the cloud that is covered before what a class is confused for.
+std::vector<std::string> with_coverage(std::vector<std::string> row, std::string covered) {
+  row.insert(row.end() - 1, std::move(covered));
+  return row;
 }
 
 /// The flag that gives the field of a job.
@@ -73,61 +60,29 @@ void CloudArguments::add_to(CLI::App& command) {
 
 std::string json_text_of(const CloudEvaluationOutcome& outcome) {
   const CloudEvaluation& evaluation = outcome.evaluation;
-  const VoxelLabelCounts& all = evaluation.all;
-  CloudJson json{{"labelled", all.labelled},
-                 {"right", all.right},
-                 {"wrong_class", all.wrong_class},
-                 {"off_cloud", evaluation.labelled_off_cloud},
-                 {"precision", optional_number(all.precision())},
-                 {"precision_at_cloud", optional_number(evaluation.precision_at_cloud())},
-                 {"true", all.true_voxels},
-                 {"found", all.true_right},
-                 {"unlabelled", all.true_unlabelled},
-                 {"recall", optional_number(all.recall())},
-                 {"covered", optional_number(evaluation.coverage.share())},
-                 {"distances", json_of(evaluation.distances)},
-                 {"points", evaluation.num_points},
-                 {"points_without_class", evaluation.num_without_class},
-                 {"points_unmeasured", outcome.num_unmeasured},
-                 {"classes", CloudJson::object()}};
-  for (const auto& [name, counts] : evaluation.classes)
-    json["classes"][name] = json_of(name, counts, evaluation);
+  CloudJson json = voxel_json(evaluation.all);
+  json["off_cloud"] = evaluation.labelled_off_cloud;
+  json["precision_at_cloud"] = number_json(evaluation.precision_at_cloud());
+  json["covered"] = number_json(evaluation.coverage.share());
+  json["distances"] = json_of(evaluation.distances);
+  json["points"] = evaluation.num_points;
+  json["points_without_class"] = evaluation.num_without_class;
+  json["points_unmeasured"] = outcome.num_unmeasured;
+  json["classes"] = CloudJson::object();
+  for (const auto& [name, counts] : evaluation.classes) {
+    json["classes"][name] = voxel_json(counts);
+    json["classes"][name]["covered"] = number_json(coverage_of(evaluation, name));
+  }
   return json.dump(2) + "\n";
 }
 
 std::string table_text_of(const CloudEvaluationOutcome& outcome) {
   const CloudEvaluation& evaluation = outcome.evaluation;
-  Table table({"voxels of class",
-               "labelled",
-               "precision",
-               "wrong class",
-               "true",
-               "recall",
-               "unlabelled",
-               "covered",
-               "most confused for"});
+  Table table(with_coverage(voxel_headings(), "covered"));
   for (const auto& [name, counts] : evaluation.classes) {
-    const auto confused = counts.most_confused_for();
-    table.add({printable(name),
-               std::to_string(counts.labelled),
-               fixed(counts.precision(), 2),
-               std::to_string(counts.wrong_class),
-               std::to_string(counts.true_voxels),
-               fixed(counts.recall(), 2),
-               std::to_string(counts.true_unlabelled),
-               fixed(coverage_of(evaluation, name), 2),
-               confused ? printable(*confused) : "-"});
+    table.add(with_coverage(voxel_row(name, counts), fixed(coverage_of(evaluation, name), 2)));
   }
-  const VoxelLabelCounts& all = evaluation.all;
-  table.add({"all",
-             std::to_string(all.labelled),
-             fixed(all.precision(), 2),
-             std::to_string(all.wrong_class),
-             std::to_string(all.true_voxels),
-             fixed(all.recall(), 2),
-             std::to_string(all.true_unlabelled),
-             fixed(evaluation.coverage.share(), 2),
-             "-"});
+  table.add(with_coverage(voxel_row(evaluation.all), fixed(evaluation.coverage.share(), 2)));
   std::string text = table.text();
   text += std::to_string(evaluation.labelled_off_cloud) +
           " of the labelled voxels are near no point of the cloud; precision over the others " +

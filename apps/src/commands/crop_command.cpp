@@ -45,7 +45,7 @@ ExitCode run_crop(const CropArguments& arguments, const CropRegion& region) {
     std::string text = std::to_string(num_voxels(part.map)) + " of " +
                        count_text(num_voxels(whole), "voxel") + ", " +
                        std::to_string(part.map.objects.size()) + " of " +
-                       count_text(whole.objects.size(), "object") + "\n";
+                       count_text(whole.objects.size(), "object") + "\n" + arguments.output + "\n";
     return EditedMap{.map = std::move(part.map),
                      .text = std::move(text),
                      .findings = warn_of_left_out("crop", part.left_out)};

@@ -12,6 +12,15 @@ std::optional<NamingFrames> naming_frames_of(const EvalArguments& arguments) {
   return frames;
 }
 
+/// With what all jobs have in common: what names mean, and what reading may cost.
+template <class Job>
+Result<Job> completed(Job job, const EvalArguments& arguments) {
+  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
+  job.limits = arguments.load.limits;
+  job.stop = stop_when_interrupted();
+  return job;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> inputs_of(const EvalArguments& arguments) {
@@ -33,28 +42,20 @@ Result<EvaluationJob> job_of(const EvalArguments& arguments) {
   if (arguments.against) job.against = *arguments.against;
   for (const auto& [map, truth] : arguments.also) job.also.push_back({map, truth});
   job.options.classes = arguments.classes;
-  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
-  job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
-  return job;
+  return completed(std::move(job), arguments);
 }
 
 Result<CloudEvaluationJob> cloud_job_of(const EvalArguments& arguments) {
-  CloudEvaluationJob job{.map = arguments.maps.front(), .cloud = arguments.truths.front()};
-  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
-  job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
-  return job;
+  return completed(
+      CloudEvaluationJob{.map = arguments.maps.front(), .cloud = arguments.truths.front()},
+      arguments);
 }
 
 Result<ListedEvaluationJob> listed_job_of(const EvalArguments& arguments) {
   ListedEvaluationJob job{
       .map = arguments.maps.front(), .truth = arguments.truths.front(), .layer = arguments.layer};
   job.frames = naming_frames_of(arguments);
-  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
-  job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
-  return job;
+  return completed(std::move(job), arguments);
 }
 
 Result<RatesJob> rates_job_of(const EvalArguments& arguments) {
@@ -62,10 +63,7 @@ Result<RatesJob> rates_job_of(const EvalArguments& arguments) {
   job.maps.assign(arguments.maps.begin(), arguments.maps.end());
   job.truths.assign(arguments.truths.begin(), arguments.truths.end());
   job.options.classes = arguments.classes;
-  HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, arguments.class_names.given());
-  job.limits = arguments.load.limits;
-  job.stop = stop_when_interrupted();
-  return job;
+  return completed(std::move(job), arguments);
 }
 
 Result<void> check_options_of_runs(const EvalArguments& arguments) {

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_texts.hpp"
+#include "json_numbers.hpp"
+#include "voxel_texts.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
 
 namespace hypermap::app {
 namespace {
 
 using EvaluationJson = nlohmann::ordered_json;
 
-EvaluationJson number(const std::optional<double>& value) {
-  return value ? EvaluationJson(*value) : EvaluationJson(nullptr);
-}
-
 EvaluationJson json_of(const NearestMetric& metric) {
   return {{"n", metric.n},
           {"truths", metric.num_truth},
-          {"distance_m", number(metric.distance_m)},
-          {"jaccard", number(metric.jaccard)}};
+          {"distance_m", number_json(metric.distance_m)},
+          {"jaccard", number_json(metric.jaccard)}};
 }
 
 EvaluationJson json_of(const OneToOneMetric& metric) {
@@ -28,50 +25,30 @@ EvaluationJson json_of(const OneToOneMetric& metric) {
           {"excluded", metric.excluded},
           {"rarely_seen", metric.rarely_seen},
           {"duplicates", metric.duplicates},
-          {"precision", number(metric.precision)},
-          {"recall", number(metric.recall)},
-          {"f1", number(metric.f1)},
-          {"distance_m", number(metric.distance_m)},
-          {"jaccard_in_place", number(metric.jaccard_in_place)},
-          {"worst_jaccard_in_place", number(metric.worst_jaccard_in_place)},
+          {"precision", number_json(metric.precision)},
+          {"recall", number_json(metric.recall)},
+          {"f1", number_json(metric.f1)},
+          {"distance_m", number_json(metric.distance_m)},
+          {"jaccard_in_place", number_json(metric.jaccard_in_place)},
+          {"worst_jaccard_in_place", number_json(metric.worst_jaccard_in_place)},
           {"judged", metric.num_judged},
-          {"small_jaccard_in_place", number(metric.small_jaccard_in_place)},
+          {"small_jaccard_in_place", number_json(metric.small_jaccard_in_place)},
           {"small", metric.num_small},
-          {"seen_jaccard_in_place", number(metric.seen_jaccard_in_place)},
+          {"seen_jaccard_in_place", number_json(metric.seen_jaccard_in_place)},
           {"seen", metric.num_seen},
-          {"footprint_covered", number(metric.footprint_covered)},
-          {"box_iou", number(metric.box_iou)},
+          {"footprint_covered", number_json(metric.footprint_covered)},
+          {"box_iou", number_json(metric.box_iou)},
           {"boxes", metric.num_boxes}};
 }
 
-EvaluationJson json_of(const ClassVoxelCounts& counts) {
-  EvaluationJson confused = EvaluationJson::object();
-  for (const auto& [name, n] : counts.confused_for) confused[name] = n;
-  return {{"labelled", counts.labelled},
-          {"right", counts.right_labels},
-          {"wrong_class", counts.wrong_class},
-          {"precision", number(counts.precision())},
-          {"true", counts.true_voxels},
-          {"found", counts.found},
-          {"unlabelled", counts.true_unlabelled},
-          {"recall", number(counts.recall())},
-          {"confused_for", std::move(confused)}};
-}
-
 EvaluationJson json_of(const VoxelOutcome& outcome) {
-  const VoxelLabelCounts& all = outcome.labels.all;
-  EvaluationJson json{{"labelled", all.labelled},
-                      {"right", all.right},
-                      {"wrong_class", all.wrong_class},
-                      {"precision", number(all.precision())},
-                      {"wrong_class_share", number(all.wrong_class_share())},
-                      {"true", all.true_voxels},
-                      {"found", all.true_right},
-                      {"unlabelled", all.true_unlabelled},
-                      {"recall", number(all.recall())},
-                      {"surface_covered", number(outcome.surface_covered)},
-                      {"classes", EvaluationJson::object()}};
-  for (const auto& [name, counts] : outcome.labels.classes) json["classes"][name] = json_of(counts);
+  EvaluationJson json = voxel_json(outcome.labels.all);
+  json["wrong_class_share"] = number_json(outcome.labels.all.wrong_class_share());
+  json["surface_covered"] = number_json(outcome.surface_covered);
+  json["classes"] = EvaluationJson::object();
+  for (const auto& [name, counts] : outcome.labels.classes) {
+    json["classes"][name] = voxel_json(counts);
+  }
   return json;
 }
 
@@ -82,8 +59,8 @@ EvaluationJson json_of(const RelationEvaluation& relations) {
     json[std::string(key_of(kind))] = {{"right", counts.right},
                                        {"map", counts.num_map},
                                        {"truth", counts.num_truth},
-                                       {"precision", number(counts.precision())},
-                                       {"recall", number(counts.recall())}};
+                                       {"precision", number_json(counts.precision())},
+                                       {"recall", number_json(counts.recall())}};
   }
   return json;
 }
@@ -97,9 +74,9 @@ EvaluationJson json_of(const CalibrationReport& report) {
   EvaluationJson interval = nullptr;
   if (report.expected_error) interval = {report.error_low, report.error_high};
   return {{"n", report.n},
-          {"expected_error", number(report.expected_error)},
+          {"expected_error", number_json(report.expected_error)},
           {"interval_95", std::move(interval)},
-          {"log_loss", number(report.log_loss)},
+          {"log_loss", number_json(report.log_loss)},
           {"bins", std::move(bins)}};
 }
 
@@ -120,13 +97,13 @@ EvaluationJson json_of(const TrueObjectOutcome& truth) {
       {"class", truth.class_name},
       {"counts", truth.counts},
       {"matched", truth.matched_id ? EvaluationJson(*truth.matched_id) : EvaluationJson(nullptr)},
-      {"distance_m", number(truth.distance_m)},
+      {"distance_m", number_json(truth.distance_m)},
       {"jaccard_in_place", truth.jaccard_in_place},
-      {"box_iou", number(truth.box_iou)},
-      {"off_height_m", number(truth.off_height_m)},
+      {"box_iou", number_json(truth.box_iou)},
+      {"off_height_m", number_json(truth.off_height_m)},
       {"thesis",
-       {{"distance_m", number(truth.nearest_distance_m)},
-        {"jaccard", number(truth.aligned_jaccard)}}}};
+       {{"distance_m", number_json(truth.nearest_distance_m)},
+        {"jaccard", number_json(truth.aligned_jaccard)}}}};
 }
 
 }  // namespace
@@ -150,8 +127,8 @@ std::string json_text_of(const EvaluationOutcome& outcome) {
   json["objects"] = EvaluationJson::array();
   for (const ObjectOutcome& object : outcome.objects) json["objects"].push_back(json_of(object));
   if (outcome.against) {
-    json["against"] = {{"p_jaccard_greater", number(outcome.against->jaccard.p)},
-                       {"p_distance_smaller", number(outcome.against->distance.p)}};
+    json["against"] = {{"p_jaccard_greater", number_json(outcome.against->jaccard.p)},
+                       {"p_distance_smaller", number_json(outcome.against->distance.p)}};
   }
   return json.dump(2) + "\n";
 }

@@ -2,6 +2,7 @@
 #include "evaluation_texts.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "tables.hpp"
+#include "voxel_texts.hpp"
 
 #include <string>
 #include <vector>
@@ -58,40 +59,10 @@ std::string object_remarks(const EvaluationOutcome& outcome) {
   return text;
 }
 
-std::string confusion_text(const ClassVoxelCounts& counts) {
-  const auto name = counts.most_confused_for();
-  if (!name) return "-";
-  return printable(*name) + " (" + std::to_string(counts.confused_for.at(*name)) + ")";
-}
-
 std::string voxel_table(const VoxelEvaluation& voxels) {
-  Table table({"voxels of class",
-               "labelled",
-               "precision",
-               "wrong class",
-               "true",
-               "recall",
-               "unlabelled",
-               "most confused for"});
-  for (const auto& [name, counts] : voxels.classes) {
-    table.add({printable(name),
-               std::to_string(counts.labelled),
-               fixed(counts.precision(), 2),
-               std::to_string(counts.wrong_class),
-               std::to_string(counts.true_voxels),
-               fixed(counts.recall(), 2),
-               std::to_string(counts.true_unlabelled),
-               confusion_text(counts)});
-  }
-  const VoxelLabelCounts& all = voxels.all;
-  table.add({"all",
-             std::to_string(all.labelled),
-             fixed(all.precision(), 2),
-             std::to_string(all.wrong_class),
-             std::to_string(all.true_voxels),
-             fixed(all.recall(), 2),
-             std::to_string(all.true_unlabelled),
-             "-"});
+  Table table(voxel_headings());
+  for (const auto& [name, counts] : voxels.classes) table.add(voxel_row(name, counts));
+  table.add(voxel_row(voxels.all));
   return table.text();
 }
 

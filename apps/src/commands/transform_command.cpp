@@ -27,7 +27,7 @@ ExitCode run_transform(const TransformArguments& arguments) {
   const MapFromOldMap map_from_old(isometry_of(**placement));
   const auto transform = [&](const MapArchive& old) -> Result<EditedMap> {
     HYPERMAP_ASSIGN_OR_RETURN(auto moved, transformed(old, map_from_old));
-    return EditedMap{.map = std::move(moved)};
+    return EditedMap{.map = std::move(moved), .text = arguments.output + "\n"};
   };
   return run_edit(arguments.file, arguments.output, arguments.load, transform);
 }

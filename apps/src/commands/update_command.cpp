@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "edited_map.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_server.hpp"
@@ -13,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,7 +32,7 @@ struct UpdateArguments {
   LoadArguments load;
 };
 
-/// What an update did, in words and as JSON, and what was noticed on the way.
+/// What an update did, in words and as JSON, and what its file told of.
 struct DoneUpdate {
   std::string text;
   nlohmann::ordered_json json;
@@ -117,27 +117,21 @@ Result<std::string> updated_file(const UpdateArguments& arguments) {
                           .file = arguments.file});
 }
 
-Result<DoneUpdate> updated_map(const UpdateArguments& arguments) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string target, updated_file(arguments));
-  HYPERMAP_ASSIGN_OR_RETURN(
-      auto loaded,
-      load_archive(
-          arguments.file, arguments.load.limits, archive_layer_types(), stop_when_interrupted()));
-  HYPERMAP_ASSIGN_OR_RETURN(DoneUpdate done,
-                            arguments.batch.empty() ? update_cells(arguments, loaded.value.hypermap)
-                                                    : update_by_batch(arguments, loaded.value));
-  HYPERMAP_TRY(save_archive(loaded.value, target, {.limits = arguments.load.limits}));
-  done.findings.insert(done.findings.end(), loaded.findings.begin(), loaded.findings.end());
-  return done;
-}
-
 ExitCode run_update(const UpdateArguments& arguments) {
-  const auto done = updated_map(arguments);
-  if (!done) return report(done.error());
-  std::printf("%s\n", arguments.json ? done->json.dump(2).c_str() : done->text.c_str());
-  ExitCode worst = ExitCode::kDone;
-  for (const Finding& finding : done->findings) worst = std::max(worst, report(finding));
-  return worst;
+  const auto target = updated_file(arguments);
+  if (!target) return report(target.error());
+  const auto update = [&](MapArchive map) -> Result<EditedMap> {
+    HYPERMAP_ASSIGN_OR_RETURN(const DoneUpdate done,
+                              arguments.batch.empty() ? update_cells(arguments, map.hypermap)
+                                                      : update_by_batch(arguments, map));
+    EditedMap edited{.map = std::move(map),
+                     .text = (arguments.json ? done.json.dump(2) : done.text) + "\n"};
+    for (const Finding& finding : done.findings) {
+      edited.findings = std::max(edited.findings, report(finding));
+    }
+    return edited;
+  };
+  return run_edit(arguments.file, *target, arguments.load, update);
 }
 
 }  // namespace

@@ -187,6 +187,29 @@ TEST(DerivedLayers, WithoutAVoxelInTheBandThereIsNoGridAndTheMapCanBeSaved) {
   EXPECT_TRUE(bytes) << to_string(bytes.error());
 }
 
+// [hypermap] 3.3.5: enable_update.
+TEST(DerivedLayers, OneThatTakesNoUpdatesStaysAsItWas) {
+  MapArchive archive = archive_of({{0.02, 0.02}, {3.02, 1.02}});
+  const OccupancyGrid plan =
+      OccupancyGrid::create({.resolution_m = 1, .cols = 2, .rows = 1}, kOccupiedCell).value();
+  const auto plan_layer = [&](bool enable_update) {
+    return Layer{{.name = "occupancy", .enable_update = enable_update}, OccupancyLayer(plan)};
+  };
+  MapArchive open = archive;
+  ASSERT_TRUE(archive.hypermap.add_layer(plan_layer(false)));
+  ASSERT_TRUE(open.hypermap.add_layer(plan_layer(true)));
+  const auto derived = derive_layers(archive, {}, {});
+  ASSERT_TRUE(derived) << to_string(derived.error());
+  EXPECT_EQ(archive.hypermap.find_as<OccupancyLayer>("occupancy")->grid, plan);
+  ASSERT_EQ(derived->left_out.size(), 1U);
+  EXPECT_EQ(derived->left_out[0].error.entry, "occupancy");
+  EXPECT_NE(to_string(derived->left_out[0].error).find("enable_update is false"),
+            std::string::npos);
+  ASSERT_TRUE(derive_layers(open, {}, {}));
+  EXPECT_NE(open.hypermap.find_as<OccupancyLayer>("occupancy")->grid, plan);
+  EXPECT_EQ(open.hypermap.find("occupancy")->info.enable_update, true) << "flags stay";
+}
+
 TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {
   MapArchive archive;
   (void)archive.classes.add("chair").value();

@@ -111,6 +111,20 @@ bool wants_stack(const MapArchive& archive, const LayerOptions& options) {
   return options.class_stack || archive.hypermap.find_as<GridStackLayer>(kStackLayer) != nullptr;
 }
 
+bool takes_updates(const Hypermap& map, std::string_view name) {
+  const Layer* layer = map.find(name);
+  return layer == nullptr || layer->info.enable_update.value_or(true);
+}
+
+/// Of a layer that takes no updates.
+Finding kept_as_it_was(std::string_view layer) {
+  return {
+      Severity::kWarning,
+      {.code = ErrorCode::kUnsupported,
+       .what = "stays as it was, its enable_update is false: what was mapped since is not in it",
+       .entry = std::string(layer)}};
+}
+
 Finding left_out(Error error, std::string_view layer) {
   error.what = "left out: " + error.what;
   error.entry = std::string(layer);
@@ -166,16 +180,24 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
   const auto all = regions.regions();
   if (all.size() > 1) derived.outlying.assign(all.begin() + 1, all.end());
   derived.main = all.empty() ? MapRegion{} : all.front();
-  const auto note = [&derived](const Result<void>& put, std::string_view layer) {
-    if (!put) derived.left_out.push_back(left_out(put.error(), layer));
+  const auto make = [&](std::string_view layer, const auto& put) {
+    if (!takes_updates(archive.hypermap, layer)) {
+      derived.left_out.push_back(kept_as_it_was(layer));
+    } else if (const Result<void> done = put(); !done) {
+      derived.left_out.push_back(left_out(done.error(), layer));
+    }
   };
-  note(put_occupancy(archive, leaves, options), kOccupancyLayer);
-  auto carving = options.carve_footprints
-                     ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
-                     : std::nullopt;
-  note(put_footprints(archive, confirmed, std::move(carving), objects), kSemanticLayer);
-  note(put_class_grids(archive, leaves, options), "class grids");
-  if (wants_stack(archive, options)) note(put_stack(archive, leaves, options), kStackLayer);
+  make(kOccupancyLayer, [&] { return put_occupancy(archive, leaves, options); });
+  make(kSemanticLayer, [&] {
+    auto carving = options.carve_footprints
+                       ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
+                       : std::nullopt;
+    return put_footprints(archive, confirmed, std::move(carving), objects);
+  });
+  make("class grids", [&] { return put_class_grids(archive, leaves, options); });
+  if (wants_stack(archive, options)) {
+    make(kStackLayer, [&] { return put_stack(archive, leaves, options); });
+  }
   return derived;
 }
 

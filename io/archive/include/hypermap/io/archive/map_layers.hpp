@@ -49,7 +49,8 @@ inline constexpr std::string_view kSemanticLayer = "semantic";
 struct DerivedLayers {
   MapRegion main;                   ///< What the grids cover; empty for a map without leaves.
   std::vector<MapRegion> outlying;  ///< What they do not: the other regions, the largest first.
-  std::vector<Finding> left_out;    ///< Layers that are not there, and why; `entry` names them.
+  /// Layers that are not there, or not made anew, and why; `entry` names them.
+  std::vector<Finding> left_out;
 };
 
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, and, where it
@@ -58,7 +59,8 @@ struct DerivedLayers {
 ///
 /// Grids cover the largest region of the octree alone (map_regions.hpp); `semantic` has the objects
 /// of all regions. What cannot be made (too many cells, no memory) is left out and said: the map
-/// would else be lost with it.
+/// would else be lost with it. A layer whose `enable_update` is false stays as it was, which is
+/// said, too. Source: [hypermap] 3.3.5.
 /// Requires: archive.octree. Errors: those of validate(options).
 /// Cost: some walks over the leaves, the cells of the grids.
 [[nodiscard]] Result<DerivedLayers> derive_layers(MapArchive& archive,
