@@ -70,7 +70,7 @@ class UpdatePlanner {
   Result<UpdatePlan> plan(const SemanticUpdate& update) {
     HYPERMAP_TRY(check_ids(update));
     for (const SemanticObject& object : update.to_add) HYPERMAP_TRY(add(object));
-    HYPERMAP_TRY(number(update.to_number));
+    HYPERMAP_TRY(number(update.to_number, update.least_new_id));
     for (const SemanticModification& change : update.to_modify) HYPERMAP_TRY(modify(change));
     for (const std::uint64_t id : update.to_delete) HYPERMAP_TRY(remove(id));
     const std::size_t num_objects = layer_.objects().size() + plan_.added.size();
@@ -94,8 +94,8 @@ class UpdatePlanner {
     return {};
   }
 
-  Result<void> number(const std::vector<SemanticObject>& objects) {
-    std::uint64_t next = layer_.next_id();
+  Result<void> number(const std::vector<SemanticObject>& objects, std::uint64_t least_id) {
+    std::uint64_t next = std::max(layer_.next_id(), least_id);
     for (const SemanticObject& object : plan_.added) next = std::max(next, object.id + 1);
     for (SemanticObject object : objects) {
       object.id = next++;

@@ -28,30 +28,17 @@ Result<void> refuse_objects_ids(const std::vector<SemanticObject>& added,
   return {};
 }
 
-/// Behind all ids that shapes or objects have or had.
-std::uint64_t next_shape_id(const SemanticLayer& layer,
-                            const std::vector<SemanticObject>& added,
-                            const ObjectMap& objects) {
-  std::uint64_t next = objects.next_id().value;
-  for (const SemanticObject& shape : layer.objects()) next = std::max(next, shape.id + 1);
-  for (const SemanticObject& shape : added) next = std::max(next, shape.id + 1);
-  return next;
-}
-
 }  // namespace
 
 Result<SemanticUpdateReport> update_shapes(MapArchive& archive,
                                            std::string_view layer,
                                            SemanticUpdate update) {
   const auto* shapes = archive.hypermap.find_as<SemanticLayer>(layer);
-  if (shapes != nullptr && layer == kSemanticLayer && archive.objects.size() > 0) {
-    std::uint64_t next = next_shape_id(*shapes, update.to_add, archive.objects);
+  const bool has_or_had_objects = archive.objects.next_id() != ObjectMap().next_id();
+  if (shapes != nullptr && layer == kSemanticLayer && has_or_had_objects) {
     HYPERMAP_TRY(refuse_objects_ids(update.to_add, *shapes, archive.objects));
-    for (SemanticObject& shape : update.to_number) {
-      shape.id = next++;
-      update.to_add.push_back(std::move(shape));
-    }
-    update.to_number.clear();
+    update.least_new_id =
+        std::max<std::uint64_t>(update.least_new_id, archive.objects.next_id().value);
   }
   return archive.hypermap.update(layer, update);
 }

@@ -38,6 +38,7 @@ struct SemanticUpdate {
   /// Further ones, which get the ids behind all that the layer and `to_add` have; theirs do not
   /// count.
   std::vector<SemanticObject> to_number = {};
+  std::uint64_t least_new_id = 0;  ///< Of `to_number`: lower ones stand for something else.
   std::vector<SemanticModification> to_modify = {};
   std::vector<std::uint64_t> to_delete = {};
   friend bool operator==(const SemanticUpdate&, const SemanticUpdate&) = default;
