@@ -4,6 +4,7 @@
 
 Usage: eval_clouds_test.py PROGRAM [unittest args]"""
 
+import csv
 import json
 import struct
 import unittest
@@ -46,6 +47,21 @@ class Clouds(LaboratoryCase):
         text = self.evaluated()
         self.assertIn("0 of the labelled voxels are near no point of the cloud", text)
         self.assertRegex(text, r"from points to occupied space: mean 0\.0000 m")
+
+    def test_a_table_for_spreadsheets(self):
+        tables = self.folder / "voxels"
+        found = json.loads(self.evaluated("--json", "--csv", tables))
+        self.assertEqual([path.name for path in tables.iterdir()], ["voxels.csv"])
+        with open(tables / "voxels.csv", newline="", encoding="utf-8") as file:
+            rows = {row.pop("class"): row for row in csv.DictReader(file)}
+        self.assertEqual(rows.keys(), {*found["classes"], "all"})
+        for name, row in rows.items():
+            of_class = found if name == "all" else found["classes"][name]
+            self.assertEqual({key: float(value) if value else None for key, value in row.items()},
+                             {key: of_class[key] for key in row})
+        cloud = self.folder / "voxels.csv"  # a name that the table would take
+        cloud.write_bytes(self.cloud.read_bytes())
+        self.assertEqual(run("eval", "--map", self.map, "--truth", cloud, "--csv", self.folder).returncode, 4)
 
     def test_a_moved_cloud_is_moved_back(self):
         moved = self.folder / "moved.hmap"

@@ -6,54 +6,27 @@ Environment HYPERMAP_FAULTS_PRELOAD names the library that makes the faults; wit
 made, else those of the save path and a sample of the others.
 Usage: faults_test.py PROGRAM [unittest args]"""
 
-import functools
 import json
 import os
-import pathlib
 import re
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 from faults import KILL, FaultCase, OLD, with_fault
-from program import DATA, IS_SANITIZED, SOURCE, digest, run
-from tiny_dataset import make_dataset
+from faults_inputs import Inputs
+from program import IS_SANITIZED, SOURCE, digest, run
 
 SAMPLE = 2 if IS_SANITIZED else 8
 UNSHARED = ["unshare", "--pid", "--fork", "--mount-proc", "sh", "-c", '"$@"; exit $?', "sh"]
 
 
 def setUpModule():
-    Inputs.folder = pathlib.Path(tempfile.mkdtemp(prefix="hypermap-faults-"))
-    Inputs.tiny = make_dataset(Inputs.folder / "tiny")
+    Inputs.make()
 
 
 def tearDownModule():
-    shutil.rmtree(Inputs.folder)
-
-
-class Inputs:
-    """What commands read; what takes a while is made when somebody asks for it."""
-
-    @staticmethod
-    def succeed(*arguments):
-        result = run(*arguments)
-        assert result.returncode in (0, 1), result.stderr
-        return arguments[-1]
-
-    @staticmethod
-    @functools.cache
-    def simulation(num_frames, seed=1):
-        return Inputs.succeed("simulate", "--frames", num_frames, "--seed", seed, "--detector", "perfect", "--output",
-                              Inputs.folder / f"lab-{num_frames}-{seed}")
-
-    @staticmethod
-    @functools.cache
-    def objects(resolution, seed=1):
-        """A map with two objects."""
-        return Inputs.succeed("map", "--input", Inputs.simulation(12, seed), "--resolution", resolution, "--output",
-                              Inputs.folder / f"{resolution}-{seed}.hmap")
+    Inputs.remove()
 
 
 class Mapping(FaultCase):
@@ -158,10 +131,14 @@ class Exports(FaultCase):
                                   ["export", Inputs.objects(0.05), "--format", form, "--output", output], count=SAMPLE // 2)
 
     def test_a_map_that_is_told_what_names_mean_or_updated(self):
-        archive, batch = self.out / "a.hmap", self.folder / "batch.yaml"
+        archive, batch, grid = self.out / "a.hmap", self.folder / "batch.yaml", self.folder / "grid"
+        Inputs.succeed("export", Inputs.objects(0.1), "--format", "ros-map", "--output", grid)
+        grid = grid.with_suffix(".yaml")
+        grid.write_text(grid.read_text().replace("negate: 0", "negate: 1"))
         batch.write_text('add: [{name: plant, shape: "POLYGON((0 0, 1 0, 1 1, 0 0))"}]\n')
         self.is_repeatable = False
-        for change in (["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], ["update", archive, "--batch", batch]):
+        for change in (["classes", archive, "--set", SOURCE / "data/vocabulary.yaml"], ["update", archive, "--batch", batch],
+                       ["update", archive, "--grid", grid]):
             self.check_faults(lambda: shutil.copy(Inputs.objects(0.1), archive), change, count=SAMPLE)
 
     def test_maps_of_others_and_what_changed(self):
@@ -261,6 +238,11 @@ class Pictures(FaultCase):
         self.check_faults(lambda: (self.out / "a.png").write_bytes(OLD),
                           [*snapshot, self.out / "a.png"], count=SAMPLE // 2)
 
+    def test_map_and_truth_over_each_other(self):
+        self.check_faults(lambda: (self.out / "a.png").write_bytes(OLD),
+                          ["eval", "--map", Inputs.objects(0.1), "--truth", Inputs.objects(0.1), "--image", self.out / "a.png"],
+                          count=SAMPLE // 2)
+
 
 class Finalisers(FaultCase):
     """Libraries of drivers end threads and free pools after main(), and may fail at that."""
@@ -276,24 +258,6 @@ class Finalisers(FaultCase):
                 self.assertEqual(ended.returncode, code, ended.stderr)
                 self.assertEqual(ended.stdout, run(*command).stdout)
         self.assertTrue(picture.stat().st_size)
-
-
-class Detections(FaultCase):
-    MODEL = DATA / "models/yolox_nano/yolox_nano.onnx"
-
-    @unittest.skipUnless(MODEL.exists(), "recorded data are absent")
-    def test_what_a_model_detects(self):
-        output = self.out / "found.json"
-        command = ["detect", "--input", Inputs.simulation(1), "--max-frames", 1, "--model", self.MODEL, "--output", output]
-        self.check_faults(lambda: output.write_bytes(OLD), command, count=SAMPLE // 2)
-
-
-class Combining(FaultCase):
-    def test_what_was_learnt(self):
-        output = self.out / "combiner.json"
-        said = Inputs.simulation(12) / "detections.jsonl"
-        command = ["combine", "--input", Inputs.simulation(12), "--detections", said, "--labels", said, "--output", output]
-        self.check_faults(lambda: output.write_bytes(OLD), command, count=SAMPLE // 2)
 
 
 if __name__ == "__main__":

@@ -114,6 +114,11 @@ class Rates(unittest.TestCase):
         self.assertEqual([row["map"] for row in rows("runs.csv")], ["fine.hmap", "coarse.hmap"])
         self.assertEqual(len(rows("things.csv")), len(report["things"]))
         self.assertEqual(len(rows("positions.csv")), sum(len(one["things_found"]) for one in report["runs"]))
+        false = rows("false.csv")
+        self.assertEqual(len(false), report["all"]["fp"])
+        self.assertEqual([(row["object"], row["class"], float(row["x_m"])) for row in false],
+                         [(str(one["object"]), one["class"], one["position"][0])
+                          for run in report["runs"] for one in run["false"]])
         before = (tables / "runs.csv").read_bytes()
         self.assertEqual(self.evaluated(self.maps, "--csv", tables).returncode, 0)
         self.assertEqual((tables / "runs.csv").read_bytes(), before)

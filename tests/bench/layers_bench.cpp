@@ -52,7 +52,7 @@ SemanticLayer many_shapes() {
 std::filesystem::path saved_layer(const test::TempDir& folder, LayerContent content) {
   MapArchive archive;
   (void)archive.hypermap.add_layer({.info = {.name = "layer"}, .content = std::move(content)});
-  const auto path = folder / "a.hmap";
+  auto path = folder / "a.hmap";
   (void)save_archive(archive, path, {.limits = {}, .verify = false});
   return path;
 }

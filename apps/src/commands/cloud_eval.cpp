@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_eval.hpp"
 
+#include "csv_text.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "json_numbers.hpp"
 #include "placement_argument.hpp"
@@ -36,6 +37,48 @@ CloudJson json_of(const std::optional<PointDistances>& distances) {
 std::vector<std::string> with_coverage(std::vector<std::string> row, std::string covered) {
   row.insert(row.end() - 1, std::move(covered));
   return row;
+}
+
+VoxelLabelCounts totals_of(const ClassVoxelCounts& counts) {
+  return {.labelled = counts.labelled,
+          .right = counts.right_labels,
+          .wrong_class = counts.wrong_class,
+          .true_voxels = counts.true_voxels,
+          .true_right = counts.found,
+          .true_unlabelled = counts.true_unlabelled};
+}
+
+void add_counts(CsvText& csv, const VoxelLabelCounts& counts, std::optional<double> covered) {
+  csv.add(counts.labelled);
+  csv.add(counts.right);
+  csv.add(counts.wrong_class);
+  csv.add(counts.precision());
+  csv.add(counts.true_voxels);
+  csv.add(counts.true_right);
+  csv.add(counts.true_unlabelled);
+  csv.add(counts.recall());
+  csv.add(covered);
+  csv.end_line();
+}
+
+std::string csv_text_of(const CloudEvaluation& evaluation) {
+  CsvText csv({"class",
+               "labelled",
+               "right",
+               "wrong_class",
+               "precision",
+               "true",
+               "found",
+               "unlabelled",
+               "recall",
+               "covered"});
+  for (const auto& [name, counts] : evaluation.classes) {
+    csv.add(name);
+    add_counts(csv, totals_of(counts), coverage_of(evaluation, name));
+  }
+  csv.add("all");
+  add_counts(csv, evaluation.all, evaluation.coverage.share());
+  return csv.text();
 }
 
 /// The flag that gives the field of a job.
@@ -97,14 +140,21 @@ std::string table_text_of(const CloudEvaluationOutcome& outcome) {
   return text;
 }
 
-ExitCode run_cloud_eval(CloudEvaluationJob job, const CloudArguments& arguments, bool as_json) {
+ExitCode run_cloud_eval(CloudEvaluationJob job,
+                        const CloudArguments& arguments,
+                        const CloudReport& form) {
   if (arguments.label_names) job.label_names = *arguments.label_names;
   const auto placement = placement_of(arguments.placement);
   if (!placement) return report(placement.error());
   if (*placement) job.map_from_cloud = MapFromInput(isometry_of(**placement));
   const auto outcome = run_cloud_evaluation(job);
   if (!outcome) return report(in_cloud_flags(outcome.error()));
-  std::printf("%s", (as_json ? json_text_of(*outcome) : table_text_of(*outcome)).c_str());
+  if (form.csv) {
+    const auto written = write_csv_files(
+        {{.name = kVoxelCsvName, .text = csv_text_of(outcome->evaluation)}}, *form.csv);
+    if (!written) return report(written.error());
+  }
+  std::printf("%s", (form.as_json ? json_text_of(*outcome) : table_text_of(*outcome)).c_str());
   return ExitCode::kDone;
 }
 

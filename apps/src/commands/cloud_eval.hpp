@@ -22,8 +22,16 @@ struct CloudArguments {
   [[nodiscard]] bool any() const { return label_names || placement; }
 };
 
+struct CloudReport {
+  bool as_json = false;
+  std::optional<std::string> csv = std::nullopt;  ///< Folder to write kVoxelCsvName into.
+};
+inline constexpr const char* kVoxelCsvName = "voxels.csv";
+
 /// Evaluates and prints. `job` lacks what the flags say.
-ExitCode run_cloud_eval(CloudEvaluationJob job, const CloudArguments& arguments, bool as_json);
+ExitCode run_cloud_eval(CloudEvaluationJob job,
+                        const CloudArguments& arguments,
+                        const CloudReport& form);
 
 [[nodiscard]] std::string json_text_of(const CloudEvaluationOutcome& outcome);
 [[nodiscard]] std::string table_text_of(const CloudEvaluationOutcome& outcome);

@@ -39,8 +39,9 @@ struct EvalArguments {
   ClassNames class_names;
   LoadArguments load;
 
-  [[nodiscard]] bool asks_for_rates() const {
-    return rates || csv || maps.size() > 1 || truths.size() > 1;
+  /// Tables of one map have rates, but for a cloud, which has no things.
+  [[nodiscard]] bool asks_for_rates(FileKind truth) const {
+    return rates || maps.size() > 1 || truths.size() > 1 || (csv && truth != FileKind::kCloud);
   }
 };
 

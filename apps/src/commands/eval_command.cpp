@@ -22,6 +22,7 @@ void keep_csv_apart(const EvalArguments& arguments) {
   const std::filesystem::path folder = *arguments.csv;
   keep_out_of_datasets("--csv", folder);
   for (const char* name : kCsvNames) keep_apart("--csv", folder / name, inputs_of(arguments));
+  keep_apart("--csv", folder / kVoxelCsvName, inputs_of(arguments));
 }
 
 /// The error with the option that gives the field of a job.
@@ -48,7 +49,7 @@ ExitCode run_rates(const EvalArguments& arguments) {
   for (const Finding& finding : outcome->findings) worst = std::max(worst, report(finding));
   const std::vector<RunName> names = run_names(*job);
   if (arguments.csv) {
-    const auto written = write_csv_files(*outcome, names, *arguments.csv);
+    const auto written = write_csv_files(csv_files_of(*outcome, names), *arguments.csv);
     if (!written) return report(written.error());
   }
   const std::string text =
@@ -73,13 +74,14 @@ ExitCode run_listed_eval(const EvalArguments& arguments) {
 ExitCode run_eval_of_cloud(const EvalArguments& arguments) {
   auto job = cloud_job_of(arguments);
   if (!job) return report(job.error());
-  return run_cloud_eval(*std::move(job), arguments.cloud, arguments.json);
+  return run_cloud_eval(
+      *std::move(job), arguments.cloud, {.as_json = arguments.json, .csv = arguments.csv});
 }
 
 ExitCode run_eval(const EvalArguments& arguments) {
-  if (arguments.asks_for_rates()) return run_rates(arguments);
   // A truth that cannot be read is reported by the reader of archives.
   const FileKind truth = find_file_kind(arguments.truths.front()).value_or(FileKind::kArchive);
+  if (arguments.asks_for_rates(truth)) return run_rates(arguments);
   if (const auto fits = check_options_of(arguments, truth); !fits) return report(fits.error());
   if (truth == FileKind::kTruth) return run_listed_eval(arguments);
   if (truth == FileKind::kCloud) return run_eval_of_cloud(arguments);
@@ -154,7 +156,8 @@ void add_eval_command(CLI::App& program, Action& action) {
   command
       .add_option("--csv",
                   arguments->csv,
-                  "folder for these tables as classes.csv, runs.csv, things.csv, positions.csv")
+                  "folder for these tables as classes.csv, runs.csv, things.csv, positions.csv, "
+                  "false.csv; of a cloud voxels.csv")
       ->excludes(against)
       ->excludes(also)
       ->excludes(reliability)

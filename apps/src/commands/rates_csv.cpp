@@ -1,57 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hypermap/core/base/number_text.hpp"
-#include "hypermap/io/codec/atomic_file.hpp"
-#include "outputs.hpp"
 #include "rates_texts.hpp"
 
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <system_error>
 
 namespace hypermap::app {
 namespace {
-
-/// Lines of cells after RFC 4180, but for plain line ends; what is not known is an empty cell.
-class CsvText {
- public:
-  explicit CsvText(const std::vector<std::string>& heading) {
-    for (const std::string& name : heading) add(name);
-    end_line();
-  }
-
-  void add(const std::string& cell) {
-    if (!is_first_) text_ += ',';
-    is_first_ = false;
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-      text_ += cell;
-      return;
-    }
-    text_ += '"';
-    for (const char c : cell) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
-    text_ += '"';
-  }
-  void add(std::size_t count) { add(std::to_string(count)); }
-  void add(const std::optional<std::size_t>& count) {
-    add(count ? std::to_string(*count) : std::string());
-  }
-  void add(const std::optional<double>& number) {
-    add(number ? number_text(*number) : std::string());
-  }
-  void add(const std::optional<Eigen::Vector3d>& vector) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      add(vector ? std::optional<double>((*vector)[axis]) : std::nullopt);
-  }
-  void end_line() {
-    text_ += '\n';
-    is_first_ = true;
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  bool is_first_ = true;
-};
 
 std::vector<std::string> rate_heading(std::vector<std::string> first) {
   for (const char* name :
@@ -162,26 +115,30 @@ std::string positions_csv(const RatesOutcome& outcome, const std::vector<RunName
   return csv.text();
 }
 
+std::string false_csv(const RatesOutcome& outcome, const std::vector<RunName>& names) {
+  CsvText csv({"map", "truth", "object", "class", "x_m", "y_m", "z_m", "confidence"});
+  for (std::size_t i = 0; i < outcome.runs.size(); ++i) {
+    for (const FalseObject& object : outcome.runs[i].false_objects) {
+      csv.add(names[i].map);
+      csv.add(names[i].truth);
+      csv.add(std::to_string(object.object_id));
+      csv.add(object.class_name);
+      csv.add(std::optional(object.place));
+      csv.add(object.confidence);
+      csv.end_line();
+    }
+  }
+  return csv.text();
+}
+
 }  // namespace
 
-Result<void> write_csv_files(const RatesOutcome& outcome,
-                             const std::vector<RunName>& names,
-                             const std::filesystem::path& folder) {
-  const std::array<std::string, kCsvNames.size()> texts{classes_csv(outcome.tables),
-                                                        runs_csv(outcome.tables, names),
-                                                        instances_csv(outcome.tables),
-                                                        positions_csv(outcome, names)};
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Unexpected(Error{ErrorCode::kIo, failed.message(), folder.string()});
-  std::vector<std::filesystem::path> written;
-  written.reserve(texts.size());
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    if (const auto done = write_file_atomically(folder / kCsvNames[i], texts[i]); !done)
-      return Unexpected(with_written(done.error(), written));
-    written.push_back(folder / kCsvNames[i]);
-  }
-  return {};
+std::vector<CsvFile> csv_files_of(const RatesOutcome& outcome, const std::vector<RunName>& names) {
+  return {{.name = kCsvNames[0], .text = classes_csv(outcome.tables)},
+          {.name = kCsvNames[1], .text = runs_csv(outcome.tables, names)},
+          {.name = kCsvNames[2], .text = instances_csv(outcome.tables)},
+          {.name = kCsvNames[3], .text = positions_csv(outcome, names)},
+          {.name = kCsvNames[4], .text = false_csv(outcome, names)}};
 }
 
 }  // namespace hypermap::app

@@ -70,6 +70,13 @@ RatesJson json_of(const TruthRun& instance) {
           {"box_iou", known(instance.overlap)}};
 }
 
+RatesJson json_of(const FalseObject& object) {
+  return {{"object", object.object_id},
+          {"class", object.class_name},
+          {"position", known(std::optional(object.place))},
+          {"confidence", known(object.confidence)}};
+}
+
 RatesJson json_of(const ObjectRow& row) {
   return {{"thing", row.reference},
           {"class", row.class_name},
@@ -120,6 +127,9 @@ std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>
     run["things_found"] = RatesJson::array();
     for (const TruthRun& instance : outcome.runs[i].truths)
       run["things_found"].push_back(json_of(instance));
+    run["false"] = RatesJson::array();
+    for (const FalseObject& object : outcome.runs[i].false_objects)
+      run["false"].push_back(json_of(object));
     json["runs"].push_back(std::move(run));
   }
   for (const RunFigure& figure : tables.figures)

@@ -3,11 +3,10 @@
 /// Rates of runs as text: tables for people, JSON for programs, CSV for spreadsheets.
 #pragma once
 
-#include "hypermap/core/base/result.hpp"
+#include "csv_text.hpp"
 #include "hypermap/io/jobs/rates_job.hpp"
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,15 +26,12 @@ struct RunName {
 [[nodiscard]] std::string json_text_of(const RatesOutcome& outcome,
                                        const std::vector<RunName>& names);
 
-/// Files of `write_csv_files`: a row each for classes, runs, things over all runs, and things by
-/// run.
-inline constexpr std::array<const char*, 4> kCsvNames{
-    "classes.csv", "runs.csv", "things.csv", "positions.csv"};
+/// Names of `csv_files_of`: a row each for classes, runs, things over all runs, things by run, and
+/// objects that are no thing, by run.
+inline constexpr std::array<const char*, 5> kCsvNames{
+    "classes.csv", "runs.csv", "things.csv", "positions.csv", "false.csv"};
 
-/// Writes these files into `folder`, which is made; what is there by their names is replaced, each
-/// as a whole. Errors: kIo, with the files written before.
-[[nodiscard]] Result<void> write_csv_files(const RatesOutcome& outcome,
-                                           const std::vector<RunName>& names,
-                                           const std::filesystem::path& folder);
+[[nodiscard]] std::vector<CsvFile> csv_files_of(const RatesOutcome& outcome,
+                                                const std::vector<RunName>& names);
 
 }  // namespace hypermap::app

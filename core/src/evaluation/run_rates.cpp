@@ -47,6 +47,23 @@ std::vector<bool> found_objects(const RatedRun& run) {
   return is_found;
 }
 
+bool is_false(const RatedObject& object, bool is_found) {
+  return object.is_confirmed && !object.is_apart && !is_found;
+}
+
+std::vector<FalseObject> false_objects(const RatedRun& run, const std::vector<bool>& is_found) {
+  std::vector<FalseObject> out;
+  for (std::size_t o = 0; o < run.objects.size(); ++o) {
+    const RatedObject& object = run.objects[o];
+    if (!is_false(object, is_found[o])) continue;
+    out.push_back({.object_id = object.id,
+                   .class_name = object.class_name,
+                   .place = object.place,
+                   .confidence = object.confidence});
+  }
+  return out;
+}
+
 std::size_t num_rejected(const RatedRun& run, const RankedSides& sides) {
   MatchSides left;
   for (const std::size_t o : sides.objects) {
@@ -70,8 +87,7 @@ BinaryCounts counts_of(const RatedRun& run,
     ++(run.truths[t].object ? counts.true_positives : counts.false_negatives);
   }
   for (const std::size_t o : sides.objects) {
-    const RatedObject& object = run.objects[o];
-    counts.false_positives += object.is_confirmed && !is_found[o] ? 1U : 0U;
+    counts.false_positives += is_false(run.objects[o], is_found[o]) ? 1U : 0U;
   }
   counts.true_negatives = std::nullopt;
   if (run.has_tentative) counts.true_negatives = num_rejected(run, sides);
@@ -122,6 +138,7 @@ RunRates run_rates(const RatedRun& run) {
   const std::vector<bool> is_found = found_objects(run);
   rates.truths.reserve(run.truths.size());
   for (const RatedTruth& truth : run.truths) rates.truths.push_back(truth_run(run, truth));
+  rates.false_objects = false_objects(run, is_found);
   auto by_class = sides_by_class(run);
   add_guests(run, by_class);
   for (const auto& [name, sides] : by_class) {

@@ -71,7 +71,11 @@ TEST(RunRates, NegativesAreWhatTheMapRejected) {
                      .truths = {rated_truth(0, 0), rated_truth(2, 1), rated_truth(4)}};
   const BinaryCounts expected{
       .true_positives = 2, .false_positives = 1, .false_negatives = 1, .true_negatives = 2};
-  EXPECT_EQ(run_rates(run).classes.at("chair").counts, expected);
+  const RunRates rates = run_rates(run);
+  EXPECT_EQ(rates.classes.at("chair").counts, expected);
+  ASSERT_EQ(rates.false_objects.size(), 1U);
+  EXPECT_DOUBLE_EQ(rates.false_objects.front().place.x(), 9.0);
+  EXPECT_EQ(rates.false_objects.front().confidence, 0.7);
   RatedRun without = run;
   without.has_tentative = false;
   EXPECT_FALSE(run_rates(without).classes.at("chair").counts.true_negatives);
@@ -84,6 +88,7 @@ TEST(RunRates, WhatLiesAtATruthThatDoesNotCountIsNeither) {
   for (RatedTruth& truth : run.truths) truth.counts = false;
   const RunRates rates = run_rates(run);
   EXPECT_EQ(rates.classes.at("chair").counts, BinaryCounts{});
+  EXPECT_TRUE(rates.false_objects.empty());
   EXPECT_THAT(ranking(rates, "chair"), IsEmpty());
 }
 

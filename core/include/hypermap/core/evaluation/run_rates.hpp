@@ -102,9 +102,18 @@ struct TruthRun {
   std::optional<double> overlap = std::nullopt;
 };
 
+/// An object that is nothing real: a false positive.
+struct FalseObject {
+  std::uint64_t object_id = 0;
+  std::string class_name = {};
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  std::optional<double> confidence = std::nullopt;
+};
+
 struct RunRates {
   std::map<std::string, ClassRun> classes = {};  ///< By canonical name.
   std::vector<TruthRun> truths = {};             ///< In the order of the run's truths.
+  std::vector<FalseObject> false_objects = {};   ///< In the order of the run's objects.
   Classifications classifications = {};
   bool has_confidences = true;  ///< Of all objects, so that they can be ranked.
 };
