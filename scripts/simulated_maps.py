@@ -18,13 +18,13 @@ def simulated(program, folder, seed, *options):
     run(program, "simulate", "--seed", seed, "--output", folder, *options)
 
 
-def kept_sequence(program, folder, scene, seed):
+def kept_sequence(program, folder, scene, seed, *options):
     """The scene's sequence in `folder`; one that is there is not made again."""
     data = folder / f"{scene}-{seed}"
     if not data.exists():
         making = folder / f"making-{scene}-{seed}"
         shutil.rmtree(making, ignore_errors=True)  # of a run that was interrupted
-        simulated(program, making, seed, "--scene", scene)
+        simulated(program, making, seed, "--scene", scene, *options)
         making.rename(data)
     return data
 

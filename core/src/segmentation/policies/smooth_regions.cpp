@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace hypermap {
@@ -22,21 +23,42 @@ struct SurfacePoint {
   float curvature = 0.0F;
 };
 
-std::vector<SurfacePoint> surface_of(const PixelCloud& cloud,
-                                     ImageNeighbours& neighbours,
-                                     std::size_t num_neighbours) {
+/// Each point of a cloud, and which are beside it.
+struct Surface {
+  std::vector<SurfacePoint> points;
+  std::size_t num_beside = 0;
+  PointIndices beside;  ///< Of one point after the other.
+
+  [[nodiscard]] std::span<const std::uint32_t> beside_of(std::uint32_t point) const {
+    return std::span(beside).subspan(point * num_beside, num_beside);
+  }
+};
+
+Surface surface_of(const PixelCloud& cloud,
+                   const PinholeCamera& camera,
+                   const RegionGrowingOptions& options) {
+  const std::size_t size = cloud.pixels.size();
   pcl::PointCloud<pcl::PointXYZ> points;
-  points.reserve(cloud.points_in_camera.size());
+  points.reserve(size);
   for (const Eigen::Vector3f& at : cloud.points_in_camera)
     points.push_back({at.x(), at.y(), at.z()});
-  std::vector<SurfacePoint> surface(cloud.pixels.size());
-  pcl::Indices around;
-  for (std::uint32_t i = 0; i < surface.size(); ++i) {
-    const auto near = neighbours.nearest(i, num_neighbours);
-    around.assign(near.begin(), near.end());
+  const auto limited = [&](int count) { return std::min(static_cast<std::size_t>(count), size); };
+  const std::size_t num_fitted = limited(options.normal_neighbours);
+  Surface surface{.points = std::vector<SurfacePoint>(size),
+                  .num_beside = limited(options.region_neighbours),
+                  .beside = {}};
+  surface.beside.reserve(size * surface.num_beside);
+  const auto [num_first, num_near] = std::minmax(num_fitted, surface.num_beside);
+  ImageNeighbours neighbours(cloud, camera);
+  pcl::Indices fitted;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const auto near = neighbours.nearest(i, num_near, num_first);
+    const auto beside = near.first(surface.num_beside);
+    surface.beside.insert(surface.beside.end(), beside.begin(), beside.end());
+    fitted.assign(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(num_fitted));
     Eigen::Vector4f plane;
-    (void)pcl::computePointNormal(points, around, plane, surface[i].curvature);
-    surface[i].normal = plane.head<3>();
+    (void)pcl::computePointNormal(points, fitted, plane, surface.points[i].curvature);
+    surface.points[i].normal = plane.head<3>();
   }
   return surface;
 }
@@ -54,15 +76,12 @@ PointIndices flattest_first(const std::vector<SurfacePoint>& surface) {
 
 class RegionGrowth {
  public:
-  RegionGrowth(const std::vector<SurfacePoint>& surface,
-               ImageNeighbours& neighbours,
-               const RegionGrowingOptions& options)
+  RegionGrowth(const Surface& surface, const RegionGrowingOptions& options)
       : surface_(surface),
-        neighbours_(neighbours),
-        num_neighbours_(static_cast<std::size_t>(options.region_neighbours)),
+        points_(surface.points),
         min_cosine_(static_cast<float>(std::cos(options.angle_threshold_rad))),
         max_curvature_(static_cast<float>(options.curvature_threshold)),
-        region_of_(surface.size(), kNoRegion) {}
+        region_of_(surface.points.size(), kNoRegion) {}
 
   /// A new region of all points that `seed` leads to and that no region has yet. Boundary: none
   /// when one has the seed.
@@ -75,13 +94,13 @@ class RegionGrowth {
     while (!open_.empty()) {
       const std::uint32_t from = open_.back();
       open_.pop_back();
-      const Eigen::Vector3f& normal = surface_[from].normal;
-      for (const std::uint32_t to : neighbours_.nearest(from, num_neighbours_)) {
+      const Eigen::Vector3f& normal = points_[from].normal;
+      for (const std::uint32_t to : surface_.beside_of(from)) {
         if (region_of_[to] != kNoRegion) continue;
-        if (std::abs(surface_[to].normal.dot(normal)) < min_cosine_) continue;
+        if (std::abs(points_[to].normal.dot(normal)) < min_cosine_) continue;
         region_of_[to] = region;
         ++sizes_.back();
-        if (surface_[to].curvature <= max_curvature_) open_.push_back(to);
+        if (points_[to].curvature <= max_curvature_) open_.push_back(to);
       }
     }
   }
@@ -97,9 +116,8 @@ class RegionGrowth {
  private:
   static constexpr std::uint32_t kNoRegion = std::numeric_limits<std::uint32_t>::max();
 
-  const std::vector<SurfacePoint>& surface_;
-  ImageNeighbours& neighbours_;
-  std::size_t num_neighbours_;
+  const Surface& surface_;
+  const std::vector<SurfacePoint>& points_;
   float min_cosine_;
   float max_curvature_;
   std::vector<std::uint32_t> region_of_;
@@ -114,11 +132,9 @@ std::vector<PointIndices> smooth_regions(const PixelCloud& cloud,
                                          const RegionGrowingOptions& options) {
   constexpr std::size_t kPointsOfPlane = 3;
   if (cloud.pixels.size() < kPointsOfPlane) return {};
-  ImageNeighbours neighbours(cloud, camera);
-  const std::vector<SurfacePoint> surface =
-      surface_of(cloud, neighbours, static_cast<std::size_t>(options.normal_neighbours));
-  RegionGrowth growth(surface, neighbours, options);
-  for (const std::uint32_t seed : flattest_first(surface)) growth.grow(seed);
+  const Surface surface = surface_of(cloud, camera, options);
+  RegionGrowth growth(surface, options);
+  for (const std::uint32_t seed : flattest_first(surface.points)) growth.grow(seed);
   std::vector<PointIndices> regions = growth.regions();
   std::erase_if(regions, [&](const PointIndices& region) {
     return std::cmp_less(region.size(), options.region_min_points);

@@ -18,7 +18,8 @@ namespace hypermap {
 /// of each of its points whose normals agree with that one's. Normals are fitted by PCL; regions
 /// are those of its RegionGrowing.
 /// Source: [hypermap] 2.4.1, 3.4.4. Boundary: none of fewer than three points. Cost: linear in the
-/// points on surfaces (`ImageNeighbours`).
+/// points on surfaces (`ImageNeighbours`); 4 B for each of
+/// the nearest points of each point.
 [[nodiscard]] std::vector<PointIndices> smooth_regions(const PixelCloud& cloud,
                                                        const PinholeCamera& camera,
                                                        const RegionGrowingOptions& options);
