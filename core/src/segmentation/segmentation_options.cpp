@@ -87,7 +87,9 @@ constexpr OptionRow kRegionGrowingRows[] = {
     option::count<&Growing::normal_neighbours>(
         "normal_neighbours", {3, 10000}, {.effect = "Points that a normal is fitted to."}),
     option::count<&Growing::region_neighbours>(
-        "region_neighbours", {1, 10000}, {.effect = "Points that a region may grow to."}),
+        "region_neighbours",
+        {1, 256},
+        {.effect = "Points that a region may grow to; all are kept."}),
     option::count<&Growing::region_min_points>(
         "region_min_points", {1, 10000000}, {.effect = "Smaller regions are no thing."}),
 };

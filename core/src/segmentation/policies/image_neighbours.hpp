@@ -25,7 +25,7 @@ namespace hypermap {
 /// that are. How far that is at most follows from the point that was asked for before: its
 /// neighbours are no farther from this one than from it, and it from this one. Where depth scatters
 /// so much that no small window does, a kd tree answers.
-/// Cost: about two distances for each neighbour on a surface; 20 B for each pixel of the smallest
+/// Cost: about three distances for each neighbour on a surface; 20 B for each pixel of the smallest
 /// rectangle around the points.
 /// Threads: an object answers one caller at a time.
 class ImageNeighbours {

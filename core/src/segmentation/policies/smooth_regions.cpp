@@ -78,7 +78,6 @@ class RegionGrowth {
  public:
   RegionGrowth(const Surface& surface, const RegionGrowingOptions& options)
       : surface_(surface),
-        points_(surface.points),
         min_cosine_(static_cast<float>(std::cos(options.angle_threshold_rad))),
         max_curvature_(static_cast<float>(options.curvature_threshold)),
         region_of_(surface.points.size(), kNoRegion) {}
@@ -94,13 +93,14 @@ class RegionGrowth {
     while (!open_.empty()) {
       const std::uint32_t from = open_.back();
       open_.pop_back();
-      const Eigen::Vector3f& normal = points_[from].normal;
+      const Eigen::Vector3f& normal = surface_.points[from].normal;
       for (const std::uint32_t to : surface_.beside_of(from)) {
         if (region_of_[to] != kNoRegion) continue;
-        if (std::abs(points_[to].normal.dot(normal)) < min_cosine_) continue;
+        const SurfacePoint& next = surface_.points[to];
+        if (std::abs(next.normal.dot(normal)) < min_cosine_) continue;
         region_of_[to] = region;
         ++sizes_.back();
-        if (points_[to].curvature <= max_curvature_) open_.push_back(to);
+        if (next.curvature <= max_curvature_) open_.push_back(to);
       }
     }
   }
@@ -117,7 +117,6 @@ class RegionGrowth {
   static constexpr std::uint32_t kNoRegion = std::numeric_limits<std::uint32_t>::max();
 
   const Surface& surface_;
-  const std::vector<SurfacePoint>& points_;
   float min_cosine_;
   float max_curvature_;
   std::vector<std::uint32_t> region_of_;

@@ -22,8 +22,6 @@ TreeNeighbours::TreeNeighbours(const std::vector<Eigen::Vector3f>& points)
 }
 
 TreeNeighbours::~TreeNeighbours() = default;
-TreeNeighbours::TreeNeighbours(TreeNeighbours&&) noexcept = default;
-TreeNeighbours& TreeNeighbours::operator=(TreeNeighbours&&) noexcept = default;
 
 std::span<const std::uint32_t> TreeNeighbours::nearest(std::uint32_t point, std::size_t count) {
   tree_->tree.nearestKSearch(

@@ -13,13 +13,11 @@
 
 namespace hypermap {
 
-/// Which points are nearest to one of them, by PCL's kd tree. A value that can only be moved.
+/// Which points are nearest to one of them, by PCL's kd tree.
 class TreeNeighbours {
  public:
   explicit TreeNeighbours(const std::vector<Eigen::Vector3f>& points);
   ~TreeNeighbours();
-  TreeNeighbours(TreeNeighbours&&) noexcept;
-  TreeNeighbours& operator=(TreeNeighbours&&) noexcept;
   TreeNeighbours(const TreeNeighbours&) = delete;
   TreeNeighbours& operator=(const TreeNeighbours&) = delete;
 
