@@ -10,13 +10,15 @@ target_compile_options(hypermap_determinism INTERFACE -ffp-contract=off -fno-tra
 
 # Our own code is compiled with strict warnings; the target is never exported to users.
 # GCC 12 warns falsely of overlapping strings and of uninitialised optionals (its bugs 105329 and 80635), and in unity
-# builds takes sources, which may have types of their own, for headers.
+# builds takes sources, which may have types of their own, for headers. With a precompiled header it no longer knows which
+# code is the system's, and warns there of strings that overflow, falsely (its bug 105651).
 add_library(hypermap_warnings INTERFACE)
 target_compile_options(hypermap_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
   -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>>:-Wno-stringop-overflow;-Wno-array-bounds>"
   $<$<BOOL:${HYPERMAP_WERROR}>:-Werror>)
 
 # In unity builds the sources of one folder are one unit: names of anonymous namespaces are unique in a folder only.
@@ -28,6 +30,25 @@ function(hypermap_unite_by_folder target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# hypermap_add_library_headers(<target>)
+#
+# What most sources of the libraries include, parsed once, for the libraries that are added after it in this folder and
+# below: a precompiled header serves targets with the same options only. Presets `dev` and `tidy` compile without it, so
+# that no source leans on what it does not include.
+function(hypermap_add_library_headers target)
+  hypermap_find_packages(Eigen3 tl-expected)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  file(WRITE ${source} "")
+  add_library(${target} STATIC ${source})
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen tl::expected hypermap_warnings hypermap_determinism)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  set(HYPERMAP_LIBRARY_HEADERS ${target} PARENT_SCOPE)
+  target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp> <algorithm> <array>
+    <charconv> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string> <string_view> <unordered_map>
+    <vector>)
 endfunction()
 
 # hypermap_find_packages(<package>...): each "name" or "name arguments of find_package".
@@ -60,6 +81,7 @@ function(hypermap_add_module name)
                                   PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:hypermap_warnings>
                                           $<BUILD_INTERFACE:hypermap_determinism>)
   target_include_directories(${target} PRIVATE src)
+  target_precompile_headers(${target} REUSE_FROM ${HYPERMAP_LIBRARY_HEADERS})
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF LINKER_LANGUAGE CXX
                                              POSITION_INDEPENDENT_CODE ON
@@ -117,21 +139,20 @@ function(hypermap_add_test_headers)
   target_compile_options(hypermap_tests_pch PRIVATE -O0)
 endfunction()
 
-# hypermap_add_tests(<name> [COMPUTES] [IN_ONE_PROCESS] SOURCES ... LINK ...)
+# hypermap_add_tests(<name> [COMPUTES] [IN_ONE_PROCESS] [COST <seconds>] SOURCES ... LINK ...)
 #
 # One GoogleTest program. It knows where the project's data lie (support/test_data.hpp) and where data by others may lie
 # (environment HYPERMAP_DATA, else ../shared/data beside the project); tests of the latter skip with a message when it
 # is absent. Programs with threads bear the label `threads` and are built by the target `thread_tests`.
 # COMPUTES: the tests themselves work hard (scenes, brute force) and are worth optimising. Most tests need to compile
 # fast, not to run fast; the libraries are optimised in every build but `dev`.
+# COST: about how many seconds it takes as a whole under a sanitizer, where it is among the longest; those are begun first.
 # IN_ONE_PROCESS: all its tests are one of CTest's, not a process each: for what takes longer to start than to run.
 function(hypermap_add_tests name)
-  cmake_parse_arguments(ARG "COMPUTES;IN_ONE_PROCESS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES;IN_ONE_PROCESS" "COST" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} hypermap_test_data hypermap_warnings hypermap_determinism
                                         GTest::gmock GTest::gtest_main)
-  # GCC 12 warns falsely of strings that overflow (its bug 105651), in precompiled headers also where they are a system's.
-  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow -Wno-array-bounds>)
   if(ARG_COMPUTES)
     target_precompile_headers(${name} REUSE_FROM hypermap_computing_tests_pch)
   else()
@@ -147,6 +168,9 @@ function(hypermap_add_tests name)
   if(HYPERMAP_WHOLE_TEST_PROGRAMS OR ARG_IN_ONE_PROCESS)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
     set_tests_properties(${name} PROPERTIES TIMEOUT 1800 ${label})
+    if(ARG_COST)
+      set_tests_properties(${name} PROPERTIES COST ${ARG_COST})
+    endif()
   else()
     gtest_discover_tests(${name} TEST_PREFIX ${name}/ DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ${label})
   endif()
