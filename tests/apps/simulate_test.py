@@ -93,6 +93,20 @@ class Simulate(unittest.TestCase):
                 self.assertNotIn("num_passes", told)
         self.assertIn("changes.num_removed", self.refused("--passes", 2, "--removed", 99, status=2))
 
+    def test_masks_stand_beside_the_boxes_of_things(self):
+        def masks(*options):
+            lines = (self.simulated("--frames", 3, *options) / "detections.jsonl").read_text().splitlines()
+            return [found.get("mask") for line in lines for found in json.loads(line).get("detections", [])]
+
+        self.assertEqual(set(masks()), {None})
+        exact = masks("--detector", "perfect", "--masks")
+        self.assertTrue(exact and all(mask["size"] == [60, 80] for mask in exact))
+        noisy = masks("--masks", "--false-alarms", 0)
+        self.assertTrue(noisy and None not in noisy)
+        self.assertNotEqual(noisy, exact)
+        alarms = masks("--masks", "--false-alarms", 20, "--miss-rate", 1)
+        self.assertEqual(set(alarms), {None})
+
     def test_a_perfect_detector_has_no_rates(self):
         for rate in ("--miss-rate", "--false-alarms", "--box-noise", "--wrong-class"):
             with self.subTest(rate):

@@ -31,6 +31,7 @@ struct SimulateArguments {
   std::optional<double> false_alarms;
   std::optional<double> box_jitter;
   std::optional<double> wrong_class_rate;
+  bool masks = false;
   SimulationOptions simulation;
 };
 
@@ -43,6 +44,7 @@ SimulatedDetectorOptions detector_of(const SimulateArguments& arguments) {
       arguments.false_alarms.value_or(detector.false_alarms_per_frame);
   detector.box_jitter = arguments.box_jitter.value_or(detector.box_jitter);
   detector.wrong_class_rate = arguments.wrong_class_rate.value_or(detector.wrong_class_rate);
+  detector.masks = arguments.masks;
   return detector;
 }
 
@@ -142,6 +144,7 @@ void add_detector_options(CLI::App& command, const std::shared_ptr<SimulateArgum
   add("--false-alarms", arguments->false_alarms, "false_alarms_per_frame", "a frame");
   add("--box-noise", arguments->box_jitter, "box_jitter", "of each edge, as a share of the side");
   add("--wrong-class", arguments->wrong_class_rate, "wrong_class_rate", "share named wrongly");
+  command.add_flag("--masks", arguments->masks, "also a mask of each thing");
 }
 
 void add_change_options(CLI::App& command, const std::shared_ptr<SimulateArguments>& arguments) {

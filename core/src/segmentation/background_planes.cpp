@@ -2,6 +2,7 @@
 #include "background_planes.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
+#include "mask_cells.hpp"
 #include "plane_test.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -62,8 +63,20 @@ class Points {
   std::vector<float> noise_m_;
 };
 
-/// Evenly chosen measured points outside the box.
-Points surroundings(const DepthWindow& window, const ForegroundOptions& options) {
+/// The measured cells outside the mask, and not so near that they may be the object's.
+std::vector<std::uint32_t> cells_around_mask(const DepthWindow& window) {
+  const int reach = static_cast<int>(std::ceil(kMaskTolerancePx / window.block_px));
+  const std::vector<std::uint8_t> near_mask = widened(window, window.in_mask, reach);
+  std::vector<std::uint32_t> cells;
+  for (std::size_t cell = 0; cell < window.size(); ++cell) {
+    if (near_mask[cell] == 0 && window.depth_m[cell] > 0.0F)
+      cells.push_back(static_cast<std::uint32_t>(cell));
+  }
+  return cells;
+}
+
+/// The measured cells outside the box.
+std::vector<std::uint32_t> cells_around_box(const DepthWindow& window) {
   std::vector<std::uint32_t> cells;
   for (int y = 0; y < window.height(); ++y) {
     const auto look_at = [&](int begin, int end) {
@@ -76,6 +89,13 @@ Points surroundings(const DepthWindow& window, const ForegroundOptions& options)
     look_at(0, crosses_box ? box.u_begin : window.width());
     if (crosses_box) look_at(box.u_end, window.width());
   }
+  return cells;
+}
+
+/// Evenly chosen measured points around the object.
+Points surroundings(const DepthWindow& window, const ForegroundOptions& options) {
+  const std::vector<std::uint32_t> cells =
+      window.is_masked() ? cells_around_mask(window) : cells_around_box(window);
   Points points;
   const std::size_t count = std::min(cells.size(), kMaxSamples);
   for (std::size_t i = 0; i < count; ++i) {

@@ -28,18 +28,16 @@ int block_for(const PixelRect& rect) {
   return block_px;
 }
 
-/// No measurement within range, or not of the mask: on the surface of no measured depth.
+/// No measurement within range: on the surface of no measured depth.
 constexpr float kNothing = -1e6F;
 
 /// Rows of a cut-out, with `kNothing` where there is nothing.
 class CleanRows {
  public:
   CleanRows(const RgbdFrame& frame,
-            const Detection& detection,
             const PixelRect& rect,
             const GeometricSegmentationOptions& options)
       : depth_m_(frame.depth_m),
-        mask_(detection.mask ? &*detection.mask : nullptr),
         rect_(rect),
         nearest_(std::max(static_cast<float>(options.min_range_m),
                           std::numeric_limits<float>::denorm_min())),
@@ -67,15 +65,9 @@ class CleanRows {
       const float far_enough = depths[i] >= nearest_ ? depths[i] : kNothing;
       into[i + 1] = far_enough <= farthest_ ? far_enough : kNothing;
     }
-    if (mask_ == nullptr) return;
-    const auto mask = mask_->pixels().subspan(first, depths.size());
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-      if (mask[i] == 0) into[i + 1] = kNothing;
-    }
   }
 
   const DepthImage& depth_m_;
-  const MaskImage* mask_;
   PixelRect rect_;
   float nearest_;
   float farthest_;
@@ -191,18 +183,46 @@ std::vector<CompetingBox> competing_boxes_of(const PixelBox& box_px,
   return competing_boxes;
 }
 
-PixelBox bounds_of(const MaskImage& mask) {
-  PixelBox box{static_cast<double>(mask.width_px()), static_cast<double>(mask.height_px()), 0, 0};
-  for (int v = 0; v < mask.height_px(); ++v) {
-    for (int u = 0; u < mask.width_px(); ++u) {
-      if (mask.at(u, v) == 0) continue;
-      box = {.u_min_px = std::min(box.u_min_px, static_cast<double>(u)),
-             .v_min_px = std::min(box.v_min_px, static_cast<double>(v)),
-             .u_max_px = std::max(box.u_max_px, u + 1.0),
-             .v_max_px = std::max(box.v_max_px, v + 1.0)};
+/// 1 on the cells whose middle pixel is in the mask.
+std::vector<std::uint8_t> cells_of_mask(const MaskImage& mask, const DepthWindow& window) {
+  std::vector<std::uint8_t> cells;
+  cells.reserve(window.size());
+  for (int y = 0; y < window.height(); ++y) {
+    for (int x = 0; x < window.width(); ++x) {
+      cells.push_back(mask.at(window.pixel_u(x), window.pixel_v(y)) != 0 ? 1 : 0);
     }
   }
-  return box;
+  return cells;
+}
+
+/// Without an early end, so that a compiler looks at many pixels at once: most rows are empty.
+bool is_empty(std::span<const std::uint8_t> row) {
+  std::uint8_t any = 0;
+  for (const std::uint8_t pixel : row) any = static_cast<std::uint8_t>(any | pixel);
+  return any == 0;
+}
+
+PixelBox bounds_of(const MaskImage& mask) {
+  const auto width = static_cast<std::size_t>(mask.width_px());
+  const auto is_set = [](std::uint8_t pixel) { return pixel != 0; };
+  std::size_t first = width;
+  std::size_t last = 0;
+  int top = mask.height_px();
+  int bottom = 0;
+  for (int v = 0; v < mask.height_px(); ++v) {
+    const auto row = mask.pixels().subspan(mask.index(0, v), width);
+    if (is_empty(row)) continue;
+    const auto begin = std::find_if(row.begin(), row.end(), is_set) - row.begin();
+    const auto end = row.rend() - std::find_if(row.rbegin(), row.rend(), is_set);
+    first = std::min(first, static_cast<std::size_t>(begin));
+    last = std::max(last, static_cast<std::size_t>(end));
+    top = std::min(top, v);
+    bottom = v + 1;
+  }
+  return {.u_min_px = static_cast<double>(first),
+          .v_min_px = static_cast<double>(top),
+          .u_max_px = static_cast<double>(last),
+          .v_max_px = static_cast<double>(bottom)};
 }
 
 }  // namespace
@@ -237,11 +257,10 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
     window.slope_y.push_back(static_cast<float>((window.pixel_v(y) - camera.cy_px) / camera.fy_px));
   }
   window.box_px = box_px;
-  window.is_masked = detection.mask.has_value();
   window.box = cells_in(box, window);
   window.tolerant_box = cells_in(grown_by(kBoxToleranceShare, kBoxTolerancePx), window);
   window.competing_boxes = competing_boxes_of(box_px, others, frame.camera, window);
-  CleanRows rows(frame, detection, window.rect, options);
+  CleanRows rows(frame, window.rect, options);
   RowSmoother smoother(window, foreground);
   window.depth_m.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) {
@@ -252,6 +271,7 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   }
   window.step_m.resize(window.size());
   find_steps(window.depth_m, foreground, window.step_m);
+  if (detection.mask) window.in_mask = cells_of_mask(*detection.mask, window);
   return window;
 }
 

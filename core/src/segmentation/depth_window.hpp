@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,10 +28,11 @@ struct DepthWindow {
   PixelRect rect;          ///< What is cut out: the box and its surroundings. Unit: pixel.
   int block_px = 1;        ///< Edge of a cell.
   PixelBox box_px;         ///< The detection's box, or that around its mask.
-  bool is_masked = false;  ///< Only pixels of a mask are measurements.
   PixelRect box;           ///< The cells in the box.
   PixelRect tolerant_box;  ///< The cells in the box with room for a detector's inaccuracy.
   std::vector<CompetingBox> competing_boxes;  ///< Of other objects; those that have a cell here.
+  std::vector<std::uint8_t>
+      in_mask;                 ///< 1 on the cells of the detection's mask; empty without one.
   std::vector<float> depth_m;  ///< Smoothed; 0 where nothing was measured within range.
   std::vector<float> step_m;   ///< `allowed_step_m` of each depth.
   std::vector<float> slope_x;  ///< Per column, x / z of its ray.
@@ -39,6 +41,11 @@ struct DepthWindow {
   [[nodiscard]] int width() const { return static_cast<int>(slope_x.size()); }
   [[nodiscard]] int height() const { return static_cast<int>(slope_y.size()); }
   [[nodiscard]] std::size_t size() const { return depth_m.size(); }
+  [[nodiscard]] bool is_masked() const { return !in_mask.empty(); }
+  /// Whether the object may be there: in the mask, or anywhere when there is none.
+  [[nodiscard]] bool may_be_object(std::size_t cell) const {
+    return in_mask.empty() || in_mask[cell] != 0;
+  }
   /// Position of column `x`, row `y` of the window.
   [[nodiscard]] std::size_t cell(int x, int y) const {
     return static_cast<std::size_t>(y) * slope_x.size() + static_cast<std::size_t>(x);
@@ -66,8 +73,8 @@ struct DepthWindow {
 
 /// Cuts the window out and smooths it: each depth becomes the mean of its 3 x 3 pixels on the same
 /// surface. Independent noise falls to a third, which is what lifts a keyboard out of its table.
-/// Empty when the box lies outside the image; where there is a mask, it replaces the box, and
-/// pixels outside it are no measurement. `others` are all detections of the image.
+/// Empty when the box lies outside the image; where there is a mask, the box is that around it.
+/// `others` are all detections of the image.
 [[nodiscard]] DepthWindow make_depth_window(const RgbdFrame& frame,
                                             const Detection& detection,
                                             std::span<const Detection> others,

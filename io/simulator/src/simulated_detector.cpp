@@ -3,6 +3,7 @@
 
 #include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
+#include "simulated_mask.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace {
 constexpr std::uint64_t kDetectionStream = 0x646574656374;  // which numbers: "detect"
 constexpr std::uint64_t kFalseAlarmStream = 0x616c61726d;   // "alarm"
 constexpr double kSmallestSidePx = 2.0;
+constexpr double kMaskShiftPx = 2.0;  // standard deviation in each direction
 constexpr double kSmallestAlarmPx = 20.0;
 
 /// Classes that detectors take for each other. Pairs that a detector does not know are ignored.
@@ -77,12 +79,10 @@ PixelBox random_box(double width_px, double height_px, CounterRng& random) {
   return {u - half_width, v - half_height, u + half_width, v + half_height};
 }
 
-MaskImage mask_of(const Image<ObjectId>& instances, ObjectId id) {
-  MaskImage mask(instances.width_px(), instances.height_px());
-  std::ranges::transform(instances.pixels(), mask.pixels().begin(), [id](ObjectId at) {
-    return static_cast<std::uint8_t>(at == id ? 1 : 0);
-  });
-  return mask;
+MaskShift random_shift(CounterRng& random) {
+  const auto pixels = [&] { return static_cast<int>(std::lround(kMaskShiftPx * random.normal())); };
+  const int du_px = pixels();
+  return {.du_px = du_px, .dv_px = pixels()};
 }
 
 }  // namespace
@@ -192,7 +192,11 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
   }
   detection.score = Probability(weight);
   detection.class_scores = class_vector(named, weight);
-  if (options_.masks) detection.mask = mask_of(instances, object.id);
+  if (options_.masks) {
+    detection.mask =
+        options_.noisy ? network_mask(instances, object.id, detection.box_px, random_shift(random))
+                       : exact_mask(instances, object.id);
+  }
   return detection;
 }
 

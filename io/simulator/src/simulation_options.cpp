@@ -92,7 +92,8 @@ constexpr OptionRow kDetectorRows[] = {
         "perfect_probability",
         {0, 1},
         {.source = kNoise, .effect = "Of the true class without noise."}),
-    option::flag<&Detector::masks>("masks", {.effect = "Also the pixels of each object."}),
+    option::flag<&Detector::masks>("masks",
+                                   {.source = kNoise, .effect = "Also a mask of each object."}),
     option::names<&Detector::class_names>(
         "class_names", {.effect = "What the detector can name; the classes of COCO when empty."}),
 };

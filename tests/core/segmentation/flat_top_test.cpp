@@ -156,13 +156,26 @@ TEST(FlatTop, IsNoneOfAGapInFrontOfWhatIsBelowIt) {
   for (const Eigen::Vector3f& point : box.top()) EXPECT_GE(point.z(), 1.98F);
 }
 
-TEST(FlatTop, IsNoneInAMaskOrOfARolledCamera) {
+TEST(FlatTop, EndsWithTheMask) {
+  FrontOfABox box;  // nothing is measured up to row 60
+  box.window.in_mask.assign(box.window.size(), 0);
+  std::fill(box.window.in_mask.begin() + static_cast<std::ptrdiff_t>(box.window.cell(0, 83)),
+            box.window.in_mask.end(),
+            std::uint8_t{1});
+  float farthest_m = 0.0F;
+  for (const Eigen::Vector3f& point : box.top()) farthest_m = std::max(farthest_m, point.z());
+  // Two rows below the mask's border: row 85 ends at slope 0.1725.
+  EXPECT_NEAR(farthest_m, 0.495F / 0.1725F, 0.02F);
+  std::fill(box.window.in_mask.begin(),
+            box.window.in_mask.begin() + static_cast<std::ptrdiff_t>(box.window.cell(0, kEdge)),
+            std::uint8_t{0});
+  EXPECT_TRUE(box.top().empty());
+}
+
+TEST(FlatTop, IsNoneOfARolledCamera) {
   FrontOfABox box;
   box.fill(kWallEnd, 85, 6.0F);
   ASSERT_FALSE(box.top().empty());
-  box.window.is_masked = true;
-  EXPECT_TRUE(box.top().empty());
-  box.window.is_masked = false;
   box.aligned << 1, 0, 0, 0, 0, 1, 0.6F, -0.8F, 0;
   EXPECT_TRUE(box.top().empty());
 }

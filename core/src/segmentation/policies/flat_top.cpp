@@ -60,8 +60,7 @@ class FlatTop {
     std::vector<float> heights_m;
     for (int x = window_.box.u_begin; x < window_.box.u_end; ++x) {
       for (int y = window_.box.v_begin; y + 1 < window_.box.v_end; ++y) {
-        const bool is_unmeasured = window_.depth_m[window_.cell(x, y)] == 0.0F;
-        if (!is_unmeasured || is_object_[window_.cell(x, y + 1)] == 0) continue;
+        if (!is_unmeasured(window_.cell(x, y)) || is_object_[window_.cell(x, y + 1)] == 0) continue;
         cells.push_back({x, y});
         heights_m.push_back(up_.dot(lower_ray(x, y)) * window_.depth_m[window_.cell(x, y + 1)]);
         break;
@@ -92,8 +91,7 @@ class FlatTop {
       const PixelRect& box = window_.box;
       if (x < box.u_begin || x >= box.u_end || y < box.v_begin || y >= box.v_end) return;
       const std::size_t cell = window_.cell(x, y);
-      if (is_gap[cell] != 0 || window_.depth_m[cell] > 0.0F || !is_flat(x, y, edge.height_m))
-        return;
+      if (is_gap[cell] != 0 || !is_unmeasured(cell) || !is_flat(x, y, edge.height_m)) return;
       is_gap[cell] = 1;
       open.push_back({x, y});
     };
@@ -115,7 +113,8 @@ class FlatTop {
                                                     float spacing_m) const {
     std::vector<Eigen::Vector3f> all;
     const PixelRect& box = window_.box;
-    const int border = box.v_begin + static_cast<int>(std::ceil(kBorderShare * box.height()));
+    const double uncertain = window_.is_masked() ? 0.0 : std::ceil(kBorderShare * box.height());
+    const int border = box.v_begin + static_cast<int>(uncertain);
     for (int x = box.u_begin; x < box.u_end; ++x) {
       for (int y = box.v_end - 1; y >= box.v_begin; --y) {
         if (is_gap[window_.cell(x, y)] == 0) continue;
@@ -135,6 +134,11 @@ class FlatTop {
  private:
   [[nodiscard]] int cells_of(int pixels) const {
     return std::max(1, (pixels + window_.block_px - 1) / window_.block_px);
+  }
+
+  /// Of the box and, where there is one, of the mask.
+  [[nodiscard]] bool is_unmeasured(std::size_t cell) const {
+    return window_.depth_m[cell] == 0.0F && window_.may_be_object(cell);
   }
 
   /// The ray through the lower border of a cell; that of the cell above it is its upper border.
@@ -258,7 +262,7 @@ std::vector<Eigen::Vector3f> unmeasured_top(const DepthWindow& window,
                                             const Eigen::Matrix3f& gravity_aligned_from_camera,
                                             float spacing_m) {
   const Eigen::Vector3f up = gravity_aligned_from_camera.row(2).transpose();
-  if (window.is_masked || window.height() < 2 || std::abs(up.x()) > kMostRoll) return {};
+  if (window.height() < 2 || std::abs(up.x()) > kMostRoll) return {};
   const FlatTop top(window, is_object, up);
   const std::optional<LevelEdge> edge = top.edge();
   if (!edge) return {};

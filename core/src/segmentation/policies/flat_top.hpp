@@ -18,14 +18,14 @@ namespace hypermap {
 ///
 /// A gap in the depth above a level edge of the object shows its top where rays meet the plane of
 /// the edge flatter than sensors measure (70 degrees from its normal). Any level surface behind the
-/// object is seen as flat, so the gap ends where something is measured again, or a tenth of the
-/// box's height below the box's upper border when nothing is, for there a detector's inaccuracy is
-/// all that ends it. All of it is refused when more than a tenth lies farther than 1.25 lengths of
-/// the edge from its middle.
+/// object is seen as flat, so the gap ends with the mask where there is one, else where something
+/// is measured again, or a tenth of the box's height below the box's upper border when nothing is,
+/// for there a detector's inaccuracy is all that ends it. All of it is refused when more than a
+/// tenth lies farther than 1.25 lengths of the edge from its middle.
 ///
 /// `is_object` is 1 on the cells of the object. Frame: camera; unit: metre; no farther apart than
 /// `spacing_m` along the line of sight. Empty when there is no such gap, for things lower than 0.3
-/// m and seats with backs, for masks, when the camera is rolled by more than 30 degrees and when
+/// m and seats with backs, when the camera is rolled by more than 30 degrees and when
 /// the edge is above the camera. Cost: O(cells of the box). Not in the sources.
 [[nodiscard]] std::vector<Eigen::Vector3f> unmeasured_top(
     const DepthWindow& window,

@@ -2,6 +2,7 @@
 /// @file
 /// Our segmentation: what continues outside the box is background.
 #include "flat_top.hpp"
+#include "masked_surfaces.hpp"
 #include "pixel_shares.hpp"
 #include "segmentation/background_planes.hpp"
 #include "segmentation/plane_growth.hpp"
@@ -101,7 +102,7 @@ std::vector<std::uint8_t> cells_of_object(const DepthWindow& window,
 bool is_beside_the_unmeasured(const RgbdFrame& frame,
                               const DepthWindow& window,
                               const std::vector<std::uint8_t>& is_object) {
-  if (window.is_masked) return false;
+  if (window.is_masked()) return false;
   PixelRect spanned;
   std::size_t num_object = 0;
   std::size_t num_unmeasured = 0;
@@ -130,11 +131,19 @@ FoundObject find_object(const DepthWindow& window,
                         const std::vector<std::uint8_t>& plane_of_cell,
                         const Eigen::Matrix3f& gravity_aligned_from_camera,
                         const ForegroundOptions& options) {
-  FoundObject found{surfaces_of(window, plane_of_cell, options), {}};
+  const auto found_in = [&](DepthComponents surfaces, const ComponentIds& chosen) {
+    std::vector<std::uint8_t> is_object = cells_of_object(window, surfaces, chosen);
+    return FoundObject{std::move(surfaces), std::move(is_object)};
+  };
+  if (window.is_masked()) {
+    DepthComponents surfaces = connected_components(window, kinds_in_mask(window, plane_of_cell));
+    const ComponentIds chosen = masked_surfaces(window, surfaces, plane_of_cell);
+    return found_in(std::move(surfaces), chosen);
+  }
+  DepthComponents surfaces = surfaces_of(window, plane_of_cell, options);
   const ComponentIds chosen =
-      choose_surfaces(window, found.surfaces, gravity_aligned_from_camera, options);
-  found.is_object = cells_of_object(window, found.surfaces, chosen);
-  return found;
+      choose_surfaces(window, surfaces, gravity_aligned_from_camera, options);
+  return found_in(std::move(surfaces), chosen);
 }
 
 /// The measured pixels of the box in the object's cells, on the same surface as their cell.

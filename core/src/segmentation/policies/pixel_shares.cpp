@@ -114,7 +114,7 @@ std::vector<bool> shared_components(const DepthWindow& window,
 std::vector<std::uint8_t> shared_out(const DepthWindow& window,
                                      const DepthComponents& labelled,
                                      std::vector<std::uint8_t> kind_of_cell) {
-  if (window.is_masked) return kind_of_cell;
+  if (window.is_masked()) return kind_of_cell;
   for (const CompetingBox& other : window.competing_boxes) {
     const std::vector<bool> is_shared = shared_components(window, labelled, other);
     if (std::find(is_shared.begin(), is_shared.end(), true) == is_shared.end()) continue;

@@ -3,6 +3,7 @@
 #include "hypermap/io/dataset/detections_file.hpp"
 #include "hypermap/io/dataset/detections_parsing.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <utility>
@@ -94,12 +95,17 @@ MaskImage decode(const RleMask& mask) {
   MaskImage image(mask.width_px, mask.height_px);
   const auto height = static_cast<std::size_t>(mask.height_px);
   std::size_t at = 0;
-  std::uint8_t value = 0;
+  bool is_set = false;
   for (const std::uint32_t run : mask.runs) {
-    for (const std::size_t end = at + run; at < end; ++at) {
-      image.at(static_cast<int>(at / height), static_cast<int>(at % height)) = value;
+    const std::size_t end = at + run;
+    while (is_set && at < end) {  // column by column; the image begins with 0
+      const std::size_t column = at / height;
+      const std::size_t column_end = std::min(end, (column + 1) * height);
+      for (std::size_t row = at - column * height; at < column_end; ++at, ++row)
+        image.at(static_cast<int>(column), static_cast<int>(row)) = 1;
     }
-    value ^= 1U;
+    at = end;
+    is_set = !is_set;
   }
   return image;
 }

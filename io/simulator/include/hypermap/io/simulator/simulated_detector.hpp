@@ -34,7 +34,8 @@ struct SimulatedDetectorOptions {
   double min_score = 0.3;               ///< Scores are uniform from here ...       Range: 0 .. 1
   double max_score = 0.95;              ///< ... to here.                           Range: 0 .. 1
   double perfect_probability = 0.99;    ///< Of the true class without noise.       Range: 0 .. 1
-  /// Also give the pixels of each object (not of false alarms).
+  /// Also give a mask of each object, not of false alarms: its pixels, or what a segmentation
+  /// network makes of them when `noisy`.
   bool masks = false;
   /// What the detector can name. Empty: `coco_class_names()`.
   std::vector<std::string> class_names = {};
