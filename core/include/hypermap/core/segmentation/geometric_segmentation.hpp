@@ -23,9 +23,9 @@ struct OptionTable;
 /// How the object is separated from the background of its box.
 enum class SegmentationPolicy {
   /// Ours: what continues outside the box is background (floor, table top, wall, neighbours); of
-  /// the
-  /// rest, the surfaces that fill the box best. Works in the image's order, so that a cup of 300
-  /// pixels survives.
+  /// the rest, the surfaces that fill the box best. What a mask shows is the object, but for strips
+  /// at its edge that go on outside it and what is seen through the object. Works in the image's
+  /// order, so that a cup of 300 pixels survives.
   kForeground,
   /// [smap] 3.3: range, voxel grid, statistical outliers, largest Euclidean cluster.
   kCluster,
