@@ -2,7 +2,7 @@
 #include "background_planes.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
-#include "mask_cells.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "plane_test.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -65,11 +65,10 @@ class Points {
 
 /// The measured cells outside the mask, and not so near that they may be the object's.
 std::vector<std::uint32_t> cells_around_mask(const DepthWindow& window) {
-  const int reach = static_cast<int>(std::ceil(kMaskTolerancePx / window.block_px));
-  const std::vector<std::uint8_t> near_mask = widened(window, window.in_mask, reach);
+  const MaskImage near_mask = widened(window.in_mask, window.mask_tolerance);
   std::vector<std::uint32_t> cells;
   for (std::size_t cell = 0; cell < window.size(); ++cell) {
-    if (near_mask[cell] == 0 && window.depth_m[cell] > 0.0F)
+    if (near_mask.pixels()[cell] == 0 && window.depth_m[cell] > 0.0F)
       cells.push_back(static_cast<std::uint32_t>(cell));
   }
   return cells;

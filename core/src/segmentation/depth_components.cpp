@@ -108,6 +108,7 @@ class Labeller {
     const float other_m = window_.depth_m[other];
     const bool is_before = depth_m < other_m;
     if (std::abs(depth_m - other_m) > window_.step_m[is_before ? cell : other]) {
+      if (!window_.may_be_object(cell) || !window_.may_be_object(other)) return;
       if (in_box) ++(is_before ? edges_.num_before : edges_.num_behind);
       if (!window_.box.contains(other_x, other_y)) return;
       EdgeCounts& others = edges_of_label_[result_.of_cell[other]];

@@ -10,7 +10,7 @@
 
 namespace hypermap {
 
-/// The kind of cells that another detection's object has.
+/// The kind of cells that another detection's object has, and of those outside a mask.
 inline constexpr std::uint8_t kOthersKind = 255;
 
 /// One connected surface.
@@ -20,7 +20,8 @@ struct DepthComponent {
   std::uint32_t num_outside = 0;  ///< Its cells outside the tolerant box.
   PixelRect bounds_in_box = {};   ///< Of its cells within the box. Unit: cell.
 
-  PixelRect bounds = {};         ///< Of all its cells. Unit: cell.
+  PixelRect bounds = {};  ///< Of all its cells. Unit: cell.
+  // Steps at the edges of cells in the box; with a mask, between cells of the mask alone.
   std::uint32_t num_before = 0;  ///< Steps in depth at its edge down to what it hides.
   std::uint32_t num_behind = 0;  ///< Steps in depth at its edge up to what hides it.
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth_window.hpp"
 
+#include "hypermap/core/segmentation/masks.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -184,45 +186,22 @@ std::vector<CompetingBox> competing_boxes_of(const PixelBox& box_px,
 }
 
 /// 1 on the cells whose middle pixel is in the mask.
-std::vector<std::uint8_t> cells_of_mask(const MaskImage& mask, const DepthWindow& window) {
-  std::vector<std::uint8_t> cells;
-  cells.reserve(window.size());
+MaskImage cells_of_mask(const MaskImage& mask, const DepthWindow& window) {
+  MaskImage cells(window.width(), window.height());
   for (int y = 0; y < window.height(); ++y) {
     for (int x = 0; x < window.width(); ++x) {
-      cells.push_back(mask.at(window.pixel_u(x), window.pixel_v(y)) != 0 ? 1 : 0);
+      cells.at(x, y) = mask.at(window.pixel_u(x), window.pixel_v(y)) != 0 ? 1 : 0;
     }
   }
   return cells;
 }
 
-/// Without an early end, so that a compiler looks at many pixels at once: most rows are empty.
-bool is_empty(std::span<const std::uint8_t> row) {
-  std::uint8_t any = 0;
-  for (const std::uint8_t pixel : row) any = static_cast<std::uint8_t>(any | pixel);
-  return any == 0;
-}
-
-PixelBox bounds_of(const MaskImage& mask) {
-  const auto width = static_cast<std::size_t>(mask.width_px());
-  const auto is_set = [](std::uint8_t pixel) { return pixel != 0; };
-  std::size_t first = width;
-  std::size_t last = 0;
-  int top = mask.height_px();
-  int bottom = 0;
-  for (int v = 0; v < mask.height_px(); ++v) {
-    const auto row = mask.pixels().subspan(mask.index(0, v), width);
-    if (is_empty(row)) continue;
-    const auto begin = std::find_if(row.begin(), row.end(), is_set) - row.begin();
-    const auto end = row.rend() - std::find_if(row.rbegin(), row.rend(), is_set);
-    first = std::min(first, static_cast<std::size_t>(begin));
-    last = std::max(last, static_cast<std::size_t>(end));
-    top = std::min(top, v);
-    bottom = v + 1;
-  }
-  return {.u_min_px = static_cast<double>(first),
-          .v_min_px = static_cast<double>(top),
-          .u_max_px = static_cast<double>(last),
-          .v_max_px = static_cast<double>(bottom)};
+PixelBox box_around(const MaskImage& mask) {
+  const PixelRect bounds = bounds_of(mask);
+  return {static_cast<double>(bounds.u_begin),
+          static_cast<double>(bounds.v_begin),
+          static_cast<double>(bounds.u_end),
+          static_cast<double>(bounds.v_end)};
 }
 
 }  // namespace
@@ -231,7 +210,7 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
                               const Detection& detection,
                               std::span<const Detection> others,
                               const GeometricSegmentationOptions& options) {
-  const PixelBox box_px = detection.mask ? bounds_of(*detection.mask) : detection.box_px;
+  const PixelBox box_px = detection.mask ? box_around(*detection.mask) : detection.box_px;
   const ForegroundOptions& foreground = options.foreground;
   const auto grown_by = [&](double share, double least_px) {
     return pixels_in(box_px,
@@ -271,7 +250,11 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   }
   window.step_m.resize(window.size());
   find_steps(window.depth_m, foreground, window.step_m);
-  if (detection.mask) window.in_mask = cells_of_mask(*detection.mask, window);
+  if (detection.mask) {
+    window.in_mask = cells_of_mask(*detection.mask, window);
+    const double tolerance_px = mask_tolerance_px(frame.camera.width_px);
+    window.mask_tolerance = static_cast<int>(std::ceil(tolerance_px / window.block_px));
+  }
   return window;
 }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,8 +30,9 @@ struct DepthWindow {
   PixelRect box;           ///< The cells in the box.
   PixelRect tolerant_box;  ///< The cells in the box with room for a detector's inaccuracy.
   std::vector<CompetingBox> competing_boxes;  ///< Of other objects; those that have a cell here.
-  std::vector<std::uint8_t>
-      in_mask;                 ///< 1 on the cells of the detection's mask; empty without one.
+  /// A pixel a cell, 1 on those of the detection's mask; empty without one.
+  MaskImage in_mask;
+  int mask_tolerance = 0;      ///< Cells by which the mask's edge may be off.
   std::vector<float> depth_m;  ///< Smoothed; 0 where nothing was measured within range.
   std::vector<float> step_m;   ///< `allowed_step_m` of each depth.
   std::vector<float> slope_x;  ///< Per column, x / z of its ray.
@@ -44,7 +44,7 @@ struct DepthWindow {
   [[nodiscard]] bool is_masked() const { return !in_mask.empty(); }
   /// Whether the object may be there: in the mask, or anywhere when there is none.
   [[nodiscard]] bool may_be_object(std::size_t cell) const {
-    return in_mask.empty() || in_mask[cell] != 0;
+    return in_mask.empty() || in_mask.pixels()[cell] != 0;
   }
   /// Position of column `x`, row `y` of the window.
   [[nodiscard]] std::size_t cell(int x, int y) const {

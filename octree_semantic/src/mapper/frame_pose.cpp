@@ -1,24 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame's depth, and the pose at which it stands in the map.
 #include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/borrowed_frames.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <new>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-/// Marks the pixels of the detection: of its mask, else of its box.
+/// Marks the pixels that the detection may show: of its mask and as far as that may be off, else of
+/// its box.
 void mark(const Detection& detection, MaskImage& marks) {
+  if (detection.mask) {
+    const double tolerance_px = std::ceil(mask_tolerance_px(marks.width_px()));
+    const MaskImage reached = widened(*detection.mask, static_cast<int>(tolerance_px));
+    std::ranges::transform(marks.pixels(), reached.pixels(), marks.pixels().begin(), std::bit_or());
+    return;
+  }
   const PixelRect rect = pixels_in(detection.box_px, marks.width_px(), marks.height_px());
   for (int v = rect.v_begin; v < rect.v_end; ++v) {
-    for (int u = rect.u_begin; u < rect.u_end; ++u) {
-      if (!detection.mask || detection.mask->at(u, v) != 0) marks.at(u, v) = 1;
-    }
+    for (int u = rect.u_begin; u < rect.u_end; ++u) marks.at(u, v) = 1;
   }
 }
 

@@ -82,6 +82,19 @@ constexpr PixelBox kNarrow{25, 40, 66.5, 60};
 /// 39 wide, up to 67.9: seven columns, from 68.2 on, 14 %.
 constexpr PixelBox kPart{25, 40, 64, 60};
 
+TEST(BoxCarving, SparesWhatAMaskShowsOutsideItsBox) {
+  const RgbdFrame frame = frame_before_board();
+  Detection detection;
+  detection.box_px = {25, 40, 30, 60};
+  detection.class_scores = scores(kChairClass, 0.8);
+  detection.mask = MaskImage(101, 101);
+  detection.mask->at(75, 50) = 1;
+  const Observation seen = make_observation(frame, detection, board_in({}).segment);
+  EXPECT_EQ(seen.box_px, (PixelBox{25, 40, 76, 60}));
+  SeenBoard board({seen.box_px});
+  EXPECT_EQ(board.carve(frame), 0U);
+}
+
 TEST(BoxCarving, WhatIsSeenOutsideTheBoxLosesAVote) {
   SeenBoard seen({kNarrow});
   ASSERT_EQ(seen.cells_by_votes(), (std::map<std::uint32_t, int>{{3, 500}}));

@@ -156,20 +156,44 @@ TEST(FlatTop, IsNoneOfAGapInFrontOfWhatIsBelowIt) {
   for (const Eigen::Vector3f& point : box.top()) EXPECT_GE(point.z(), 1.98F);
 }
 
+/// 1 from that row on.
+MaskImage mask_from(int row) {
+  MaskImage mask(kColumns, kRows);
+  for (int v = row; v < kRows; ++v) std::fill_n(&mask.at(0, v), kColumns, std::uint8_t{1});
+  return mask;
+}
+
 TEST(FlatTop, EndsWithTheMask) {
   FrontOfABox box;  // nothing is measured up to row 60
-  box.window.in_mask.assign(box.window.size(), 0);
-  std::fill(box.window.in_mask.begin() + static_cast<std::ptrdiff_t>(box.window.cell(0, 83)),
-            box.window.in_mask.end(),
-            std::uint8_t{1});
-  float farthest_m = 0.0F;
-  for (const Eigen::Vector3f& point : box.top()) farthest_m = std::max(farthest_m, point.z());
-  // Two rows below the mask's border: row 85 ends at slope 0.1725.
-  EXPECT_NEAR(farthest_m, 0.495F / 0.1725F, 0.02F);
-  std::fill(box.window.in_mask.begin(),
-            box.window.in_mask.begin() + static_cast<std::ptrdiff_t>(box.window.cell(0, kEdge)),
-            std::uint8_t{0});
+  box.window.in_mask = mask_from(83);
+  const auto farthest_m = [&] {
+    float most_m = 0.0F;
+    for (const Eigen::Vector3f& point : box.top()) most_m = std::max(most_m, point.z());
+    return most_m;
+  };
+  // Two rows below the mask's border, whether that is the box's or not: row 85 ends at slope
+  // 0.1725.
+  EXPECT_NEAR(farthest_m(), 0.495F / 0.1725F, 0.02F);
+  box.window.box.v_begin = 83;
+  EXPECT_NEAR(farthest_m(), 0.495F / 0.1725F, 0.02F);
+  box.window.in_mask = mask_from(kEdge);
   EXPECT_TRUE(box.top().empty());
+}
+
+TEST(FlatTop, StaysOnItsPlaneWhenTheMaskReachesTheFirstRow) {
+  FrontOfABox box;
+  // Row r falls by 0.17 + 0.0019 r per metre: the border above row 100 (0.35905) meets the front, 3
+  // m away, at -1.07715 m.
+  for (int y = 0; y < kRows; ++y) {
+    box.window.slope_y[static_cast<std::size_t>(y)] = 0.17F + 0.0019F * static_cast<float>(y);
+  }
+  box.fill(0, kEdge, 0.0F);
+  box.fill(kEdge, kRows, 3.0F);
+  box.window.box.v_begin = 0;
+  box.window.in_mask = mask_from(0);
+  const auto points = box.top();
+  ASSERT_FALSE(points.empty());
+  for (const Eigen::Vector3f& point : points) EXPECT_NEAR(point.y(), 1.07715F, 1e-3F);
 }
 
 TEST(FlatTop, IsNoneOfARolledCamera) {

@@ -166,8 +166,7 @@ TEST(ForegroundMask, ReplacesTheBox) {
   }
   const auto found = segment(view.frame, masked, {});
   ASSERT_TRUE(found.has_value());
-  // Its last row on the table is within what the table's plane tolerates.
-  EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kCup), 0.9);
+  EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kCup), 0.95);
 }
 
 }  // namespace

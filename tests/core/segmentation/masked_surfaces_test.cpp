@@ -2,17 +2,13 @@
 // What of a segmentation network's mask is the object: masks are some pixels off, and filled.
 #include "core/segmentation/office_scene.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
-#include "segmentation/mask_cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
-#include <set>
-#include <vector>
+#include <utility>
 
 namespace hypermap {
 namespace {
@@ -169,27 +165,69 @@ TEST(MaskedSurfaces, AMaskWithoutDepthFindsNothing) {
   EXPECT_EQ(segment_of(view, kScreen, std::move(mask)).error().code, ErrorCode::kNotFound);
 }
 
-TEST(MaskCells, AreWidenedAsByLookingAtEachNeighbour) {
-  std::mt19937 random(7);
-  for (int round = 0; round < 20; ++round) {
-    DepthWindow window;
-    window.slope_x.resize(1 + random() % 17);
-    window.slope_y.resize(1 + random() % 17);
-    std::vector<std::uint8_t> marks(window.slope_x.size() * window.slope_y.size());
-    for (std::uint8_t& mark : marks) mark = random() % 9 == 0 ? 1 : 0;
-    const int reach = static_cast<int>(random() % 5);
-    const auto found = widened(window, marks, reach);
-    for (int y = 0; y < window.height(); ++y) {
-      for (int x = 0; x < window.width(); ++x) {
-        bool is_near = false;
-        for (int v = std::max(0, y - reach); v <= std::min(window.height() - 1, y + reach); ++v) {
-          for (int u = std::max(0, x - reach); u <= std::min(window.width() - 1, x + reach); ++u)
-            is_near = is_near || marks[window.cell(u, v)] != 0;
-        }
-        EXPECT_EQ(found[window.cell(x, y)], is_near ? 1 : 0) << x << ", " << y << ", " << reach;
-      }
+TEST(MaskedSurfaces, AnEmptyMaskFindsNothing) {
+  const SceneView view = test::office_view(1);
+  EXPECT_EQ(segment_of(view, kScreen, MaskImage(640, 480)).error().code, ErrorCode::kNotFound);
+}
+
+TEST(MaskedSurfaces, AFlatThingBehindAPostStaysWhole) {
+  constexpr int kPost = 9;
+  BoxScene scene;
+  scene.add(kFloor, {0.5, -3, -0.1}, {6, 3, 0}).add(kTable, {1.8, -0.6, 0}, {2.75, 0.6, 0.005});
+  const auto camera = test::look_at({0, 0, 1.4}, {2.2, 0, 0});
+  const SceneView alone = scene.view(camera, 1);
+  scene.add(kPost, {1.2, 0.05, 0}, {1.26, 0.11, 1.6});
+  const SceneView view = scene.view(camera, 1);
+  const auto found = segment_of(view, kTable, mask_of(view, kTable));
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GE(num_showing(view, *found, kTable), 0.95 * num_pixels(view, kTable));
+  EXPECT_EQ(num_showing(view, *found, kPost), 0.0);
+  const auto unhidden = segment_of(alone, kTable, mask_of(alone, kTable));
+  ASSERT_TRUE(unhidden.has_value());
+  EXPECT_NEAR(found->box.extent().y(), unhidden->box.extent().y(), 0.03);
+}
+
+TEST(MaskedSurfaces, AThinThingIsAllEdgeAndStays) {
+  BoxScene scene;
+  scene.add(kTable, {0.5, -2, 0.7}, {4, 2, 0.75});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2, 0, 0.75}), 1);
+  Detection ski;
+  ski.mask = MaskImage(640, 480);
+  for (int v = 220; v < 226; ++v) std::fill_n(&ski.mask->at(200, v), 200, std::uint8_t{1});
+  const auto found = segment(view.frame, ski, {});
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GE(found->pixel_indices.size(), 6U * 200U * 9U / 10U);
+}
+
+/// A table whose top was not measured and leaves the image at its upper edge.
+SceneView table_at_the_edge() {
+  BoxScene scene;
+  scene.add(kFloor, {0.5, -4, -0.1}, {8, 4, 0}).add(kTable, {2.1, -0.8, 0}, {7, 0.8, 0.75});
+  SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2.1, 0, -0.25}), 1);
+  const Eigen::Isometry3d map_from_camera = view.frame.map_from_camera.isometry();
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      const double depth_m = static_cast<double>(view.frame.depth_m.at(u, v));
+      const Eigen::Vector3d point =
+          map_from_camera * view.frame.camera.unproject(u, v, depth_m).xyz;
+      if (view.truth.at(u, v) == kTable && point.x() > 2.12) view.frame.depth_m.at(u, v) = 0.0F;
     }
   }
+  return view;
+}
+
+TEST(MaskedSurfaces, AMaskAtTheEdgesOfTheImageIsNoOther) {
+  const SceneView view = table_at_the_edge();
+  const MaskImage mask = mask_of(view, kTable);
+  ASSERT_GT(std::count(mask.pixels().begin(), mask.pixels().begin() + 640, 1), 0);
+  const auto found = segment_of(view, kTable, mask);
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GE(found->box.min_in_map.x(), 2.08);
+  EXPECT_NEAR(found->box.min_in_map.z(), 0.02, 0.025)
+      << "the foot, within what the floor tolerates";
+  EXPECT_NEAR(found->box.max_in_map.z(), 0.75, 0.02);
+  const SceneView office = test::office_view(1);
+  EXPECT_TRUE(segment_of(office, kScreen, MaskImage(640, 480, 1)).has_value());
 }
 
 }  // namespace

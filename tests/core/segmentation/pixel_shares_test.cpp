@@ -103,7 +103,7 @@ TEST(PixelShares, PlanesOfTheBackgroundAndMasksAreNotShared) {
   DepthWindow window = one_surface();
   window.competing_boxes = {box_between(30, 50)};
   EXPECT_EQ(num_of_other(kinds_of(window, 1)), 0);
-  window.in_mask.assign(window.size(), 1);
+  window.in_mask = MaskImage(window.width(), window.height(), 1);
   EXPECT_EQ(num_of_other(kinds_of(window)), 0);
 }
 

@@ -87,7 +87,7 @@ double share_told_apart(const std::vector<PointIndices>& ours,
 class SmoothRegionsAgainstPcl : public testing::TestWithParam<int> {};
 
 TEST_P(SmoothRegionsAgainstPcl, DifferInLessThanOneOfAHundredPoints) {
-  const SceneView view = test::office_view(7);
+  const test::SceneView view = test::office_view(7);
   const PixelCloud cloud = crop(view.frame, test::detection_of(view, GetParam()));
   const RegionGrowingOptions options;
   const auto ours = smooth_regions(cloud, view.frame.camera, options);
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Office,
                                          static_cast<int>(test::kChair)));
 
 TEST(SmoothRegions, EndAtACurvatureThatHandsNothingOn) {
-  const SceneView view = test::office_view(7);
+  const test::SceneView view = test::office_view(7);
   const PixelCloud cloud = crop(view.frame, test::detection_of(view, test::kScreen));
   RegionGrowingOptions options;
   options.curvature_threshold = 0.005;
@@ -117,7 +117,7 @@ TEST(SmoothRegions, EndAtACurvatureThatHandsNothingOn) {
 }
 
 TEST(SmoothRegions, OfTwoPointsAreNone) {
-  const SceneView view = test::office_view(7);
+  const test::SceneView view = test::office_view(7);
   Detection two;
   two.box_px = {300, 200, 302, 201};
   const PixelCloud cloud = crop(view.frame, two);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/association.hpp"
 
+#include "hypermap/core/segmentation/masks.hpp"
 #include "policies.hpp"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Observation make_observation(const RgbdFrame& frame, const Detection& detection,
   out.score = detection.score;
   out.detector = detection.detector;
   out.embeddings = detection.embeddings;
-  out.box_px = detection.box_px;
+  out.box_px = box_with_mask(detection);
   out.bearing_rad = bearing_from_object_rad(segment.centroid_in_map, camera);
   out.distance_m = segment.distance_m;
   out.stamp = frame.stamp;

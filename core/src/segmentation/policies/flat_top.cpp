@@ -113,15 +113,14 @@ class FlatTop {
                                                     float spacing_m) const {
     std::vector<Eigen::Vector3f> all;
     const PixelRect& box = window_.box;
-    const double uncertain = window_.is_masked() ? 0.0 : std::ceil(kBorderShare * box.height());
-    const int border = box.v_begin + static_cast<int>(uncertain);
+    const int border = box.v_begin + static_cast<int>(std::ceil(kBorderShare * box.height()));
     for (int x = box.u_begin; x < box.u_end; ++x) {
       for (int y = box.v_end - 1; y >= box.v_begin; --y) {
         if (is_gap[window_.cell(x, y)] == 0) continue;
         const int near = y;
         while (y > box.v_begin && is_gap[window_.cell(x, y - 1)] != 0) --y;
         if (!begins_behind(x, near, edge.height_m)) continue;
-        const bool is_ended = y > box.v_begin;
+        const bool is_ended = y > box.v_begin || window_.is_masked();
         const int far = is_ended ? y + cells_of(kEdgePx) : border;
         for (int row = near; row >= far; --row) {
           add_points_of_cell(x, row, edge.height_m, spacing_m, all);
@@ -238,6 +237,7 @@ class FlatTop {
     return window_.depth_m[cell] <= plane_depth_m(lower_ray(x, y), height_m) + window_.step_m[cell];
   }
 
+  /// Requires: a row above.
   void add_points_of_cell(
       int x, int y, float height_m, float spacing_m, std::vector<Eigen::Vector3f>& all) const {
     const auto [near_m, far_m] = *plane_depths_m(x, y, height_m);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Our segmentation: what continues outside the box is background.
+/// Our segmentation: what continues outside the box is background, and a mask shows the object.
 #include "flat_top.hpp"
 #include "masked_surfaces.hpp"
 #include "pixel_shares.hpp"
@@ -128,6 +128,7 @@ struct FoundObject {
 };
 
 FoundObject find_object(const DepthWindow& window,
+                        const std::vector<Plane>& planes,
                         const std::vector<std::uint8_t>& plane_of_cell,
                         const Eigen::Matrix3f& gravity_aligned_from_camera,
                         const ForegroundOptions& options) {
@@ -137,7 +138,7 @@ FoundObject find_object(const DepthWindow& window,
   };
   if (window.is_masked()) {
     DepthComponents surfaces = connected_components(window, kinds_in_mask(window, plane_of_cell));
-    const ComponentIds chosen = masked_surfaces(window, surfaces, plane_of_cell);
+    const ComponentIds chosen = masked_surfaces(window, surfaces, plane_of_cell, planes, options);
     return found_in(std::move(surfaces), chosen);
   }
   DepthComponents surfaces = surfaces_of(window, plane_of_cell, options);
@@ -245,12 +246,17 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
                                       StepRecorder* recorder) {
   const ForegroundOptions& foreground = options.foreground;
   const DepthWindow window = make_depth_window(frame, detection, others, options);
-  if (window.box.empty()) return nothing_left("crop");
+  if (window.box.empty()) return nothing_left(detection.mask ? "mask" : "window");
   Notes notes(recorder, frame, window);
   const auto if_measured = [&](std::size_t cell, std::int32_t label) {
     return window.depth_m[cell] > 0.0F ? label : kLabelAbsent;
   };
   notes.step("window", 0, [&](std::size_t cell) { return if_measured(cell, 1); });
+  if (window.is_masked()) {
+    notes.step("mask", 1, [&](std::size_t cell) {
+      return if_measured(cell, window.may_be_object(cell) ? 1 : kLabelAbsent);
+    });
+  }
 
   const Eigen::Matrix3f gravity_aligned_from_camera =
       frame.map_from_camera.isometry().linear().cast<float>();
@@ -260,9 +266,10 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
-  FoundObject found = find_object(window, kind, gravity_aligned_from_camera, foreground);
+  FoundObject found = find_object(window, planes, kind, gravity_aligned_from_camera, foreground);
   const auto grown = grown_planes(window, planes, kind, found.is_object, foreground);
-  if (grown != kind) found = find_object(window, grown, gravity_aligned_from_camera, foreground);
+  if (grown != kind)
+    found = find_object(window, planes, grown, gravity_aligned_from_camera, foreground);
   const DepthComponents& labelled = found.surfaces;
   notes.step("surfaces", labelled.components.size(), [&](std::size_t cell) {
     return if_measured(cell, static_cast<std::int32_t>(labelled.of_cell[cell]) + 1);

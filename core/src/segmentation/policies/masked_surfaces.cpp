@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "masked_surfaces.hpp"
 
-#include "segmentation/mask_cells.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
+#include "segmentation/plane_test.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace hypermap {
@@ -18,6 +20,10 @@ constexpr double kEdgeShare = 0.1;
 constexpr double kMostInside = 0.2;
 /// A surface goes on outside when so much of its edge to the outside is no step.
 constexpr double kLeastGoingOn = 0.5;
+/// What rises from a plane is above it by this share of what the plane tolerates, in the mean.
+constexpr double kLeastRise = 0.5;
+/// Strips of more than this share of a mask are what it is about.
+constexpr double kMostStrips = 0.5;
 /// What is seen through the object has no more of an outline than this, and is less of the mask.
 constexpr double kThroughMaxOutline = 0.3;
 constexpr double kThroughMaxShare = 0.5;
@@ -27,36 +33,41 @@ struct MaskCounts {
   std::uint32_t num_inside = 0;    ///< Cells farther from the mask's edge than it may be off.
   std::uint32_t num_borders = 0;   ///< Neighbours outside the mask.
   std::uint32_t num_going_on = 0;  ///< Those of them that the surface goes on through.
+  double rise = 0.0;               ///< Sum over its cells, above its plane; unit: tolerances.
 
-  [[nodiscard]] bool goes_on() const { return num_going_on >= kLeastGoingOn * num_borders; }
+  [[nodiscard]] bool goes_on() const {
+    return num_borders > 0 && num_going_on >= kLeastGoingOn * num_borders;
+  }
 };
 
-/// How many cells the edge of the mask may be off.
-int edge_reach(const DepthWindow& window) {
-  const auto num_cells = std::count(window.in_mask.begin(), window.in_mask.end(), 1);
-  const double by_size = kEdgeShare * std::sqrt(static_cast<double>(num_cells));
-  const double most = std::ceil(kMaskTolerancePx / window.block_px);
-  return static_cast<int>(std::clamp(std::round(by_size), 1.0, most));
-}
-
-std::vector<std::uint8_t> cells_inside(const DepthWindow& window) {
-  std::vector<std::uint8_t> outside = window.in_mask;
-  for (std::uint8_t& cell : outside) cell = cell == 0 ? 1 : 0;
-  std::vector<std::uint8_t> inside = widened(window, outside, edge_reach(window));
-  for (std::uint8_t& cell : inside) cell = cell == 0 ? 1 : 0;
-  return inside;
+/// Cells farther in the mask than its edge may be off.
+MaskImage cells_inside(const DepthWindow& window) {
+  const auto mask = window.in_mask.pixels();
+  const auto size = static_cast<double>(std::count(mask.begin(), mask.end(), 1));
+  const double by_size = std::round(kEdgeShare * std::sqrt(size));
+  const double reach = std::clamp(by_size, 1.0, std::max(1.0, window.mask_tolerance * 1.0));
+  MaskImage cells = window.in_mask;
+  for (std::uint8_t& cell : cells.pixels()) cell = cell == 0 ? 1 : 0;
+  cells = widened(cells, static_cast<int>(reach));
+  for (std::uint8_t& cell : cells.pixels()) cell = cell == 0 ? 1 : 0;
+  return cells;
 }
 
 class MaskSurvey {
  public:
   MaskSurvey(const DepthWindow& window,
              const DepthComponents& labelled,
-             const std::vector<std::uint8_t>& kind_of_cell)
+             const std::vector<std::uint8_t>& kind_of_cell,
+             const std::vector<Plane>& planes,
+             const ForegroundOptions& options)
       : window_(window),
         labelled_(labelled),
         kind_of_cell_(kind_of_cell),
+        options_(options),
         inside_(cells_inside(window)),
-        counts_(labelled.components.size()) {}
+        counts_(labelled.components.size()) {
+    for (const Plane& plane : planes) tests_.push_back(test_of(plane, options));
+  }
 
   std::vector<MaskCounts> run() && {
     for (int y = window_.box.v_begin; y < window_.box.v_end; ++y) {
@@ -68,20 +79,28 @@ class MaskSurvey {
  private:
   void look_at(int x, int y) {
     const std::size_t cell = window_.cell(x, y);
-    if (window_.in_mask[cell] == 0 || labelled_.of_cell[cell] == kNoComponent) return;
+    if (!window_.may_be_object(cell) || labelled_.of_cell[cell] == kNoComponent) return;
     MaskCounts& counts = counts_[labelled_.of_cell[cell]];
-    counts.num_inside += inside_[cell];
+    counts.num_inside += inside_.pixels()[cell];
+    if (kind_of_cell_[cell] != 0) counts.rise += rise(x, y, tests_[kind_of_cell_[cell] - 1U]);
     constexpr std::array<std::pair<int, int>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     for (const auto& [dx, dy] : kSteps) {
-      const int other_x = x + dx;
-      const int other_y = y + dy;
-      if (other_x < 0 || other_y < 0 || other_x >= window_.width() || other_y >= window_.height())
-        continue;
-      const std::size_t other = window_.cell(other_x, other_y);
-      if (window_.in_mask[other] != 0) continue;
+      if (!window_.in_mask.contains(x + dx, y + dy)) continue;
+      const std::size_t other = window_.cell(x + dx, y + dy);
+      if (window_.may_be_object(other)) continue;
       ++counts.num_borders;
       counts.num_going_on += is_one_surface(cell, other) ? 1U : 0U;
     }
+  }
+
+  /// How far the cell is before the plane, as the camera sees it.
+  [[nodiscard]] double rise(int x, int y, const PlaneTest& test) const {
+    const Eigen::Vector3f point = window_.point_in_camera(x, y);
+    const float along_m = test.along_m(point.x(), point.y(), point.z());
+    const float above_m =
+        std::copysign(1.0F, test.plane.offset_m) * (along_m + test.plane.offset_m);
+    const float noise_m = noise_at(point.z(), options_);
+    return static_cast<double>(above_m / test.tolerance_m(along_m, point.z(), noise_m));
   }
 
   [[nodiscard]] bool is_one_surface(std::size_t cell, std::size_t other) const {
@@ -94,18 +113,19 @@ class MaskSurvey {
   const DepthWindow& window_;
   const DepthComponents& labelled_;
   const std::vector<std::uint8_t>& kind_of_cell_;
-  std::vector<std::uint8_t> inside_;
+  const ForegroundOptions& options_;
+  std::vector<PlaneTest> tests_;  // of the planes
+  MaskImage inside_;
   std::vector<MaskCounts> counts_;
 };
 
 bool is_strip_of_the_outside(const DepthComponent& component, const MaskCounts& counts) {
-  return counts.num_borders > 0 && counts.goes_on() &&
-         counts.num_inside <= kMostInside * component.num_in_box;
+  const bool rises = component.kind != 0 && counts.rise >= kLeastRise * component.num_in_box;
+  return counts.goes_on() && !rises && counts.num_inside <= kMostInside * component.num_in_box;
 }
 
 bool is_seen_through(const DepthComponent& component, const MaskCounts& counts, double num_all) {
-  const bool is_of_the_background =
-      component.kind != 0 || (counts.num_borders > 0 && counts.goes_on());
+  const bool is_of_the_background = component.kind != 0 || counts.goes_on();
   return is_of_the_background && component.outline_share() < kThroughMaxOutline &&
          component.num_in_box < kThroughMaxShare * num_all;
 }
@@ -115,30 +135,38 @@ bool is_seen_through(const DepthComponent& component, const MaskCounts& counts, 
 std::vector<std::uint8_t> kinds_in_mask(const DepthWindow& window,
                                         std::vector<std::uint8_t> kind_of_cell) {
   for (std::size_t cell = 0; cell < window.size(); ++cell) {
-    if (window.in_mask[cell] == 0) kind_of_cell[cell] = kOthersKind;
+    if (!window.may_be_object(cell)) kind_of_cell[cell] = kOthersKind;
   }
   return kind_of_cell;
 }
 
 ComponentIds masked_surfaces(const DepthWindow& window,
                              const DepthComponents& labelled,
-                             const std::vector<std::uint8_t>& kind_of_cell) {
-  const std::vector<MaskCounts> counts = MaskSurvey(window, labelled, kind_of_cell).run();
-  ComponentIds in_mask;
-  double num_all = 0.0;
+                             const std::vector<std::uint8_t>& kind_of_cell,
+                             const std::vector<Plane>& planes,
+                             const ForegroundOptions& options) {
+  const std::vector<MaskCounts> counts =
+      MaskSurvey(window, labelled, kind_of_cell, planes, options).run();
+  const auto num_cells = [&](const ComponentIds& ids) {
+    double sum = 0.0;
+    for (const std::uint32_t id : ids) sum += labelled.components[id].num_in_box;
+    return sum;
+  };
+  ComponentIds chosen;
   for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
-    if (labelled.components[id].kind == kOthersKind) continue;
-    in_mask.push_back(id);
-    num_all += labelled.components[id].num_in_box;
+    if (labelled.components[id].kind != kOthersKind) chosen.push_back(id);
   }
-  ComponentIds chosen = in_mask;
+  const double num_all = num_cells(chosen);
   std::erase_if(chosen, [&](std::uint32_t id) {
-    const DepthComponent& component = labelled.components[id];
-    return is_strip_of_the_outside(component, counts[id]) ||
-           is_seen_through(component, counts[id], num_all);
+    return is_seen_through(labelled.components[id], counts[id], num_all);
   });
-  // A mask that is all edge: a sheet of paper far away.
-  return chosen.empty() ? in_mask : chosen;
+  ComponentIds strips;
+  std::ranges::copy_if(chosen, std::back_inserter(strips), [&](std::uint32_t id) {
+    return is_strip_of_the_outside(labelled.components[id], counts[id]);
+  });
+  if (num_cells(strips) > kMostStrips * num_all) return chosen;
+  std::erase_if(chosen, [&](std::uint32_t id) { return std::ranges::binary_search(strips, id); });
+  return chosen;
 }
 
 }  // namespace hypermap

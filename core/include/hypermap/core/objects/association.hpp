@@ -41,7 +41,7 @@ struct Observation {
   /// `class_scores` and two count.
   std::size_t num_classes = 0;
   std::vector<Embedding> embeddings = {};  ///< Of the detection.
-  PixelBox box_px = {};                    ///< Of the detection.
+  PixelBox box_px = {};                    ///< Around the detection's box and mask.
   ClassPrior prior = {};                   ///< What is known of its class besides.
 };
 

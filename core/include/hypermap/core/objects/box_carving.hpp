@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a frame shows outside a detection's box is not part of what was detected.
+/// What a frame shows outside a detection's box and mask is not part of what was detected.
 #pragma once
 
 #include "hypermap/core/objects/association.hpp"

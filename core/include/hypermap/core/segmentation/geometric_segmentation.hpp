@@ -34,7 +34,8 @@ enum class SegmentationPolicy {
 };
 
 /// Policy `kForeground`. Deviation: in neither source; both keep the largest cluster, which for a
-/// small object on a table is the table.
+/// small object on a table is the table. Where a detection has a mask, the surroundings are those
+/// of the mask, and parts are not asked for: all of the mask is the object.
 struct ForegroundOptions {
   /// The image around the box that is searched for background, as a share of the box's sides;
   /// 0 searches nothing.
@@ -138,14 +139,13 @@ struct GeometricSegmentationOptions {
 
 /// Finds the object that `detection` names in the depth of `frame`.
 ///
-/// Policy kForeground also looks at the boxes of `frame.detections`: a surface that fills another
-/// box better is not this object. Whether `detection` is among them does not matter.
-/// Requires: validate(frame), validate(options).
-/// Errors: kNotFound with the step after which nothing was left.
-/// Boundary: depth that is 0, negative, NaN or infinite is no measurement; a box that leaves the
-/// image is cut; a mask, where the detection has one, replaces the box.
-/// Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in its
-/// points.
+/// Policy kForeground also looks at the boxes of `frame.detections`, when `detection` has no mask:
+/// a surface that fills another box better is not this object. Whether `detection` is among them
+/// does not matter. Requires: validate(frame), validate(options). Errors: kNotFound with the step
+/// after which nothing was left. Boundary: depth that is 0, negative, NaN or infinite is no
+/// measurement; a box that leaves the image is cut; a mask, where the detection has one, replaces
+/// the box. Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in
+/// its points.
 [[nodiscard]] Result<Segment> segment(const RgbdFrame& frame,
                                       const Detection& detection,
                                       const GeometricSegmentationOptions& options);

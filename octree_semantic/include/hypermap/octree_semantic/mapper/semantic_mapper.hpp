@@ -90,7 +90,7 @@ struct StageSeconds {
 /// An object that a frame showed.
 struct DetectedObject {
   ObjectId id;
-  PixelBox box_px;             ///< Of the detection.
+  PixelBox box_px;             ///< Around the detection's box and mask.
   std::size_t num_pixels = 0;  ///< Of its segment: those of the object that nothing hides.
   Probability score;           ///< Of the detection.
 };

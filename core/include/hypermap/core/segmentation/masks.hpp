@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What can be asked of a detector's masks.
+#pragma once
+
+#include "hypermap/core/base/image.hpp"
+#include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "hypermap/core/segmentation/detection.hpp"
+
+namespace hypermap {
+
+/// How far the edge of a segmentation network's mask may be off, in an image of that width: one and
+/// a half of the mask's own cells. Networks take images of 640 pixels, mostly, and make masks at a
+/// quarter of that, so that a cell covers a 160th of the image: 4 pixels of 640. Unit: pixel.
+[[nodiscard]] constexpr double mask_tolerance_px(int image_width_px) noexcept {
+  return 1.5 * image_width_px / 160.0;
+}
+
+/// The smallest rectangle around the pixels that are not 0; empty when all are.
+/// Cost: O(pixels).
+[[nodiscard]] PixelRect bounds_of(const MaskImage& mask);
+
+/// The smallest box around a detection's box and its mask. Networks cut masks off at their box, and
+/// boxes of files may be anything beside a mask.
+[[nodiscard]] PixelBox box_with_mask(const Detection& detection);
+
+/// 1 on the pixels within `reach_px` columns and rows of one that is not 0, else 0.
+/// Requires: reach_px >= 0. Cost: O(pixels).
+[[nodiscard]] MaskImage widened(const MaskImage& mask, int reach_px);
+
+}  // namespace hypermap
