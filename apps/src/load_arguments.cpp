@@ -2,8 +2,7 @@
 #include "load_arguments.hpp"
 
 #include "interruption.hpp"
-
-#include <CLI/Validators.hpp>
+#include "number_lists.hpp"
 
 #include <cstdint>
 
@@ -18,7 +17,7 @@ void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
   const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {
     command.add_option(flag, limit, what)
-        ->check(CLI::NonNegativeNumber.description("at least 0"))
+        ->check(whole_number())
         ->capture_default_str()
         ->group("Limits of what is read");
   };

@@ -53,6 +53,14 @@ CLI::Validator number_in(double min, double max) {
   return {check, number_text(min) + " .. " + number_text(max)};
 }
 
+CLI::Validator whole_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    const bool is_one = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return is_one ? "" : "must be a whole number from 0 on, is '" + printable(text) + "'";
+  };
+  return {check, "at least 0"};
+}
+
 Result<std::vector<double>> parse_numbers(const std::string& text,
                                           std::size_t min_count,
                                           std::size_t max_count,

@@ -12,6 +12,7 @@
 #include <CLI/Validators.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -72,7 +73,10 @@ std::optional<std::string> usage_fault(const SimulateArguments& arguments) {
 CLI::Validator image_size() {
   const auto check = [](const std::string& text) {
     const auto size = parse_sides(text, "");
-    return size ? std::string() : size.error().what;
+    if (!size) return size.error().what;
+    if (std::int64_t{size->width_px} * size->height_px <= kMostImagePixels) return std::string();
+    return "images must have at most " + std::to_string(kMostImagePixels) + " pixels, is '" + text +
+           "'";
   };
   return {check, "WIDTHxHEIGHT"};
 }
@@ -175,7 +179,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->required();
   add_way_options(command, arguments);
   command.add_option("--seed", arguments->simulation.seed, "of arrangement, noise and detector")
-      ->check(CLI::NonNegativeNumber.description("at least 0"))
+      ->check(whole_number())
       ->capture_default_str();
   add_detector_options(command, arguments);
   add_change_options(command, arguments);

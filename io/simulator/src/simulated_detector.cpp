@@ -2,6 +2,7 @@
 #include "hypermap/io/simulator/simulated_detector.hpp"
 
 #include "hypermap/core/base/random_numbers.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
 #include "simulated_mask.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr std::uint64_t kDetectionStream = 0x646574656374;  // which numbers: "detect"
 constexpr std::uint64_t kFalseAlarmStream = 0x616c61726d;   // "alarm"
 constexpr double kSmallestSidePx = 2.0;
-constexpr double kMaskShiftPx = 2.0;  // standard deviation in each direction
+constexpr double kMaskBlocksAcross = 160.0;  // of an image
+constexpr double kMaskShiftBlocks = 0.5;     // standard deviation in each direction
 constexpr double kSmallestAlarmPx = 20.0;
 
 /// Classes that detectors take for each other. Pairs that a detector does not know are ignored.
@@ -79,10 +81,13 @@ PixelBox random_box(double width_px, double height_px, CounterRng& random) {
   return {u - half_width, v - half_height, u + half_width, v + half_height};
 }
 
-MaskShift random_shift(CounterRng& random) {
-  const auto pixels = [&] { return static_cast<int>(std::lround(kMaskShiftPx * random.normal())); };
-  const int du_px = pixels();
-  return {.du_px = du_px, .dv_px = pixels()};
+MaskError random_mask_error(int width_px, CounterRng& random) {
+  const double block_px = std::max(1.0, width_px / kMaskBlocksAcross);
+  const auto shift_px = [&] {
+    return static_cast<int>(std::lround(kMaskShiftBlocks * block_px * random.normal()));
+  };
+  const int du_px = shift_px();
+  return {.block_px = static_cast<int>(std::lround(block_px)), .du_px = du_px, .dv_px = shift_px()};
 }
 
 }  // namespace
@@ -193,9 +198,12 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
   detection.score = Probability(weight);
   detection.class_scores = class_vector(named, weight);
   if (options_.masks) {
-    detection.mask =
-        options_.noisy ? network_mask(instances, object.id, detection.box_px, random_shift(random))
-                       : exact_mask(instances, object.id);
+    detection.mask = options_.noisy ? network_mask(instances,
+                                                   object.id,
+                                                   detection.box_px,
+                                                   random_mask_error(instances.width_px(), random))
+                                    : exact_mask(instances, object.id);
+    if (bounds_of(*detection.mask).empty()) detection.mask.reset();
   }
   return detection;
 }

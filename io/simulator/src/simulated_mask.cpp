@@ -7,12 +7,6 @@
 #include <cstdint>
 
 namespace hypermap {
-namespace {
-
-constexpr int kBlockPx = 4;
-
-}  // namespace
-
 MaskImage exact_mask(const Image<ObjectId>& instances, ObjectId id) {
   MaskImage mask(instances.width_px(), instances.height_px());
   std::ranges::transform(instances.pixels(), mask.pixels().begin(), [id](ObjectId at) {
@@ -24,22 +18,22 @@ MaskImage exact_mask(const Image<ObjectId>& instances, ObjectId id) {
 MaskImage network_mask(const Image<ObjectId>& instances,
                        ObjectId id,
                        const PixelBox& box_px,
-                       MaskShift shift) {
+                       const MaskError& error) {
   const int width = instances.width_px();
   const int height = instances.height_px();
   const PixelRect box = pixels_in(box_px, width, height);
   MaskImage mask(width, height);
   const auto is_of_object = [&](int u, int v) {
-    const int from_u = u - shift.du_px;
-    const int from_v = v - shift.dv_px;
+    const int from_u = u - error.du_px;
+    const int from_v = v - error.dv_px;
     return from_u >= 0 && from_v >= 0 && from_u < width && from_v < height &&
            instances.at(from_u, from_v) == id;
   };
   const auto take_block = [&](int u_begin, int v_begin) {
     const PixelRect block{u_begin,
                           v_begin,
-                          std::min(u_begin + kBlockPx, width),
-                          std::min(v_begin + kBlockPx, height)};
+                          std::min(u_begin + error.block_px, width),
+                          std::min(v_begin + error.block_px, height)};
     int num_of_object = 0;
     for (int v = block.v_begin; v < block.v_end; ++v) {
       for (int u = block.u_begin; u < block.u_end; ++u) num_of_object += is_of_object(u, v) ? 1 : 0;
@@ -50,9 +44,9 @@ MaskImage network_mask(const Image<ObjectId>& instances,
         mask.at(u, v) = 1;
     }
   };
-  const auto block_start = [](int pixel) { return pixel - pixel % kBlockPx; };
-  for (int v = block_start(box.v_begin); v < box.v_end; v += kBlockPx) {
-    for (int u = block_start(box.u_begin); u < box.u_end; u += kBlockPx) take_block(u, v);
+  const auto block_start = [&](int pixel) { return pixel - pixel % error.block_px; };
+  for (int v = block_start(box.v_begin); v < box.v_end; v += error.block_px) {
+    for (int u = block_start(box.u_begin); u < box.u_end; u += error.block_px) take_block(u, v);
   }
   return mask;
 }

@@ -4,6 +4,7 @@
 #include "hypermap/io/simulator/simulation_truth.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -181,7 +182,13 @@ Result<void> check_camera_and_changes(const SimulationOptions& options) {
                     std::to_string(options.num_passes),
                 "num_passes");
   HYPERMAP_TRY(validate(options.camera));
-  return validate(image_camera(options));
+  const PinholeCamera camera = image_camera(options);
+  if (static_cast<std::int64_t>(camera.width_px) * camera.height_px > kMostImagePixels)
+    return fail(ErrorCode::kInvalidArgument,
+                "images must have at most " + std::to_string(kMostImagePixels) + " pixels, have " +
+                    std::to_string(camera.width_px) + " x " + std::to_string(camera.height_px),
+                "width_px");
+  return validate(camera);
 }
 
 constexpr OptionRow kTrueOccupancyRows[] = {

@@ -43,7 +43,7 @@ TEST(SimulatedMask, TheExactOneIsThePixels) {
 TEST(SimulatedMask, ANetworksIsOfBlocksThatAreHalfTheObjects) {
   // Of the blocks of columns 4 to 8, 3 of 4 are the object's, of 12 to 16 one of 4; of those of
   // rows 8 to 12 two of 4: 6 of 16 in the first column of blocks, 8 of 16 in the second.
-  const MaskImage mask = network_mask(instances_of_one(), kObject, {0, 0, 24, 16}, {});
+  const MaskImage mask = network_mask(instances_of_one(), kObject, {0, 0, 24, 16}, {.block_px = 4});
   EXPECT_EQ(std::ranges::count(mask.pixels(), 1), 3 * 16);
   EXPECT_EQ(mask.at(4, 4), 1);
   EXPECT_EQ(mask.at(4, 8), 0);
@@ -54,18 +54,45 @@ TEST(SimulatedMask, ANetworksIsOfBlocksThatAreHalfTheObjects) {
 TEST(SimulatedMask, ANetworksIsMoved) {
   // Columns 8 to 16 and rows 4 to 10: rows 8 to 12 are half the object's.
   EXPECT_TRUE(is_block(
-      network_mask(instances_of_one(), kObject, {0, 0, 24, 16}, {.du_px = 3}), 8, 4, 16, 12));
-  EXPECT_TRUE(
-      is_block(network_mask(instances_of_one(), kObject, {0, 0, 24, 16}, {.du_px = 3, .dv_px = -9}),
-               8,
-               0,
-               16,
-               0));
+      network_mask(instances_of_one(), kObject, {0, 0, 24, 16}, {.block_px = 4, .du_px = 3}),
+      8,
+      4,
+      16,
+      12));
+  EXPECT_TRUE(is_block(
+      network_mask(
+          instances_of_one(), kObject, {0, 0, 24, 16}, {.block_px = 4, .du_px = 3, .dv_px = -9}),
+      8,
+      0,
+      16,
+      0));
 }
 
 TEST(SimulatedMask, ANetworksEndsAtItsBox) {
   EXPECT_TRUE(is_block(
-      network_mask(instances_of_one(), kObject, {9, 5, 24, 11}, {.du_px = 3}), 9, 5, 16, 11));
+      network_mask(instances_of_one(), kObject, {9, 5, 24, 11}, {.block_px = 4, .du_px = 3}),
+      9,
+      5,
+      16,
+      11));
+}
+
+TEST(SimulatedMask, OneWithoutAPixelIsNone) {
+  // One of the object's pixels in each block of 4 x 4: no block is half the object's.
+  Image<ObjectId> instances(640, 480);
+  for (int v = 200; v < 280; v += 4) {
+    for (int u = 300; u < 400; u += 4) instances.at(u, v) = kObject;
+  }
+  auto objects = visible_objects(instances, std::array<std::string_view, 1>{"chair"});
+  objects.at(0).unhidden_share = 1.0;
+  ClassRegistry registry;
+  const SimulatedDetectorOptions options{
+      .miss_rate = 0.0, .false_alarms_per_frame = 0.0, .masks = true};
+  const auto detector = SimulatedDetector::create(options, registry, 42);
+  ASSERT_TRUE(detector);
+  const auto found = detector->detect(objects, instances, 0).detections;
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].mask);
 }
 
 TEST(SimulatedMask, ANoisyDetectorsIsOffByTwoPixelsAndNeverOutsideItsBox) {

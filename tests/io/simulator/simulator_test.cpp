@@ -37,6 +37,22 @@ TEST(Simulator, AFrameIsWhatADatasetReaderWouldGive) {
   EXPECT_LT(simulator->render(2).frame.stamp, simulated.frame.stamp);
 }
 
+TEST(Simulator, ImagesHaveABound) {
+  SimulationOptions options = small_options();
+  options.camera = {.width_px = 16'384,
+                    .height_px = 4'096,
+                    .fx_px = 525,
+                    .fy_px = 525,
+                    .cx_px = 8'192,
+                    .cy_px = 2'048};
+  EXPECT_TRUE(validate(options)) << "2^26 pixels";
+  options.camera.height_px = 4'097;
+  const auto refused = validate(options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "width_px");
+  EXPECT_THAT(refused.error().what, HasSubstr("16384 x 4097"));
+}
+
 TEST(Simulator, UnprojectedDepthLiesOnTheThingsItShows) {
   SimulationOptions options = small_options();
   options.sensor = {.noise_base_m = 0.0, .noise_per_m2 = 0.0, .dropout = 0.0};

@@ -41,6 +41,10 @@ struct SceneChangeOptions {
 
 [[nodiscard]] const OptionTable& option_table(const SceneChangeOptions& options);
 
+/// Of an image: 8K video has 33 million. A frame is in memory some times over, as depth, colour,
+/// objects and masks.
+inline constexpr std::int64_t kMostImagePixels = std::int64_t{1} << 26U;
+
 struct SimulationOptions {
   /// Spread evenly over the scene's camera path, in each pass. Range: 1 .. 100,000
   int num_frames = 200;
@@ -60,7 +64,7 @@ struct SimulationOptions {
   double lens_height_m = 0.0;  ///< Instead of all heights of the scene. Range: 0, 0.05 .. 100
   PinholeCamera camera{640, 480, 525.0, 525.0, 319.5, 239.5};
   /// Of the images instead of the camera's, whose intrinsics follow; 0: the camera's. Range: 0 ..
-  /// 65535
+  /// 65535, and kMostImagePixels in all
   int width_px = 0;
   int height_px = 0;  ///< The same of their height. Range: 0 .. 65535
   SensorNoiseOptions sensor = {};
