@@ -2,19 +2,19 @@
 #include "choices.hpp"
 #include "command.hpp"
 #include "dataset_arguments.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "hypermap/core/segmentation/segmentation_trace.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/dataset/gravity_alignment.hpp"
 #include "hypermap/io/dataset/smoothed_depth.hpp"
 #include "hypermap/viewer_offscreen/figures/segmentation_figures.hpp"
+#include "number_lists.hpp"
 #include "outputs.hpp"
 #include "tables.hpp"
 #include "tune_options.hpp"
 #include "tune_sweep.hpp"
 #include "tune_times.hpp"
-
-#include <CLI/Validators.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -104,6 +104,14 @@ void print(const SegmentationTrace& trace,
               detection.box_px.v_min_px,
               detection.box_px.u_max_px,
               detection.box_px.v_max_px);
+  if (detection.mask) {
+    const PixelRect bounds = bounds_of(*detection.mask);
+    std::printf("  with a mask, columns %d to %d, rows %d to %d\n",
+                bounds.u_begin,
+                bounds.u_end,
+                bounds.v_begin,
+                bounds.v_end);
+  }
   Table table({"  step", "points", "segments", "ms"});
   for (const SegmentationStep& step : trace.steps) {
     table.add({"  " + step.name,
@@ -232,10 +240,10 @@ void add_tune_command(CLI::App& program, const CommonOptions& common, Action& ac
   command.get_option("--input")->required(false);
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
   command.add_option("--frame", arguments->frame, "which frame, counted from 0")
-      ->check(CLI::NonNegativeNumber.description("at least 0"));
+      ->check(whole_number());
   command
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
-      ->check(CLI::NonNegativeNumber.description("at least 0"));
+      ->check(whole_number());
   command
       .add_option("--up", arguments->up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));

@@ -2,6 +2,7 @@
 #include "hypermap/io/detector/onnx_detector.hpp"
 
 #include "box_candidates.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/dataset/class_names.hpp"
@@ -160,7 +161,8 @@ struct OnnxDetector::Impl {
       return model_error(
           model, "must give finite masks, row " + std::to_string(candidate.row) + " does not");
     }
-    out.mask = drawn(*grid, out.box_px, placement, image.width_px(), image.height_px());
+    MaskImage mask = drawn(*grid, out.box_px, placement, image.width_px(), image.height_px());
+    if (!bounds_of(mask).empty()) out.mask = std::move(mask);
     return out;
   }
 };

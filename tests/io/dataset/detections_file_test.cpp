@@ -105,34 +105,6 @@ TEST(DetectionsFile, AFrameHoldsAThousandDetectionsAndNoMore) {
   EXPECT_THAT(detections_refusal(frame(many + "," + kChair)), HasSubstr("at most 1000 detections"));
 }
 
-TEST(DetectionsFile, MasksAreColumnMajorRuns) {
-  // 2 columns of 3 pixels, one of 0, then 1 1 | 1 0 0: pixels (0,1) (0,2) (1,0).
-  const RleMask runs{.width_px = 2, .height_px = 3, .runs = {1, 3, 2}};
-  const MaskImage mask = decode(runs);
-  EXPECT_EQ(mask.at(0, 0), 0);
-  EXPECT_EQ(mask.at(0, 1), 1);
-  EXPECT_EQ(mask.at(0, 2), 1);
-  EXPECT_EQ(mask.at(1, 0), 1);
-  EXPECT_EQ(mask.at(1, 1), 0);
-  EXPECT_EQ(encode(mask), runs);
-}
-
-TEST(DetectionsFile, AMaskMustFillTheImage) {
-  const auto with_mask = [](const std::string& mask) {
-    return detections_refusal(
-        R"({"image": "a", "width": 2, "height": 3, "detections": [{"label": "a", "score": 1,)"
-        R"( "bbox": [0, 0, 1, 1], "mask": )" +
-        mask + "}]}");
-  };
-  EXPECT_EQ(with_mask(R"({"size": [3, 2], "counts": [1, 3, 2]})"), "was accepted");
-  EXPECT_THAT(with_mask(R"({"size": [3, 2], "counts": [1, 3]})"), HasSubstr("sum to 6"));
-  EXPECT_THAT(with_mask(R"({"size": [2, 3], "counts": [6]})"),
-              HasSubstr("must be the image's 3 x 2"));
-  EXPECT_THAT(with_mask(R"({"size": [3, 2], "counts": [-1, 7]})"), HasSubstr("counts[0]"));
-  EXPECT_THAT(with_mask(R"({"size": [65535, 65535], "counts": [1]})"),
-              HasSubstr("pixels are read"));
-}
-
 TEST(DetectionsFile, CompressedRunsOfCocoAreRead) {
   // Runs 1 3 2 4: 1 -> '1', 3 -> '3', 2 -> '2', then 4 - 3 = 1 -> '1'.
   const std::string text =

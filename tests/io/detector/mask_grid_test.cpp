@@ -116,6 +116,10 @@ TEST(MaskGrid, PrototypesThatTheRowsHaveNoFactorsForAreNone) {
   EXPECT_THAT(refusal(look({one, prototypes()})), HasSubstr("output1 1 x 2 x 4 x 4, expected"));
 }
 
+TEST(MaskGrid, AMaskWithoutAPixelIsNone) {
+  EXPECT_FALSE(only(look({yolov8_with_factors(0, 0), prototypes()}), NetworkForm::kYolov8).mask);
+}
+
 TEST(MaskGrid, MasksThatAreNotFiniteAreRefused) {
   EXPECT_THAT(refusal(look({yolov8_with_factors(std::nanf(""), 0), prototypes()})),
               HasSubstr("must give finite masks, row 3 does not"));
@@ -150,15 +154,16 @@ TEST(MaskGrid, AMaskOfMaskRcnnIsOfItsBox) {
 }
 
 TEST(MaskGrid, OfAMaskForEachClassThatOfTheLabelCounts) {
-  // Background, cup, chair, of one cell each; then without background.
+  // Background, cup, chair, of one cell each; then without background. -1: no mask, as it has no
+  // pixel.
   const auto num_pixels = [](const Result<test::SeenByNetwork>& seen) {
     const Detection chair = only(seen, NetworkForm::kMaskRcnn);
     return chair.mask ? std::ranges::count(chair.mask->pixels(), std::uint8_t{1}) : -1;
   };
   EXPECT_EQ(num_pixels(look(mask_rcnn({2, 3, 1, 1}, {0, 0, 1, 0, 0, 0}))), 16 * 8);
-  EXPECT_EQ(num_pixels(look(mask_rcnn({2, 3, 1, 1}, {1, 1, 0, 1, 1, 1}))), 0);
+  EXPECT_EQ(num_pixels(look(mask_rcnn({2, 3, 1, 1}, {1, 1, 0, 1, 1, 1}))), -1);
   EXPECT_EQ(num_pixels(look(mask_rcnn({2, 2, 1, 1}, {0, 1, 0, 0}))), 16 * 8);
-  EXPECT_EQ(num_pixels(look(mask_rcnn({2, 2, 1, 1}, {1, 0, 1, 1}))), 0);
+  EXPECT_EQ(num_pixels(look(mask_rcnn({2, 2, 1, 1}, {1, 0, 1, 1}))), -1);
 }
 
 TEST(MaskGrid, AMaskOfTheInputsSizeIsOfTheInput) {

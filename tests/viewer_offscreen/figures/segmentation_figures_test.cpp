@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/viewer_offscreen/figures/segmentation_figures.hpp"
 
+#include "hypermap/core/base/class_palette.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,6 +69,20 @@ TEST_F(FiguresTest, DetectionsStandOverTheWholeFrame) {
   EXPECT_GT(figure.height_px(), 32 * 20) << "and a line of text below";
   EXPECT_EQ(figure.at(2, 2), kGrey);
   EXPECT_NE(figure.at(20 * 20, 26 * 20), kGrey) << "the lower edge of the box";
+}
+
+TEST_F(FiguresTest, TheEdgeOfAMaskIsInTheColourOfItsClass) {
+  RgbdFrame masked = frame;
+  masked.detections[0].mask = MaskImage(48, 32);
+  for (int v = 18; v < 22; ++v) {
+    for (int u = 14; u < 19; ++u) masked.detections[0].mask->at(u, v) = 1;
+  }
+  const ColorImage figure = figures.detections(masked, one_class());
+  const auto at = [&](int u, int v) { return figure.at(20 * u + 10, 20 * v + 10); };
+  EXPECT_EQ(at(14, 18), class_color("chair"));
+  EXPECT_EQ(at(18, 20), class_color("chair"));
+  EXPECT_EQ(at(16, 20), kGrey) << "inside";
+  EXPECT_EQ(at(13, 20), kGrey) << "outside";
 }
 
 TEST_F(FiguresTest, AStepShowsWhatItKeepsAndWhatItDropped) {

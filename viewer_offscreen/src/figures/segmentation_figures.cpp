@@ -52,6 +52,23 @@ Enlargement around(const PixelBox& box, const PinholeCamera& camera) {
   return part;
 }
 
+std::string name_of(const Detection& detection, const ClassRegistry& classes) {
+  const auto best = best_class(detection.class_scores);
+  return best ? printable(classes.name(best->id)) : "unknown";
+}
+
+/// Colours the pixels of the mask that have a neighbour outside it.
+void draw_edge(const MaskImage& mask, Rgb8 color, ColorImage& image) {
+  const auto is_in = [&](int u, int v) { return mask.contains(u, v) && mask.at(u, v) != 0; };
+  for (int v = 0; v < mask.height_px(); ++v) {
+    for (int u = 0; u < mask.width_px(); ++u) {
+      const bool is_inner =
+          is_in(u - 1, v) && is_in(u + 1, v) && is_in(u, v - 1) && is_in(u, v + 1);
+      if (is_in(u, v) && !is_inner) image.at(u, v) = color;
+    }
+  }
+}
+
 ColorImage dimmed(ColorImage image) {
   for (Rgb8& pixel : image.pixels()) pixel = mixed(pixel, {}, kDimmed);
   return image;
@@ -154,14 +171,17 @@ SegmentationFigures::~SegmentationFigures() = default;
 
 ColorImage SegmentationFigures::detections(const RgbdFrame& frame,
                                            const ClassRegistry& classes) const {
-  const ColorImage backdrop = backdrop_of(frame);
+  ColorImage backdrop = backdrop_of(frame);
+  for (const Detection& detection : frame.detections) {
+    if (detection.mask)
+      draw_edge(*detection.mask, class_color(name_of(detection, classes)), backdrop);
+  }
   const Enlargement part = whole_image(backdrop, kFigureWidthPx);
   ColorImage figure = enlarged(backdrop, part);
   std::vector<ImageRect> tags;
   for (std::size_t i = 0; i < frame.detections.size(); ++i) {
     const Detection& detection = frame.detections[i];
-    const auto best = best_class(detection.class_scores);
-    const std::string name = best ? printable(classes.name(best->id)) : "unknown";
+    const std::string name = name_of(detection, classes);
     const Rgb8 color = class_color(name);
     const PixelBox& box = detection.box_px;
     const Eigen::Vector2d low = part.to_figure(box.u_min_px, box.v_min_px);

@@ -40,6 +40,7 @@ Result<void> DetectionSetBuilder::add(FrameDetections frame, int line) {
   for (NamedDetection& detection : frame.detections) {
     add_class(detection.label);
     for (const NamedScore& score : detection.scores) add_class(score.label);
+    look_at_mask(detection);
     if (frame.width_px == 0) continue;
     const auto inside = clipped(detection.box_px, frame.width_px, frame.height_px);
     if (inside && *inside != detection.box_px) {
@@ -65,15 +66,33 @@ void DetectionSetBuilder::note_unknown_key(const JsonNode& member) {
                        member.error(ErrorCode::kMalformedFile, "unknown key, ignored").value()});
 }
 
-Loaded<DetectionSet> DetectionSetBuilder::take() && {
-  if (set_.num_clipped > 0) {
-    findings_.push_back({Severity::kWarning,
-                         {.code = ErrorCode::kMalformedFile,
-                          .what = std::to_string(set_.num_clipped) +
-                                  " box(es) reached beyond the image and were clipped",
-                          .file = file_,
-                          .field = "bbox"}});
+void DetectionSetBuilder::look_at_mask(NamedDetection& detection) {
+  if (!detection.mask) return;
+  const PixelRect bounds = bounds_of(*detection.mask);
+  const PixelBox& box = detection.box_px;
+  if (bounds.empty()) {
+    detection.mask.reset();
+    ++num_empty_masks_;
+    return;
   }
+  const bool meets = bounds.u_begin < box.u_max_px && bounds.u_end > box.u_min_px &&
+                     bounds.v_begin < box.v_max_px && bounds.v_end > box.v_min_px;
+  num_masks_apart_ += meets ? 0U : 1U;
+}
+
+void DetectionSetBuilder::warn_of(std::size_t count, const char* what, const char* field) {
+  if (count == 0) return;
+  findings_.push_back({Severity::kWarning,
+                       {.code = ErrorCode::kMalformedFile,
+                        .what = std::to_string(count) + what,
+                        .file = file_,
+                        .field = field}});
+}
+
+Loaded<DetectionSet> DetectionSetBuilder::take() && {
+  warn_of(set_.num_clipped, " box(es) reached beyond the image and were clipped", "bbox");
+  warn_of(num_empty_masks_, " mask(s) have no pixel; the box alone counts", "mask");
+  warn_of(num_masks_apart_, " mask(s) lie outside their box; the mask is believed", "mask");
   return {std::move(set_), std::move(findings_)};
 }
 

@@ -27,6 +27,8 @@ constexpr std::array<std::string_view, 11> kDetectionKeys{"label",
                                                           "mask",
                                                           "embedding"};
 
+constexpr std::array<std::string_view, 2> kMaskKeys = {"size", "counts"};
+
 template <std::size_t N>
 void note_unknown(const JsonNode& object,
                   const std::array<std::string_view, N>& known,
@@ -77,6 +79,7 @@ Result<NamedDetection> parse_detection(const JsonNode& node,
   }
   if (const auto mask = node.find("mask"); mask && !mask->is(JsonKind::kNull)) {
     HYPERMAP_ASSIGN_OR_RETURN(out.mask, parse_mask(*mask, builder.options().limits));
+    note_unknown(*mask, kMaskKeys, builder);
     const bool fits = frame.width_px == 0 || (out.mask->width_px == frame.width_px &&
                                               out.mask->height_px == frame.height_px);
     if (!fits) {

@@ -91,6 +91,27 @@ Result<RleMask> parse_mask(const JsonNode& node, const DetectionLimits& limits) 
   return mask;
 }
 
+PixelRect bounds_of(const RleMask& mask) {
+  const auto height = static_cast<std::size_t>(mask.height_px);
+  PixelRect bounds;
+  std::size_t at = 0;
+  bool is_set = false;
+  for (const std::uint32_t run : mask.runs) {
+    if (is_set && run > 0) {
+      const std::size_t last = at + run - 1;
+      const bool is_in_one_column = at / height == last / height;
+      bounds = united(bounds,
+                      {static_cast<int>(at / height),
+                       is_in_one_column ? static_cast<int>(at % height) : 0,
+                       static_cast<int>(last / height) + 1,
+                       is_in_one_column ? static_cast<int>(last % height) + 1 : mask.height_px});
+    }
+    at += run;
+    is_set = !is_set;
+  }
+  return bounds;
+}
+
 MaskImage decode(const RleMask& mask) {
   MaskImage image(mask.width_px, mask.height_px);
   const auto height = static_cast<std::size_t>(mask.height_px);

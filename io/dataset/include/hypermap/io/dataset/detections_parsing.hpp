@@ -3,9 +3,11 @@
 /// What the readers of the detection forms share.
 #pragma once
 
+#include "hypermap/core/segmentation/depth_cloud.hpp"
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/dataset/detections_file.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <set>
 #include <span>
@@ -19,7 +21,7 @@ class DetectionSetBuilder {
  public:
   DetectionSetBuilder(std::string file, const DetectionReadOptions& options);
 
-  /// Clips boxes to the frame's stated size and counts them.
+  /// Clips boxes to the frame's stated size and counts them, and masks that can find nothing.
   /// Errors: kLimit for too many detections; kMalformedFile for a box wholly outside.
   Result<void> add(FrameDetections frame, int line);
   /// Adds a finding for `key` the first time it is met.
@@ -41,12 +43,19 @@ class DetectionSetBuilder {
   [[nodiscard]] Loaded<DetectionSet> take() &&;
 
  private:
+  /// A mask without a pixel says nothing: it is taken off.
+  void look_at_mask(NamedDetection& detection);
+  /// Warns of `count` things of one field, when there are any.
+  void warn_of(std::size_t count, const char* what, const char* field);
+
   std::string file_;
   const DetectionReadOptions& options_;
   DetectionSet set_;
   std::vector<Finding> findings_;
   std::set<std::string, std::less<>> known_classes_;
   std::set<std::string, std::less<>> unknown_keys_;
+  std::size_t num_empty_masks_ = 0;
+  std::size_t num_masks_apart_ = 0;
 };
 
 /// The part of `box` in the image; none when they share no area.
@@ -62,6 +71,8 @@ class DetectionSetBuilder {
                                                            const DetectionLimits& limits);
 /// `{size: [h, w], counts: [...] or "..."}`.
 [[nodiscard]] Result<RleMask> parse_mask(const JsonNode& node, const DetectionLimits& limits);
+/// The smallest rectangle around the pixels of the mask; empty when it has none. Cost: O(runs).
+[[nodiscard]] PixelRect bounds_of(const RleMask& mask);
 
 /// One embedding (embedding_json.hpp) or a list of them. Errors: kMalformedFile, kLimit at what
 /// breaks a rule of `validate`, and at one of another dimension than those before of its model.
