@@ -222,7 +222,12 @@ class Targets(Case):
                  [*mapping, "--output", dataset / "groundtruth.txt"],
                  [*mapping, "--output", dataset / "depth" / "1.png"],
                  [*mapping, "--output", options, "--config", options],
-                 [*mapping, "--output", self.folder / "new", "--stats", self.folder / "new"]]
+                 [*mapping, "--output", self.folder / "new", "--stats", self.folder / "new"],
+                 [*mapping, "--output", self.folder / "new", "--stats", dataset / "groundtruth.txt"],
+                 [*mapping, "--output", self.folder / "new", "--times-plot", dataset / "depth" / "1.png"],
+                 ["snapshot", archive, "--output", dataset / "depth" / "1.png"],
+                 [*mapping, "--output", dataset / "truth.hmap"]]
+        shutil.copy(self.archive, dataset / "truth.hmap")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         for arguments in cases:
             with self.subTest(arguments):
@@ -231,7 +236,20 @@ class Targets(Case):
                 self.assertIn("write over", result.stderr)
         after = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         self.assertEqual(before, after)
-        self.assertEqual(run(*mapping, "--output", dataset / "map.hmap").returncode, 0)
+        for _ in ("a new one", "replaced"):
+            self.assertEqual(run(*mapping, "--output", dataset / "map.hmap").returncode, 0)
+
+    def test_what_is_no_map_is_never_replaced_by_one(self):
+        text = self.folder / "notes.txt"
+        text.write_bytes(OLD)
+        result = run("map", "--input", self.dataset, "--output", text)
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("must end in .hmap", result.stderr)
+        result = run("map", "--input", self.dataset, "--output", self.folder / "a", "--stats", text)
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("must end in .json", result.stderr)
+        self.assertEqual(text.read_bytes(), OLD)
+        self.assert_names("notes.txt")
 
     def test_a_strangers_files_may_be_kept_to_their_folder(self):
         theirs = self.folder / "theirs"

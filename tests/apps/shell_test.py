@@ -92,6 +92,12 @@ class ShellScripts(unittest.TestCase):
         self.assertEqual(digest(self.folder / "cut.hmap"), kept)
         self.assertEqual(scripted("getLayerCount", "cut.hmap", cwd=self.folder).returncode, 2)
 
+    def test_what_bears_another_name_than_an_archive_is_not_saved_over(self):
+        before = digest(self.folder / "house.yaml")
+        _, err = self.said("save house.yaml\n", "house.yaml", status=2)
+        self.assertIn("must end in .hmap, is 'house.yaml'", err)
+        self.assertEqual(digest(self.folder / "house.yaml"), before)
+
     def test_load_and_save_lose_nothing(self):
         self.said("save once.hmap\nload once.hmap\nsave twice.hmap\n", "house.yaml")
         self.assertEqual(digest(self.folder / "once.hmap"), digest(self.folder / "twice.hmap"))

@@ -36,6 +36,9 @@ class Usage(unittest.TestCase):
                           ["classes", "x", "--set", "y", "--clear"],
                           ["update", "x"], ["update", "x", "--batch", "y", "--grid", "z"],
                           ["simulate", "--output", "x", "--frames", "0"],
+                          ["simulate", "--output", "x", "--seed", "1.5"],
+                          ["simulate", "--output", "x", "--size", "60000x60000"],
+                          ["tune", "--input", "x", "--frame", "0x1"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
                           ["query", "x", "--at", "1,2"]]:
             with self.subTest(arguments):

@@ -71,7 +71,8 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
   command.callback([arguments, &common, &action] {
     keep_apart("--output",
                arguments->output,
-               {arguments->model,
+               {arguments->dataset.input,
+                arguments->model,
                 arguments->dataset.description.value_or(""),
                 arguments->dataset.classes.value_or("")});
     action = [arguments, &common] {

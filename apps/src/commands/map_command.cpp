@@ -140,10 +140,11 @@ void keep_outputs_apart(const MapArguments& arguments) {
       arguments.job.checkpoint_every > 0 || arguments.job.resume
           ? checkpoint_path(arguments.job.output)
           : "";
-  arguments.times.keep_outputs_apart(read, {arguments.job.output, checkpoint});
   keep_apart("--checkpoint-every", checkpoint, read);
   read.emplace_back(arguments.mapping.dataset.input);
+  arguments.times.keep_outputs_apart(read, {arguments.job.output, checkpoint});
   keep_apart("--output", arguments.job.output, read);
+  keep_suffix("--output", arguments.job.output, ".hmap");
 }
 
 }  // namespace

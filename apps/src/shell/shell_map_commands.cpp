@@ -2,6 +2,7 @@
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/nearest_name.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "outputs.hpp"
 #include "shell_commands.hpp"
 #include "tables.hpp"
 
@@ -122,6 +123,9 @@ Result<void> do_load_config(ShellSession& session, const ShellArguments& words) 
 Result<void> do_save(ShellSession& session, const ShellArguments& words) {
   std::optional<std::filesystem::path> path;
   if (!words.empty()) path = words[0];
+  if (path && !has_suffix(*path, ".hmap")) {
+    return fail(ErrorCode::kInvalidArgument, "must end in .hmap, is '" + printable(words[0]) + "'");
+  }
   return session.map.save(path);
 }
 

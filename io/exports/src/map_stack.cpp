@@ -63,8 +63,10 @@ constexpr std::string_view kCombinedName = "combined";
 Result<std::set<std::string>> files_of_maps(const std::filesystem::path& folder) {
   std::set<std::string> names;
   std::error_code failed;
-  if (!std::filesystem::is_directory(folder, failed)) return names;
-  std::filesystem::directory_iterator entry(folder, failed);
+  const std::filesystem::file_status status = std::filesystem::status(folder, failed);
+  if (std::filesystem::status_known(status) && !std::filesystem::is_directory(status)) return names;
+  std::filesystem::directory_iterator entry;
+  if (!failed) entry = std::filesystem::directory_iterator(folder, failed);
   for (; !failed && entry != std::filesystem::directory_iterator(); entry.increment(failed)) {
     if (entry->path().extension() != ".yaml") continue;
     const auto named = image_of_pair(entry->path());
