@@ -1,5 +1,5 @@
-"""Which files a run of scripts/verify looks at: those changed since the commit named in scripts/lint-base, and a quarter
-of the rest that changes with each commit, so that four commits see everything."""
+"""Which files a run of scripts/verify looks at: those changed since the commit named in scripts/lint-base, and an eighth
+of the rest that changes with each commit, so that eight commits see everything."""
 import pathlib
 import subprocess
 
@@ -19,7 +19,7 @@ def changed_files():
     return None if changed is None or new is None else set(changed + new)
 
 
-def quarter(names):
-    """Every fourth of the names in their order, beginning at the number of commits."""
+def eighth(names):
+    """Every eighth of the names in their order, beginning at the number of commits."""
     count = int((git("rev-list", "--count", "HEAD") or ["0"])[0])
-    return {name for index, name in enumerate(sorted(names)) if index % 4 == count % 4}
+    return {name for index, name in enumerate(sorted(names)) if index % 8 == count % 8}
