@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scan's way into the map.
-#include "hypermap/core/objects/cloud_observations.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/observation_labels.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <new>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -25,6 +28,24 @@ std::vector<PixelLabels> labels_of(const LabelledCloud& cloud,
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector3f> SemanticMapper::still_points(const LabelledCloud& cloud,
+                                                          const CloudObservations& seen) const {
+  std::vector<Eigen::Vector3f> points = cloud.points_in_map;
+  const auto leave_out = [&points](std::span<const std::uint32_t> positions) {
+    constexpr float kNoMeasurement = std::numeric_limits<float>::quiet_NaN();
+    for (const std::uint32_t position : positions) points[position].setConstant(kNoMeasurement);
+  };
+  for (const Observation& instance : seen.instances) {
+    if (class_filter_.is_transient(instance.class_scores))
+      leave_out(instance.segment.pixel_indices);
+  }
+  for (const ClassPoints& of_class : seen.classes) {
+    if (class_filter_.is_transient(cloud.class_vectors[of_class.class_vector]))
+      leave_out(of_class.point_indices);
+  }
+  return points;
+}
 
 Result<FrameReport> SemanticMapper::integrate_cloud(const LabelledCloud& cloud) {
   try {
@@ -45,6 +66,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
                              .leaf_size_m = options_.objects.segmentation.leaf_size_m,
                              .depth_slack_m = options_.objects.segmentation.depth_slack_m});
   report.num_detections = seen.instances.size();
+  const std::vector<Eigen::Vector3f> points_in_map = still_points(cloud, seen);
   std::erase_if(seen.instances,
                 [this](const Observation& o) { return !class_filter_.accepts(o.class_scores); });
   std::erase_if(seen.classes, [&](const ClassPoints& points) {
@@ -65,10 +87,9 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
 
   const auto labels = labels_of(cloud, std::move(seen), association);
   prepare_to_adopt(labels, association.merged);
-  HYPERMAP_ASSIGN_OR_RETURN(
-      report.integration,
-      integrator_.integrate_far_cloud(
-          octree_, cloud.sensor, cloud.points_in_map, labels, options_.cloud));
+  HYPERMAP_ASSIGN_OR_RETURN(report.integration,
+                            integrator_.integrate_far_cloud(
+                                octree_, cloud.sensor, points_in_map, labels, options_.cloud));
   adopt(std::move(objects), labels, association.merged);  // from here on the scan is in the map
   note_frame(cloud.index, cloud.stamp);
   report.seconds.integrate = watch.lap();

@@ -12,8 +12,10 @@
 #include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
 #include "mapper/topological_growth.hpp"
+#include "mapper/transient_observations.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -136,6 +138,18 @@ bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_s
          (wanted.empty() || std::ranges::binary_search(wanted, best->id));
 }
 
+std::vector<Observation> SemanticMapper::take_transient(
+    std::vector<Observation>& observations) const {
+  const auto first = std::stable_partition(
+      observations.begin(), observations.end(), [this](const Observation& observation) {
+        return !class_filter_.is_transient(observation.class_scores);
+      });
+  std::vector<Observation> transient(std::make_move_iterator(first),
+                                     std::make_move_iterator(observations.end()));
+  observations.erase(first, observations.end());
+  return transient;
+}
+
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame, DetectorLook look) {
   try {
     return integrate_or_throw(frame, look);
@@ -169,15 +183,22 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
       auto detections,
       stack_detections(given_detections, options_.objects.stacking, stacking_model_));
   report.num_detections = detections.size();
-  std::erase_if(detections,
-                [this](const Detection& d) { return !class_filter_.accepts(d.class_scores); });
-  report.num_transient = report.num_detections - detections.size();
+  // What is transient is segmented, too: it is no other detection's object, and no surface.
+  std::erase_if(detections, [this](const Detection& d) {
+    return !class_filter_.accepts(d.class_scores) && !class_filter_.is_transient(d.class_scores);
+  });
+  report.num_transient = report.num_detections - static_cast<std::size_t>(std::ranges::count_if(
+                                                     detections, [this](const Detection& d) {
+                                                       return class_filter_.accepts(d.class_scores);
+                                                     }));
 
   const double deadline = deadline_s(options_.deadline, detections.size());
   const auto in_time = [&] { return watch.elapsed_s() < deadline; };
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto observations =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
+  const std::vector<Observation> transient = take_transient(observations);
+  report.num_segments = observations.size();
   inform(observations);
   report.seconds.segment = watch.lap();
 
@@ -197,8 +218,10 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
 
   const auto labels = observation_labels(std::move(observations), association);
   prepare_to_adopt(labels, association.merged);
+  const RgbdFrame still = transient.empty() ? with_depth(frame, borrowed(frame.depth_m))
+                                            : without_observations(frame, transient);
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
-                            integrator_.integrate(octree_, frame, labels, options_.integration));
+                            integrator_.integrate(octree_, still, labels, options_.integration));
   // Invariant: from here on the frame is in the map.
   adopt(std::move(objects), labels, association.merged);
   embedding_dimensions_ = std::move(dimensions);

@@ -13,6 +13,7 @@
 #include "hypermap/core/geometry/box.hpp"
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/objects/cloud_observations.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/objects/object_pipeline_options.hpp"
 #include "hypermap/core/places/place_prior.hpp"
@@ -276,6 +277,12 @@ class SemanticMapper {
   void grow_topological_map(const PointInMap& sensor, const AssociationReport& association);
   /// Tells observations how many classes there are, and what is known of theirs.
   void inform(std::vector<Observation>& observations) const;
+  /// Those of transient classes, which are no longer among the observations.
+  [[nodiscard]] std::vector<Observation> take_transient(
+      std::vector<Observation>& observations) const;
+  /// The scan's points, those of transient classes as no measurement.
+  [[nodiscard]] std::vector<Eigen::Vector3f> still_points(const LabelledCloud& cloud,
+                                                          const CloudObservations& seen) const;
   void find_voxels_of_objects();
   /// Of an object that `prepare_to_adopt` made room for; else nothing.
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Detections of classes that do not stay are no part of the map.
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hypermap {
+namespace {
+
+constexpr PinholeCamera kCamera{160, 120, 131.25, 131.25, 79.5, 59.5};
+constexpr float kWallM = 3.0F;
+constexpr float kPersonM = 1.5F;
+
+/// A wall, and before it a person in columns [left, left + 24) from row 20 down.
+RgbdFrame walked_frame(int left, ClassId person) {
+  RgbdFrame frame;
+  frame.camera = kCamera;
+  frame.depth_m = DepthImage(kCamera.width_px, kCamera.height_px, kWallM);
+  for (int v = 20; v < kCamera.height_px; ++v) {
+    for (int u = left; u < left + 24; ++u) frame.depth_m.at(u, v) = kPersonM;
+  }
+  frame.detections = {{.box_px = {left - 1.0, 19.0, left + 25.0, 120.0},
+                       .class_scores = {{person, Probability(1.0)}},
+                       .score = Probability(0.9),
+                       .detector = {},
+                       .mask = {}}};
+  return frame;
+}
+
+/// Occupied voxels between camera and wall, and those of the wall.
+struct Occupied {
+  std::size_t before_wall = 0;
+  std::size_t at_wall = 0;
+};
+
+Occupied occupied_in(const SemanticOctree& octree) {
+  Occupied count;
+  octree.for_each_leaf([&count](const LeafSample& leaf) {
+    if (!leaf.occupied) return;
+    ++(leaf.centre_in_map.z() < 2.5 ? count.before_wall : count.at_wall);
+  });
+  return count;
+}
+
+SemanticMapper map_of_walk(const std::vector<std::string>& transient) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = transient;
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  for (int i = 0; i < 3; ++i) {
+    RgbdFrame frame = walked_frame(20 + 4 * i, person);
+    frame.index = static_cast<std::uint64_t>(i);
+    const FrameReport report = mapper.integrate(frame).value();
+    EXPECT_EQ(report.num_detections, 1U);
+    EXPECT_EQ(report.num_transient, transient.size());
+    EXPECT_EQ(report.num_segments, 1U - transient.size());
+  }
+  return mapper;
+}
+
+TEST(TransientClasses, OthersAreMapped) {
+  const SemanticMapper mapper = map_of_walk({});
+  EXPECT_GT(occupied_in(mapper.octree()).before_wall, 100U);
+  EXPECT_EQ(mapper.objects().size(), 1U);
+}
+
+TEST(TransientClasses, LeaveNoObjectAndNoVoxel) {
+  const SemanticMapper mapper = map_of_walk({"person"});
+  const Occupied occupied = occupied_in(mapper.octree());
+  EXPECT_EQ(occupied.before_wall, 0U);
+  EXPECT_GT(occupied.at_wall, 1000U);
+  EXPECT_TRUE(mapper.objects().empty());
+}
+
+}  // namespace
+}  // namespace hypermap
