@@ -17,7 +17,7 @@ void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
   const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {
     command.add_option(flag, limit, what)
-        ->check(whole_number())
+        ->transform(whole_number())
         ->capture_default_str()
         ->group("Limits of what is read");
   };

@@ -2,6 +2,7 @@
 #include "number_lists.hpp"
 
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/io/codec/text_file.hpp"
 #include "hypermap/projection/stack/grid_stack.hpp"
 #include "tables.hpp"
 
@@ -54,9 +55,11 @@ CLI::Validator number_in(double min, double max) {
 }
 
 CLI::Validator whole_number() {
-  const auto check = [](const std::string& text) -> std::string {
-    const bool is_one = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    return is_one ? "" : "must be a whole number from 0 on, is '" + printable(text) + "'";
+  const auto check = [](std::string& text) -> std::string {
+    const auto number = parse_unsigned(text);
+    if (!number) return "must be a whole number from 0 on, is '" + printable(text) + "'";
+    text = std::to_string(*number);  // zeros before it would make it octal
+    return "";
   };
   return {check, "at least 0"};
 }

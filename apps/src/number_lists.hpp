@@ -23,7 +23,7 @@ namespace hypermap::app {
 /// For an option with one number in [min, max]. NaN lies in no range; the decimal point is a point
 /// whatever the language.
 [[nodiscard]] CLI::Validator number_in(double min, double max);
-/// For `check`: digits alone.
+/// For `transform`: digits alone, up to 2^64 - 1, made decimal whatever zeros stand before them.
 [[nodiscard]] CLI::Validator whole_number();
 
 /// "1.5,2,0" as at least `min_count` and at most `max_count` finite numbers, separated by commas or

@@ -5,21 +5,32 @@
 
 #include "hypermap/core/base/result.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hypermap::app {
 
-/// Throws CLI::ValidationError naming `option` when `output` is "-", which names no file here, or
-/// one of the `inputs`, by whatever name, or, when an input is a folder, a file of it that is there
-/// and is no map: bears no archive's name, or that of a simulation's truth. Nor may it be a file
-/// that is there in a subfolder of a dataset, where its images are. Empty names stand for nothing.
+/// What of a dataset an output may take the place of.
+enum class MayReplace : std::uint8_t { kNothing, kDetections };
+
+/// Why the output may not be written: it is part of a dataset (`dataset_file`). None: it is none.
+[[nodiscard]] std::optional<std::string> dataset_fault(const std::filesystem::path& output,
+                                                       MayReplace may = MayReplace::kNothing);
+
+/// Throws CLI::ValidationError naming `option` when `output` is "-", which names no file here, is
+/// part of a dataset (`dataset_fault`), or is one of the `inputs`, by whatever name. In an input
+/// that is a folder and does not say what belongs to it, whatever is there and bears another suffix
+/// than maps is part of it. Empty names stand for nothing.
 void keep_apart(const std::string& option,
                 const std::filesystem::path& output,
-                const std::vector<std::filesystem::path>& inputs);
+                const std::vector<std::filesystem::path>& inputs,
+                MayReplace may = MayReplace::kNothing);
 
-/// Throws CLI::ValidationError naming `option` when the folder `output` is that of a dataset.
+/// Throws CLI::ValidationError naming `option` when the folder `output` is that of a dataset, or
+/// one in which it has images.
 void keep_out_of_datasets(const std::string& option, const std::filesystem::path& output);
 
 /// The error of a later file, with the files that were written before it.

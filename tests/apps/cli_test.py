@@ -646,6 +646,10 @@ class Pipeline(unittest.TestCase):
                      "detection-0-box.png"):
             self.assertIn(name, names)
 
+    def test_the_number_of_a_frame_is_decimal(self):
+        result = run("tune", "--input", self.dataset, "--frame", "0100")
+        self.assertIn("asked for 100", result.stderr)
+
     def tuned(self, *arguments):
         return run("tune", "--input", self.dataset, "--frame", SHOWN_FRAME, "--detection", 0,
                    "--set", "segmentation.max_range_m=6", *arguments)

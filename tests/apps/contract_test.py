@@ -226,18 +226,51 @@ class Targets(Case):
                  [*mapping, "--output", self.folder / "new", "--stats", dataset / "groundtruth.txt"],
                  [*mapping, "--output", self.folder / "new", "--times-plot", dataset / "depth" / "1.png"],
                  ["snapshot", archive, "--output", dataset / "depth" / "1.png"],
+                 ["snapshot", archive, "--output", self.folder / "images" / "1.png"],
+                 ["snapshot", archive, "--output", self.folder / "image.png"],
+                 ["tune", "--input", dataset, "--frame", 0, "--output", dataset / "depth"],
+                 ["transform", archive, "--by", "0,0,0,0", "--output", dataset / "truth.hmap"],
                  [*mapping, "--output", dataset / "truth.hmap"]]
         shutil.copy(self.archive, dataset / "truth.hmap")
+        (self.folder / "images").symlink_to(dataset / "depth")
+        (self.folder / "image.png").symlink_to(dataset / "depth" / "1.png")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         for arguments in cases:
             with self.subTest(arguments):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)
-                self.assertIn("write over", result.stderr)
+                self.assertRegex(result.stderr, "write over|a folder of a dataset")
         after = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         self.assertEqual(before, after)
-        for _ in ("a new one", "replaced"):
-            self.assertEqual(run(*mapping, "--output", dataset / "map.hmap").returncode, 0)
+
+    def test_what_a_command_wrote_into_a_dataset_it_may_write_again(self):
+        dataset = self.folder / "dataset"
+        shutil.copytree(self.dataset, dataset)
+        (dataset / "maps").mkdir()
+        mapping = ["map", "--input", dataset, "--max-frames", 2]
+        for arguments in ([*mapping, "--output", dataset / "map.hmap", "--stats", dataset / "stats.json"],
+                          [*mapping, "--output", dataset / "MAP.HMAP"], [*mapping, "--output", dataset / "map"],
+                          [*mapping, "--output", dataset / "maps" / "a.hmap", "--stats", dataset / "maps" / "a.json"],
+                          ["snapshot", dataset / "map.hmap", "--output", dataset / "maps" / "plan.png"]):
+            for turn in ("new", "replaced"):
+                with self.subTest(arguments, turn=turn):
+                    result = run(*arguments)
+                    self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_a_checkpoint_in_a_dataset_is_gone_on_from(self):
+        dataset = self.folder / "dataset"
+        shutil.copytree(self.dataset, dataset)
+        output = dataset / "maps" / "a.hmap"
+        output.parent.mkdir()
+        mapping = ["map", "--input", dataset, "--output", output, "--checkpoint-every", 5]
+        command = [str(PROGRAM), "--progress", "always", *map(str, mapping)]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as child:
+            while not pathlib.Path(f"{output}.checkpoint").exists() and child.poll() is None:
+                child.stderr.readline()
+            child.kill()
+        self.assertTrue(pathlib.Path(f"{output}.checkpoint").exists())
+        resumed = run(*mapping, "--resume")
+        self.assertEqual(resumed.returncode, 0, resumed.stderr)
 
     def test_what_is_no_map_is_never_replaced_by_one(self):
         text = self.folder / "notes.txt"

@@ -36,15 +36,24 @@ class Usage(unittest.TestCase):
                           ["classes", "x", "--set", "y", "--clear"],
                           ["update", "x"], ["update", "x", "--batch", "y", "--grid", "z"],
                           ["simulate", "--output", "x", "--frames", "0"],
-                          ["simulate", "--output", "x", "--seed", "1.5"],
-                          ["simulate", "--output", "x", "--size", "60000x60000"],
-                          ["tune", "--input", "x", "--frame", "0x1"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
                           ["query", "x", "--at", "1,2"]]:
             with self.subTest(arguments):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)
                 self.assertNotEqual(result.stderr.strip(), "")
+
+    def test_numbers_are_refused_by_their_rule(self):
+        whole = "must be a whole number from 0 on, is '{}'"
+        for arguments, words in [(["simulate", "--output", "x", "--seed", "1.5"], whole.format("1.5")),
+                                 (["simulate", "--output", "x", "--seed", "9" * 23], whole.format("9" * 23)),
+                                 (["tune", "--input", "x", "--frame", "0x1"], whole.format("0x1")),
+                                 (["simulate", "--output", "x", "--size", "60000x60000"],
+                                  "must have at most 67108864 pixels, is '60000x60000'")]:
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4, result.stderr)
+                self.assertIn(words, result.stderr)
 
     def test_only_options_that_there_are_are_proposed(self):
         for arguments in (["stack", "--file", "m.hmap"], ["info", "--file", "m.hmap"], ["stack", "--files", "m.hmap"]):

@@ -74,7 +74,8 @@ void add_detect_command(CLI::App& program, const CommonOptions& common, Action& 
                {arguments->dataset.input,
                 arguments->model,
                 arguments->dataset.description.value_or(""),
-                arguments->dataset.classes.value_or("")});
+                arguments->dataset.classes.value_or("")},
+               MayReplace::kDetections);
     action = [arguments, &common] {
       const auto done = run(*arguments, common.progress);
       return done ? print(*done, *arguments) : report(done.error());

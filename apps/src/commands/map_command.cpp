@@ -102,7 +102,7 @@ void add_append_options(CLI::App& command, CLI::Option& append, MapArguments& ar
 
 void add_options(CLI::App& command, MapArguments& arguments) {
   arguments.mapping.dataset.add_to(command);
-  command.add_option("--output", arguments.job.output, "archive to write")->required();
+  command.add_option("--output", arguments.job.output, "archive to write, .hmap")->required();
   arguments.detections.add_to(command);
   arguments.mapping.add_to(command);
   auto* append =
@@ -144,7 +144,7 @@ void keep_outputs_apart(const MapArguments& arguments) {
   read.emplace_back(arguments.mapping.dataset.input);
   arguments.times.keep_outputs_apart(read, {arguments.job.output, checkpoint});
   keep_apart("--output", arguments.job.output, read);
-  keep_suffix("--output", arguments.job.output, ".hmap");
+  if (!arguments.job.append) keep_suffix("--output", arguments.job.output, ".hmap");
 }
 
 }  // namespace

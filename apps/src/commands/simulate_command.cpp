@@ -75,8 +75,7 @@ CLI::Validator image_size() {
     const auto size = parse_sides(text, "");
     if (!size) return size.error().what;
     if (std::int64_t{size->width_px} * size->height_px <= kMostImagePixels) return std::string();
-    return "images must have at most " + std::to_string(kMostImagePixels) + " pixels, is '" + text +
-           "'";
+    return "must have at most " + std::to_string(kMostImagePixels) + " pixels, is '" + text + "'";
   };
   return {check, "WIDTHxHEIGHT"};
 }
@@ -179,7 +178,7 @@ void add_simulate_command(CLI::App& program, const CommonOptions& common, Action
       ->required();
   add_way_options(command, arguments);
   command.add_option("--seed", arguments->simulation.seed, "of arrangement, noise and detector")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->capture_default_str();
   add_detector_options(command, arguments);
   add_change_options(command, arguments);

@@ -108,9 +108,9 @@ void print(const SegmentationTrace& trace,
     const PixelRect bounds = bounds_of(*detection.mask);
     std::printf("  with a mask, columns %d to %d, rows %d to %d\n",
                 bounds.u_begin,
-                bounds.u_end,
+                bounds.u_end - 1,
                 bounds.v_begin,
-                bounds.v_end);
+                bounds.v_end - 1);
   }
   Table table({"  step", "points", "segments", "ms"});
   for (const SegmentationStep& step : trace.steps) {
@@ -240,10 +240,10 @@ void add_tune_command(CLI::App& program, const CommonOptions& common, Action& ac
   command.get_option("--input")->required(false);
   command.add_option("--detections", arguments->detections, "detections file; may be repeated");
   command.add_option("--frame", arguments->frame, "which frame, counted from 0")
-      ->check(whole_number());
+      ->transform(whole_number());
   command
       .add_option("--detection", arguments->detection, "only this one of the frame, counted from 0")
-      ->check(whole_number());
+      ->transform(whole_number());
   command
       .add_option("--up", arguments->up_axis, "axis of the dataset's world, or floor to find it")
       ->transform(one_of({"x", "-x", "y", "-y", "z", "-z", "floor"}));

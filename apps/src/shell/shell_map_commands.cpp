@@ -126,6 +126,9 @@ Result<void> do_save(ShellSession& session, const ShellArguments& words) {
   if (path && !has_suffix(*path, ".hmap")) {
     return fail(ErrorCode::kInvalidArgument, "must end in .hmap, is '" + printable(words[0]) + "'");
   }
+  if (const auto fault = path ? dataset_fault(*path) : std::nullopt) {
+    return fail(ErrorCode::kInvalidArgument, *fault);
+  }
   return session.map.save(path);
 }
 

@@ -7,6 +7,7 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +42,7 @@ struct FootEdge {
 };
 
 /// The rows and columns that a mask has pixels in, of those from `v_begin` on.
-PixelRect rect_of_mask(const MaskImage& mask, int v_begin) {
+PixelRect foot_of_mask(const MaskImage& mask, int v_begin) {
   PixelRect rect;
   for (int v = v_begin; v < mask.height_px(); ++v) {
     for (int u = 0; u < mask.width_px(); ++u) {
@@ -57,10 +58,10 @@ std::optional<FootEdge> foot_edge(const Detection& detection,
                                   double foot_share) {
   FootEdge edge{detection.box_px.u_min_px, detection.box_px.u_max_px, detection.box_px.v_max_px};
   if (detection.mask) {
-    const PixelRect whole = rect_of_mask(*detection.mask, 0);
+    const PixelRect whole = bounds_of(*detection.mask);
     if (whole.empty()) return std::nullopt;
     const int num_rows = std::max(1, static_cast<int>(std::lround(foot_share * whole.height())));
-    const PixelRect foot = rect_of_mask(*detection.mask, whole.v_end - num_rows);
+    const PixelRect foot = foot_of_mask(*detection.mask, whole.v_end - num_rows);
     edge = {static_cast<double>(foot.u_begin),
             static_cast<double>(foot.u_end),
             static_cast<double>(foot.v_end)};

@@ -3,6 +3,7 @@
 
 #include "figure_page.hpp"
 #include "hypermap/core/base/class_palette.hpp"
+#include "hypermap/core/segmentation/masks.hpp"
 #include "panel_figures.hpp"
 
 #include <algorithm>
@@ -216,7 +217,7 @@ ColorImage SegmentationFigures::step(const RgbdFrame& frame,
     }
   }
   tint(image, backdrop, labels);
-  const Enlargement part = around(detection.box_px, frame.camera);
+  const Enlargement part = around(box_with_mask(detection), frame.camera);
   ColorImage figure = enlarged(image, part);
   outline_detection(figure, part, detection);
   return with_caption(figure, impl_->painter, {step_caption(trace, step)});
@@ -228,7 +229,7 @@ ColorImage SegmentationFigures::segment(const RgbdFrame& frame,
   const ColorImage backdrop = backdrop_of(frame);
   ColorImage image = dimmed(backdrop);
   if (!segment) {
-    const Enlargement part = around(detection.box_px, frame.camera);
+    const Enlargement part = around(box_with_mask(detection), frame.camera);
     ColorImage figure = enlarged(image, part);
     outline_detection(figure, part, detection);
     return with_caption(figure, impl_->painter, {"no segment: " + segment.error().what});

@@ -252,11 +252,6 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
     return window.depth_m[cell] > 0.0F ? label : kLabelAbsent;
   };
   notes.step("window", 0, [&](std::size_t cell) { return if_measured(cell, 1); });
-  if (window.is_masked()) {
-    notes.step("mask", 1, [&](std::size_t cell) {
-      return if_measured(cell, window.may_be_object(cell) ? 1 : kLabelAbsent);
-    });
-  }
 
   const Eigen::Matrix3f gravity_aligned_from_camera =
       frame.map_from_camera.isometry().linear().cast<float>();
@@ -270,6 +265,11 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   const auto grown = grown_planes(window, planes, kind, found.is_object, foreground);
   if (grown != kind)
     found = find_object(window, planes, grown, gravity_aligned_from_camera, foreground);
+  if (window.is_masked()) {
+    notes.step("mask", 1, [&](std::size_t cell) {
+      return if_measured(cell, window.may_be_object(cell) ? 1 : kLabelAbsent);
+    });
+  }
   const DepthComponents& labelled = found.surfaces;
   notes.step("surfaces", labelled.components.size(), [&](std::size_t cell) {
     return if_measured(cell, static_cast<std::int32_t>(labelled.of_cell[cell]) + 1);

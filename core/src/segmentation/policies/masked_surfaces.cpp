@@ -45,7 +45,8 @@ MaskImage cells_inside(const DepthWindow& window) {
   const auto mask = window.in_mask.pixels();
   const auto size = static_cast<double>(std::count(mask.begin(), mask.end(), 1));
   const double by_size = std::round(kEdgeShare * std::sqrt(size));
-  const double reach = std::clamp(by_size, 1.0, std::max(1.0, window.mask_tolerance * 1.0));
+  const int most = std::max(1, window.mask_tolerance);
+  const double reach = std::clamp(by_size, 1.0, static_cast<double>(most));
   MaskImage cells = window.in_mask;
   for (std::uint8_t& cell : cells.pixels()) cell = cell == 0 ? 1 : 0;
   cells = widened(cells, static_cast<int>(reach));
@@ -156,7 +157,8 @@ ComponentIds masked_surfaces(const DepthWindow& window,
   for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
     if (labelled.components[id].kind != kOthersKind) chosen.push_back(id);
   }
-  const double num_all = num_cells(chosen);
+  const ComponentIds all = chosen;
+  const double num_all = num_cells(all);
   std::erase_if(chosen, [&](std::uint32_t id) {
     return is_seen_through(labelled.components[id], counts[id], num_all);
   });
@@ -166,7 +168,7 @@ ComponentIds masked_surfaces(const DepthWindow& window,
   });
   if (num_cells(strips) > kMostStrips * num_all) return chosen;
   std::erase_if(chosen, [&](std::uint32_t id) { return std::ranges::binary_search(strips, id); });
-  return chosen;
+  return chosen.empty() ? all : chosen;
 }
 
 }  // namespace hypermap

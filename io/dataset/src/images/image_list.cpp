@@ -109,6 +109,12 @@ bool is_pattern(std::string_view text) {
   return text.find('*') != std::string_view::npos;
 }
 
+bool fits_pattern(const std::string& path, const std::string& pattern) {
+  const auto parts = take_apart(pattern);
+  if (!parts || fs::path(path).parent_path().string() != parts->folder) return false;
+  return match(fs::path(path).filename().string(), *parts).has_value();
+}
+
 Result<std::vector<ListedFile>> list_image_files(const fs::path& folder,
                                                  const std::string& pattern) {
   HYPERMAP_ASSIGN_OR_RETURN(const Pattern parts, take_apart(pattern));

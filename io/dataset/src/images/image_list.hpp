@@ -24,6 +24,10 @@ struct ListedFile {
 
 [[nodiscard]] bool is_pattern(std::string_view text);
 
+/// Whether a path relative to the dataset's folder fits a pattern. Boundary: none fits what is no
+/// pattern with one `*` in its last part.
+[[nodiscard]] bool fits_pattern(const std::string& path, const std::string& pattern);
+
 /// Files that fit `pattern` (one `*` in its last part), by number, stamp or name in that order of
 /// preference. Boundary: a folder that is not there gives none.
 /// Errors: kInvalidArgument for a pattern without or with several `*`; kIo; kLimit at 10^6 files;

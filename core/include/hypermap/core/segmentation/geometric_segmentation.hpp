@@ -141,11 +141,13 @@ struct GeometricSegmentationOptions {
 ///
 /// Policy kForeground also looks at the boxes of `frame.detections`, when `detection` has no mask:
 /// a surface that fills another box better is not this object. Whether `detection` is among them
-/// does not matter. Requires: validate(frame), validate(options). Errors: kNotFound with the step
-/// after which nothing was left. Boundary: depth that is 0, negative, NaN or infinite is no
-/// measurement; a box that leaves the image is cut; a mask, where the detection has one, replaces
-/// the box. Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in
-/// its points.
+/// does not matter.
+/// Requires: validate(frame), validate(options).
+/// Errors: kNotFound with the step after which nothing was left.
+/// Boundary: depth that is 0, negative, NaN or infinite is no measurement; a box that leaves the
+/// image is cut; a mask, where the detection has one, replaces the box.
+/// Cost: kForeground O(pixels of the box and its surroundings); the others O(n log n) in its
+/// points.
 [[nodiscard]] Result<Segment> segment(const RgbdFrame& frame,
                                       const Detection& detection,
                                       const GeometricSegmentationOptions& options);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which files a dataset consists of, so that nothing else takes their place.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace hypermap {
+
+/// A file that is part of a dataset, or would be if it were there.
+struct DatasetFile {
+  std::filesystem::path folder;  ///< The dataset's.
+  bool is_detections = false;    ///< One of its detections files, which detectors replace.
+};
+
+/// The dataset that a file is part of: as its description, a list, an image, poses, intrinsics,
+/// names of labels, detections or the truth of a simulation. A name that a pattern of the dataset
+/// fits is one of its images. Links are followed.
+///
+/// Boundary: none where no folder up to three levels above is a dataset, or where that cannot be
+/// read: who cannot read a dataset cannot say what belongs to it.
+/// Cost: of `find_layout` for each of these folders, and of reading the dataset's lists.
+[[nodiscard]] std::optional<DatasetFile> dataset_file(const std::filesystem::path& file);
+
+/// The dataset that has images directly in this folder; none as above.
+[[nodiscard]] std::optional<std::filesystem::path> dataset_with_images_in(
+    const std::filesystem::path& folder);
+
+}  // namespace hypermap
