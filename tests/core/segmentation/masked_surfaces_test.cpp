@@ -218,27 +218,6 @@ TEST(MaskedSurfaces, TheMaskIsAStepOfItsOwn) {
             "no point was left after the step mask");
 }
 
-TEST(MaskedSurfaces, AMaskOfTwoPlanesAndAStripIsNotEmptied) {
-  // A rug that lies up against the wall and is cut by a post: each plane is less than half of the
-  // mask and behind the post, of which the mask has a strip.
-  BoxScene scene;
-  scene.add(kFloor, {0.5, -3, -0.1}, {6, 3, 0}).add(kWall, {3.6, -3, 0}, {3.7, 3, 3});
-  scene.add(kChair, {2, -0.6, 0}, {2.1, -0.3, 2});
-  const SceneView view = scene.view(test::look_at({0, 0, 1}, {3.6, 0, 0}), 1);
-  const auto post = static_cast<int>(detection_of(view, kChair).box_px.u_min_px);
-  int horizon = 0;
-  while (view.truth.at(post - 10, horizon) != kFloor) ++horizon;
-  MaskImage mask(640, 480);
-  for (int v = horizon - 50; v < horizon + 50; ++v)
-    std::fill_n(&mask.at(post - 80, v), 84, std::uint8_t{1});
-  Detection rug;
-  rug.box_px = {post - 80.0, horizon - 50.0, post + 4.0, horizon + 50.0};
-  rug.mask = mask;
-  const auto found = segment(view.frame, rug, {});
-  ASSERT_TRUE(found.has_value()) << to_string(found.error());
-  EXPECT_GE(found->pixel_indices.size(), 80U * 100U * 9U / 10U);
-}
-
 /// A table whose top was not measured and leaves the image at its upper edge.
 SceneView table_at_the_edge() {
   BoxScene scene;
