@@ -32,11 +32,6 @@ void mark(const Detection& detection, MaskImage& marks) {
 
 }  // namespace
 
-bool SemanticMapper::ClassFilter::is_transient(std::span<const ClassEvidence> class_scores) const {
-  const auto best = best_class(class_scores);
-  return best && std::ranges::binary_search(transient, best->id);
-}
-
 DepthImage SemanticMapper::smoothed_depth(const RgbdFrame& given) {
   if (options_.smoothing.rule == DepthSmoothingRule::kNone) return borrowed(given.depth_m);
   return smoother_.smoothed(given.depth_m, options_.num_threads);

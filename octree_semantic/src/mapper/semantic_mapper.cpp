@@ -15,7 +15,6 @@
 #include "mapper/transient_observations.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <new>
 #include <utility>
 
@@ -130,25 +129,6 @@ SemanticMapper::SemanticMapper(SemanticMapperOptions options,
 SemanticMapper::SemanticMapper(SemanticMapper&&) noexcept = default;
 SemanticMapper& SemanticMapper::operator=(SemanticMapper&&) noexcept = default;
 SemanticMapper::~SemanticMapper() = default;
-
-bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_scores) const {
-  const auto best = best_class(class_scores);
-  if (!best) return true;
-  return !std::ranges::binary_search(transient, best->id) &&
-         (wanted.empty() || std::ranges::binary_search(wanted, best->id));
-}
-
-std::vector<Observation> SemanticMapper::take_transient(
-    std::vector<Observation>& observations) const {
-  const auto first = std::stable_partition(
-      observations.begin(), observations.end(), [this](const Observation& observation) {
-        return !class_filter_.is_transient(observation.class_scores);
-      });
-  std::vector<Observation> transient(std::make_move_iterator(first),
-                                     std::make_move_iterator(observations.end()));
-  observations.erase(first, observations.end());
-  return transient;
-}
 
 Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame, DetectorLook look) {
   try {

@@ -189,6 +189,22 @@ TEST(MaskedSurfaces, AFlatThingBehindAPostStaysWhole) {
   EXPECT_NEAR(found->box.extent().y(), unhidden->box.extent().y(), 0.03);
 }
 
+/// Half of a mask on the floor, half on the wall, its left edge on a post before both.
+TEST(MaskedSurfaces, AMaskOfNothingButBackgroundAndAStripStaysWhole) {
+  constexpr int kPost = 9;
+  BoxScene scene;
+  scene.add(kFloor, {0.5, -3, -0.1}, {6, 3, 0}).add(kWall, {3, -3, 0}, {3.1, 3, 3});
+  scene.add(kPost, {1.5, 0.3, 0}, {1.6, 0.5, 2.5});
+  const SceneView view = scene.view(test::look_at({0, 0, 0.6}, {3, 0, 0.6}));
+  int end_of_post = 639;
+  while (view.truth.at(end_of_post, 345) != kPost) --end_of_post;
+  MaskImage mask(640, 480);
+  for (int v = 295; v < 395; ++v) std::fill_n(&mask.at(end_of_post - 3, v), 100, std::uint8_t{1});
+  const auto found = segment_of(view, kPost, std::move(mask));
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GE(found->pixel_indices.size(), 100U * 100U * 9U / 10U);
+}
+
 TEST(MaskedSurfaces, AThinThingIsAllEdgeAndStays) {
   BoxScene scene;
   scene.add(kTable, {0.5, -2, 0.7}, {4, 2, 0.75});

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which classes reach the map, and which do not stay.
+#include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace hypermap {
+
+bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_scores) const {
+  const auto best = best_class(class_scores);
+  if (!best) return true;
+  return !std::ranges::binary_search(transient, best->id) &&
+         (wanted.empty() || std::ranges::binary_search(wanted, best->id));
+}
+
+bool SemanticMapper::ClassFilter::is_transient(std::span<const ClassEvidence> class_scores) const {
+  const auto best = best_class(class_scores);
+  return best && std::ranges::binary_search(transient, best->id);
+}
+
+std::vector<Observation> SemanticMapper::take_transient(
+    std::vector<Observation>& observations) const {
+  const auto first = std::stable_partition(
+      observations.begin(), observations.end(), [this](const Observation& observation) {
+        return !class_filter_.is_transient(observation.class_scores);
+      });
+  std::vector<Observation> transient(std::make_move_iterator(first),
+                                     std::make_move_iterator(observations.end()));
+  observations.erase(first, observations.end());
+  return transient;
+}
+
+}  // namespace hypermap
