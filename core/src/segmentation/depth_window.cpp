@@ -252,7 +252,7 @@ DepthWindow make_depth_window(const RgbdFrame& frame,
   find_steps(window.depth_m, foreground, window.step_m);
   if (detection.mask) {
     window.in_mask = cells_of_mask(*detection.mask, window);
-    const double tolerance_px = mask_tolerance_px(frame.camera.width_px);
+    const double tolerance_px = mask_tolerance_px(frame.camera.width_px, frame.camera.height_px);
     window.mask_tolerance = static_cast<int>(std::ceil(tolerance_px / window.block_px));
   }
   return window;

@@ -2,6 +2,7 @@
 #include "hypermap/core/segmentation/masks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,6 +72,11 @@ MaskImage widened(const MaskImage& mask, int reach_px) {
     widen_line(in_rows.pixels().data() + u, height, width, reach, result.pixels().data() + u);
   }
   return result;
+}
+
+MaskImage widened_by_tolerance(const MaskImage& mask) {
+  const double tolerance_px = mask_tolerance_px(mask.width_px(), mask.height_px());
+  return widened(mask, static_cast<int>(std::ceil(tolerance_px)));
 }
 
 }  // namespace hypermap

@@ -7,7 +7,6 @@
 #include "mapper/borrowed_frames.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <new>
 #include <utility>
@@ -19,8 +18,7 @@ namespace {
 /// its box.
 void mark(const Detection& detection, MaskImage& marks) {
   if (detection.mask) {
-    const double tolerance_px = std::ceil(mask_tolerance_px(marks.width_px()));
-    const MaskImage reached = widened(*detection.mask, static_cast<int>(tolerance_px));
+    const MaskImage reached = widened_by_tolerance(*detection.mask);
     std::ranges::transform(marks.pixels(), reached.pixels(), marks.pixels().begin(), std::bit_or());
     return;
   }

@@ -5,7 +5,6 @@
 #include "mapper/borrowed_frames.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -16,8 +15,7 @@ RgbdFrame without_observations(const RgbdFrame& frame, std::span<const Observati
   for (const Observation& observation : observations) {
     for (const std::uint32_t pixel : observation.segment.pixel_indices) marks.pixels()[pixel] = 1;
   }
-  const double tolerance_px = std::ceil(mask_tolerance_px(frame.camera.width_px));
-  const MaskImage reached = widened(marks, static_cast<int>(tolerance_px));
+  const MaskImage reached = widened_by_tolerance(marks);
   DepthImage depth_m(frame.camera.width_px, frame.camera.height_px);
   std::ranges::transform(frame.depth_m.pixels(),
                          reached.pixels(),

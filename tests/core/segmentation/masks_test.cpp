@@ -17,9 +17,15 @@ MaskImage random_mask(std::mt19937& random, std::uint32_t one_of) {
 }
 
 TEST(Masks, AreOffByOneAndAHalfOfTheirCells) {
-  EXPECT_DOUBLE_EQ(mask_tolerance_px(640), 6.0);
-  EXPECT_DOUBLE_EQ(mask_tolerance_px(320), 3.0);
-  EXPECT_DOUBLE_EQ(mask_tolerance_px(1920), 18.0);
+  EXPECT_DOUBLE_EQ(mask_tolerance_px(640, 480), 6.0);
+  EXPECT_DOUBLE_EQ(mask_tolerance_px(320, 240), 3.0);
+  EXPECT_DOUBLE_EQ(mask_tolerance_px(1080, 1920), 18.0);
+}
+
+TEST(Masks, MayReachOneAndAHalfCellsFartherRoundedUp) {
+  MaskImage mask(160, 320);  // cells of two pixels
+  mask.at(80, 160) = 1;
+  EXPECT_EQ(bounds_of(widened_by_tolerance(mask)), (PixelRect{77, 157, 84, 164}));
 }
 
 TEST(Masks, AreWidenedAsByLookingAtEachNeighbour) {

@@ -186,8 +186,9 @@ std::vector<PoseOutcome> outcomes_behind_a_person(int num_columns) {
 
 TEST(RefinedPoses, WhatAMaskShowsAndWhereItsEdgeMayBeIsNoSurfaceEither) {
   // The edge may be off by 1.5 pixels of 160.
+  const auto camera = noisy_frames()[0].camera;
   const auto reach =
-      static_cast<int>(std::ceil(mask_tolerance_px(noisy_frames()[0].camera.width_px)));
+      static_cast<int>(std::ceil(mask_tolerance_px(camera.width_px, camera.height_px)));
   for (const PoseOutcome outcome : outcomes_behind_a_person(reach))
     EXPECT_EQ(outcome, PoseOutcome::kTooFewPoints);
   EXPECT_NE(outcomes_behind_a_person(reach + 60).back(), PoseOutcome::kTooFewPoints);

@@ -47,7 +47,8 @@ struct Detection {
   /// The detector's own score of the detection, objectness included.
   Probability score;
   DetectorId detector;
-  /// Pixels of the object in the size of the image, when the detector gives them.
+  /// Pixels of the object in the size of the image, when the detector gives them. One without a
+  /// pixel finds nothing; readers and detectors take such a mask for none.
   std::optional<MaskImage> mask;
   /// How it looks to image networks, a model each; mostly none.
   std::vector<Embedding> embeddings = {};

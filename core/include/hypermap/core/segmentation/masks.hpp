@@ -7,13 +7,16 @@
 #include "hypermap/core/segmentation/depth_cloud.hpp"
 #include "hypermap/core/segmentation/detection.hpp"
 
+#include <algorithm>
+
 namespace hypermap {
 
-/// How far the edge of a segmentation network's mask may be off, in an image of that width: one and
-/// a half of the mask's own cells. Networks take images of 640 pixels, mostly, and make masks at a
-/// quarter of that, so that a cell covers a 160th of the image: 4 pixels of 640. Unit: pixel.
-[[nodiscard]] constexpr double mask_tolerance_px(int image_width_px) noexcept {
-  return 1.5 * image_width_px / 160.0;
+/// How far the edge of a segmentation network's mask may be off, in an image of that size: one and
+/// a half of the mask's own cells. Networks take squares of 640 pixels, mostly, into which the
+/// longer side is fitted, and make masks at a quarter of that, so that a cell covers a 160th of
+/// that side: 4 pixels of 640. Unit: pixel.
+[[nodiscard]] constexpr double mask_tolerance_px(int width_px, int height_px) noexcept {
+  return 1.5 * std::max(width_px, height_px) / 160.0;
 }
 
 /// The smallest rectangle around the pixels that are not 0; empty when all are.
@@ -27,5 +30,8 @@ namespace hypermap {
 /// 1 on the pixels within `reach_px` columns and rows of one that is not 0, else 0.
 /// Requires: reach_px >= 0. Cost: O(pixels).
 [[nodiscard]] MaskImage widened(const MaskImage& mask, int reach_px);
+
+/// All that the mask may show: widened by as much as its edge may be off. Cost: O(pixels).
+[[nodiscard]] MaskImage widened_by_tolerance(const MaskImage& mask);
 
 }  // namespace hypermap
