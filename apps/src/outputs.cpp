@@ -26,6 +26,23 @@ bool is_dataset(const fs::path& folder) {
   return fs::exists(folder / "dataset.yaml", failed) || find_layout(folder).has_value();
 }
 
+/// Of a folder that is read by a description that lies elsewhere and is read, too.
+std::optional<DatasetFile> described_file(const fs::path& output,
+                                          const std::vector<fs::path>& inputs) {
+  std::error_code failed;
+  for (const fs::path& input : inputs) {
+    const bool may_describe = is_spelling_of(input.extension().string(), ".yaml");
+    if (!may_describe || !fs::is_regular_file(input, failed)) continue;
+    const auto description = read_dataset_description(input);
+    if (!description) continue;
+    for (const fs::path& folder : inputs) {
+      if (!fs::is_directory(folder, failed)) continue;
+      if (auto part = dataset_file(output, folder, description->value)) return part;
+    }
+  }
+  return std::nullopt;
+}
+
 /// In a folder that is read and does not say what belongs to it: what is there and no map, which
 /// are written beside the frames that they are made of.
 bool may_be_part_of(const fs::path& file, const fs::path& folder) {
@@ -33,16 +50,21 @@ bool may_be_part_of(const fs::path& file, const fs::path& folder) {
   if (!fs::is_directory(folder, failed) || !fs::exists(file, failed)) return false;
   const fs::path way = fs::relative(file, folder, failed);
   const bool is_inside = !failed && !way.empty() && *way.begin() != "..";
-  return is_inside && !is_dataset(folder) && !has_suffix(file, ".hmap");
+  return is_inside && !find_layout(folder) && !is_spelling_of(file.extension().string(), ".hmap");
+}
+
+std::optional<std::string> fault_of(const std::optional<DatasetFile>& part,
+                                    const fs::path& output,
+                                    MayReplace may) {
+  if (!part || (part->is_detections && may == MayReplace::kDetections)) return std::nullopt;
+  return "would write over a file of the dataset " + printable(part->folder.string()) + ": " +
+         printable(output.string());
 }
 
 }  // namespace
 
 std::optional<std::string> dataset_fault(const fs::path& output, MayReplace may) {
-  const auto part = dataset_file(output);
-  if (!part || (part->is_detections && may == MayReplace::kDetections)) return std::nullopt;
-  return "would write over a file of the dataset " + printable(part->folder.string()) + ": " +
-         printable(output.string());
+  return fault_of(dataset_file(output), output, may);
 }
 
 void keep_apart(const std::string& option,
@@ -55,6 +77,8 @@ void keep_apart(const std::string& option,
         option, "'-' names no file, and files are not written to standard output (./- is a file)");
   }
   if (const auto fault = dataset_fault(output, may)) throw CLI::ValidationError(option, *fault);
+  if (const auto fault = fault_of(described_file(output, inputs), output, may))
+    throw CLI::ValidationError(option, *fault);
   for (const fs::path& input : inputs) {
     if (input.empty() || !(is_same(output, input) || may_be_part_of(output, input))) continue;
     throw CLI::ValidationError(option,

@@ -42,6 +42,12 @@ class Overwriting(Case):
                  ["tune", "--input", dataset, "--frame", 0, "--output", dataset / "depth"],
                  ["transform", archive, "--by", "0,0,0,0", "--output", dataset / "truth.hmap"],
                  [*mapping, "--output", dataset / "truth.hmap"]]
+        elsewhere = self.folder / "elsewhere.yaml"
+        elsewhere.write_text("depth: depth/*.png\ndepth_scale: 5000\ntrajectory: slam.json\n"
+                             "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\n")
+        shutil.copy(dataset / "groundtruth.txt", dataset / "slam.json")
+        cases.append([*mapping, "--dataset", elsewhere, "--output", self.folder / "new", "--stats",
+                      dataset / "slam.json"])
         shutil.copy(self.archive, dataset / "truth.hmap")
         (self.folder / "images").symlink_to(dataset / "depth")
         (self.folder / "image.png").symlink_to(dataset / "depth" / "1.png")

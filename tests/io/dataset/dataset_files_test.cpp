@@ -2,6 +2,7 @@
 // Which files a dataset consists of.
 #include "hypermap/io/dataset/dataset_files.hpp"
 
+#include "hypermap/io/dataset/dataset_description.hpp"
 #include "support/temp_dir.hpp"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,45 @@ TEST_F(DatasetFiles, LinksAreFollowed) {
   fs::create_symlink(root / "set/depth/1.png", root / "by_file.png");
   EXPECT_TRUE(is_part("by_folder/1.png"));
   EXPECT_TRUE(is_part("by_file.png"));
+}
+
+TEST_F(DatasetFiles, LinksInsideADatasetAreItsFiles) {
+  make_tum();
+  fs::rename(root / "set/depth", root / "store");
+  fs::create_directory_symlink(root / "store", root / "set/depth");
+  write("set/found.json");
+  fs::rename(root / "set/groundtruth.txt", root / "poses");
+  fs::create_symlink(root / "poses", root / "set/groundtruth.txt");
+  EXPECT_TRUE(dataset_file(root / "set/depth/1.png").has_value());
+  EXPECT_TRUE(dataset_file(root / "set/groundtruth.txt").has_value());
+  EXPECT_TRUE(dataset_with_images_in(root / "set/depth").has_value());
+}
+
+TEST_F(DatasetFiles, ALinkToNothingIsWhatItWouldMake) {
+  write("set/frame-000000.depth.png");
+  fs::create_symlink(root / "set/frame-000009.depth.png", root / "plan.png");
+  EXPECT_TRUE(is_part("plan.png"));
+}
+
+TEST_F(DatasetFiles, NamesMayBeWrittenInManyWays) {
+  write("set/dataset.yaml",
+        "depth: ./range//*.png\ndepth_scale: 1000\ntrajectory: ./poses.txt\n"
+        "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\ndetections: [./found.json]\n");
+  write("set/range/1.png");
+  EXPECT_TRUE(is_part("set/range/1.png"));
+  EXPECT_TRUE(is_part("set/./poses.txt"));
+  EXPECT_TRUE(dataset_file(root / "set/found.json")->is_detections);
+  EXPECT_TRUE(dataset_with_images_in(root / "set/range").has_value());
+}
+
+TEST_F(DatasetFiles, AFolderMayBeDescribedElsewhere) {
+  make_tum();
+  write("set/infrared/1.png");
+  const DatasetDescription other{.depth = "infrared/*.png", .trajectory = "slam.txt"};
+  EXPECT_FALSE(is_part("set/slam.txt"));
+  EXPECT_TRUE(dataset_file(root / "set/slam.txt", root / "set", other).has_value());
+  EXPECT_TRUE(dataset_file(root / "set/infrared/1.png", root / "set", other).has_value());
+  EXPECT_FALSE(dataset_file(root / "slam.txt", root / "set", other).has_value());
 }
 
 TEST_F(DatasetFiles, FoldersWithImagesAreKnown) {
