@@ -10,7 +10,7 @@ namespace hypermap {
 bool SemanticMapper::ClassFilter::accepts(std::span<const ClassEvidence> class_scores) const {
   const auto best = best_class(class_scores);
   if (!best) return true;
-  return !std::ranges::binary_search(transient, best->id) &&
+  return !is_transient(class_scores) &&
          (wanted.empty() || std::ranges::binary_search(wanted, best->id));
 }
 

@@ -40,7 +40,6 @@ std::vector<Observation> observe(const RgbdFrame& frame,
       ++report.num_deadline_dropped;
     }
   }
-  report.num_segments = observations.size();
   return observations;
 }
 
@@ -163,16 +162,15 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
       auto detections,
       stack_detections(given_detections, options_.objects.stacking, stacking_model_));
   report.num_detections = detections.size();
+  const auto num_accepted = static_cast<std::size_t>(std::ranges::count_if(
+      detections, [this](const Detection& d) { return class_filter_.accepts(d.class_scores); }));
+  report.num_transient = report.num_detections - num_accepted;
   // What is transient is segmented, too: it is no other detection's object, and no surface.
   std::erase_if(detections, [this](const Detection& d) {
     return !class_filter_.accepts(d.class_scores) && !class_filter_.is_transient(d.class_scores);
   });
-  report.num_transient = report.num_detections - static_cast<std::size_t>(std::ranges::count_if(
-                                                     detections, [this](const Detection& d) {
-                                                       return class_filter_.accepts(d.class_scores);
-                                                     }));
 
-  const double deadline = deadline_s(options_.deadline, detections.size());
+  const double deadline = deadline_s(options_.deadline, num_accepted);
   const auto in_time = [&] { return watch.elapsed_s() < deadline; };
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto observations =

@@ -125,7 +125,9 @@ TEST_F(DatasetFiles, NamesMayBeWrittenInManyWays) {
 TEST_F(DatasetFiles, AFolderMayBeDescribedElsewhere) {
   make_tum();
   write("set/infrared/1.png");
-  const DatasetDescription other{.depth = "infrared/*.png", .trajectory = "slam.txt"};
+  DatasetDescription other;
+  other.depth = "infrared/*.png";
+  other.trajectory = "slam.txt";
   EXPECT_FALSE(is_part("set/slam.txt"));
   EXPECT_TRUE(dataset_file(root / "set/slam.txt", root / "set", other).has_value());
   EXPECT_TRUE(dataset_file(root / "set/infrared/1.png", root / "set", other).has_value());

@@ -27,6 +27,8 @@ namespace hypermap {
 ///   hardly any part of the mask is behind it, while others are before it. What hides it from
 ///   outside the mask is no sign of that: flat things stay whole though a post stands before them.
 ///
+/// Where that is all of them, none is a mistake: the mask stays whole.
+///
 /// `kind_of_cell` are the kinds before `kinds_in_mask`, of `planes`; `labelled` are the surfaces
 /// after it. Empty when the mask has no measurement.
 /// Requires: a window with a mask. Cost: O(cells). Deviation: in none of the sources, which know
