@@ -80,12 +80,16 @@ class Overwriting(Case):
         output = dataset / "maps" / "a.hmap"
         output.parent.mkdir()
         mapping = ["map", "--input", dataset, "--output", output, "--checkpoint-every", 5]
+        checkpoint = pathlib.Path(f"{output}.checkpoint")
         command = [str(PROGRAM), "--progress", "always", *map(str, mapping)]
-        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as child:
-            while not pathlib.Path(f"{output}.checkpoint").exists() and child.poll() is None:
-                child.stderr.readline()
-            child.kill()
-        self.assertTrue(pathlib.Path(f"{output}.checkpoint").exists())
+        for _ in range(20):  # a run may end before it is killed
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as child:
+                while not checkpoint.exists() and child.poll() is None:
+                    child.stderr.readline()
+                child.kill()
+            if checkpoint.exists():
+                break
+        self.assertTrue(checkpoint.exists())
         resumed = run(*mapping, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
 
