@@ -3,6 +3,7 @@
 
 #include "hypermap/io/dataset/dataset_description.hpp"
 #include "images/image_list.hpp"
+#include "images/label_images.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 constexpr int kMostLevels = 3;
 constexpr int kMostLinks = 40;  ///< As the system follows.
 constexpr const char* kTruth = "truth.hmap";
-constexpr const char* kLabelTable = "scannetv2-labels.combined.tsv";  ///< As readers look for.
 
 /// Without `./` and doubled separators, which descriptions and lists may have.
 std::string plain(const std::string& name) {
@@ -54,7 +54,7 @@ bool is_part_of(const fs::path& folder,
                                          dataset.intrinsics_file,
                                          dataset.depth_intrinsics_file,
                                          dataset.label_names,
-                                         kLabelTable};
+                                         std::string(kLabelTable)};
   if (std::ranges::find(files, name, plain) != files.end()) return true;
   std::error_code failed;
   return name == kTruth && fs::exists(folder / kTruth, failed);

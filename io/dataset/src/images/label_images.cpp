@@ -126,8 +126,8 @@ Error unnamed_number(std::uint32_t number, const std::string& image) {
   return {.code = ErrorCode::kUnsupported,
           .what = "class number " + std::to_string(number) +
                   " has no name in the 40 classes of NYU Depth V2, which are taken when no others "
-                  "are given: name the numbers with `label_names` in the description, or in "
-                  "scannetv2-labels.combined.tsv",
+                  "are given: name the numbers with `label_names` in the description, or in " +
+                  std::string(kLabelTable),
           .file = image,
           .field = "class"};
 }
@@ -234,13 +234,12 @@ Result<std::pair<NumberImage, NumberImage>> read_classes_and_instances(const fs:
 
 Result<LabelNames> read_label_names(const fs::path& folder, const std::string& chosen) {
   if (!chosen.empty()) return read_names(folder / chosen);
-  constexpr const char* kTable = "scannetv2-labels.combined.tsv";
   for (const fs::path& place : {folder, folder / "..", folder / "../.."}) {
     std::error_code ec;
-    const fs::file_type type = fs::status(place / kTable, ec).type();
+    const fs::file_type type = fs::status(place / kLabelTable, ec).type();
     // What cannot be looked at is not absent: reading it says why.
     if (type != fs::file_type::regular && type != fs::file_type::none) continue;
-    return read_names(place / kTable);
+    return read_names(place / kLabelTable);
   }
   LabelNames names{.are_assumed = true};
   for (std::size_t i = 0; i < kNyu40.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hypermap {
@@ -21,11 +22,13 @@ struct LabelNames {
   bool are_assumed = false;
 };
 
-/// Names from the file `chosen` of the folder; when that is empty from
-/// `scannetv2-labels.combined.tsv` in the folder or one of the two above it; else the 40 classes of
-/// NYU Depth V2, by their numbers, as an assumption. A file is a table with tabs and the columns
-/// `id` and `category`, or has lines `number name`.
-/// Errors: kIo; kMalformedFile naming the line.
+/// ScanNet's table of label names, which is taken where no other file is named.
+constexpr std::string_view kLabelTable = "scannetv2-labels.combined.tsv";
+
+/// Names from the file `chosen` of the folder; when that is empty from `kLabelTable` in the folder
+/// or one of the two above it; else the 40 classes of NYU Depth V2, by their numbers, as an
+/// assumption. A file is a table with tabs and the columns `id` and `category`, or has lines
+/// `number name`. Errors: kIo; kMalformedFile naming the line.
 [[nodiscard]] Result<LabelNames> read_label_names(const std::filesystem::path& folder,
                                                   const std::string& chosen = {});
 
