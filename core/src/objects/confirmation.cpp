@@ -26,7 +26,9 @@ std::vector<MissedCondition> missed_alone(const Object& object,
     miss(Condition::kObservations, object.num_observations, options.min_observations);
   if (!object.belief.best()) miss(Condition::kClass, 0.0, 1.0);
   if (is_gone(object.observation_log, options.gone))
-    miss(Condition::kNotGone, absence_run(object.observation_log).looks, options.gone.looks);
+    miss(Condition::kNotGone,
+         absence_run(object.observation_log).looks,
+         gone_rule_for(object.observation_log.num_detections(), options.gone).looks);
   if (const auto least = options.min_real_probability) {
     const Probability real = real_probability(object);
     if (real < *least) miss(Condition::kRealProbability, real.value(), least->value());

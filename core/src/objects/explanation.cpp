@@ -106,11 +106,12 @@ Removal removal_of(const Object& object, const GoneRule& gone, const AbsenceOpti
                            .removed_below = absence.min_confidence};
   }
   if (gone.looks == 0) return removal;
+  const GoneRule rule = gone_rule_for(object.observation_log.num_detections(), gone);
   const std::uint32_t looks = removal.clear_looks.looks;
   const bool is_gone_now = is_gone(object.observation_log, gone);
-  const std::uint32_t missing = gone.looks > looks ? gone.looks - looks : 1U;
+  const std::uint32_t missing = rule.looks > looks ? rule.looks - looks : 1U;
   removal.looks_until_gone = is_gone_now ? 0U : missing;
-  removal.seconds_until_gone = is_gone_now ? 0.0 : gone.seconds;
+  removal.seconds_until_gone = is_gone_now ? 0.0 : rule.seconds;
   return removal;
 }
 

@@ -122,6 +122,22 @@ TEST(Explanation, SaysWhatWouldRemoveIt) {
   EXPECT_EQ(explained(object, {.gone = {.looks = 0}}).removal.looks_until_gone, std::nullopt);
 }
 
+TEST(Explanation, OfWhatWasRarelyDetectedAsksForAsManyLooksOverAnyTime) {
+  Object object = cup();
+  object.observation_log = {};
+  for (std::uint64_t frame = 0; frame < 4; ++frame)
+    object.observation_log.add(detection(frame, kNamedCup, 0.1, 0.5F));
+  object.observation_log.add(missed(9, Visibility::kAbsent, 0.0F));
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 3U);
+  EXPECT_EQ(explained(object).removal.seconds_until_gone, 0.0);
+  for (std::uint64_t frame = 10; frame < 13; ++frame)
+    object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 0U);
+  ASSERT_FALSE(explained(object).missed_conditions.empty());
+  EXPECT_EQ(explained(object).missed_conditions[0],
+            (MissedCondition{.condition = Condition::kNotGone, .value = 4, .limit = 4}));
+}
+
 // [smap] 3.5.2: looks from sides on which it was never detected take a third.
 TEST(Explanation, FromUnseenSidesMoreLooksRemoveIt) {
   // Existence 5, a third less with each look, below -2 with the 22nd (21 make 7 and no more).

@@ -157,6 +157,16 @@ TEST(RealProbability, WhatIsGoneIsNotReal) {
   EXPECT_NEAR(real_probability(object).value(), 1.0 / (1.0 + std::exp(9.0)), 1e-9);
 }
 
+TEST(RealProbability, WhoWalkedByIsNotRealOnceAsManyLooksDenyAsSawIt) {
+  Object object = unseen();
+  name(object, kNamedTv, 4);
+  look_through(object, 3);
+  const double before = real_probability(object).value();
+  look_through(object, 1);
+  EXPECT_GT(before, 0.5);
+  EXPECT_NEAR(real_probability(object).value(), 1.0 / (1.0 + std::exp(4.0)), 1e-9);
+}
+
 TEST(RealProbability, WithoutDetectionsItIsThatOfTheExistence) {
   Object object;
   object.existence = LogOdds(1.5);

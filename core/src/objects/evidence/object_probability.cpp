@@ -133,7 +133,8 @@ Probability real_probability(const Object& object) {
                     kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
                     kRealPerMissedVisibility * std::log1p(seen.missed_visibility);
   const AbsenceRun run = absence_run(object.observation_log);
-  if (is_gone_by(run, {})) log_odds = std::min(log_odds, -static_cast<double>(run.looks));
+  if (is_gone_by(run, gone_rule_for(seen.num_detections, {})))
+    log_odds = std::min(log_odds, -static_cast<double>(run.looks));
   return LogOdds(log_odds).probability();
 }
 

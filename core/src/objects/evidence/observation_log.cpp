@@ -225,8 +225,16 @@ bool is_gone_by(const AbsenceRun& run, const GoneRule& rule) {
   return run.looks >= ObservationLog::kMaxNewest || seconds >= rule.seconds;
 }
 
+GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule) {
+  if (rule.rare_looks == 0 || num_detections == 0 || num_detections >= rule.looks) return rule;
+  const auto detections = static_cast<std::uint32_t>(num_detections);  // fewer than `looks`
+  return {.looks = std::min(rule.looks, std::max(detections, rule.rare_looks)),
+          .seconds = 0.0,
+          .rare_looks = rule.rare_looks};
+}
+
 bool is_gone(const ObservationLog& log, const GoneRule& rule) {
-  return is_gone_by(absence_run(log), rule);
+  return is_gone_by(absence_run(log), gone_rule_for(log.num_detections(), rule));
 }
 
 std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {

@@ -123,6 +123,12 @@ constexpr OptionRow kGoneRows[] = {
          .hypermap = 0}),
     option::number<&GoneRule::seconds>(
         "seconds", {0, 3600}, {.unit = "s", .effect = "Time over which they are, at least."}),
+    option::count<&GoneRule::rare_looks>(
+        "rare_looks",
+        {0, ObservationLog::kMaxNewest},
+        {.effect =
+             "What was detected less often than `looks` ends after as many as it was detected, "
+             "but not fewer than these; 0: as all else."}),
 };
 
 constexpr OptionRow kPublicationRows[] = {

@@ -141,13 +141,21 @@ struct AbsenceRun {
 };
 [[nodiscard]] AbsenceRun absence_run(const ObservationLog& log);
 
-/// When an object is gone: so many clear looks through its place in a row, over so long a time.
+/// When an object is gone: so many clear looks through its place in a row, over so long a time. Who
+/// walks through a room is seen a few times at each place, and the place once more for a moment.
 /// One frame of false depth is one look; frames in which something hides the place are none.
 struct GoneRule {
   std::uint32_t looks = 5;  ///< 0: never. At most ObservationLog::kMaxNewest.
   double seconds = 1.0;     ///< Not asked of a run of kMaxNewest looks, the most that are kept.
+  /// What was detected less often than `looks` is gone after as many clear looks as it was
+  /// detected, so many at least, over any time: nothing speaks for it any more. 0: the rule is one
+  /// for all.
+  std::uint32_t rare_looks = 3;
   friend bool operator==(const GoneRule&, const GoneRule&) = default;
 };
+/// The looks and seconds that the rule asks of an object that was detected so often.
+/// Boundary: of one that was never detected, those of the rule.
+[[nodiscard]] GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule);
 [[nodiscard]] const OptionTable& option_table(const GoneRule& rule);
 [[nodiscard]] bool is_gone(const ObservationLog& log, const GoneRule& rule = {});
 
