@@ -18,8 +18,7 @@ namespace {
 constexpr std::uint64_t kDetectionStream = 0x646574656374;  // which numbers: "detect"
 constexpr std::uint64_t kFalseAlarmStream = 0x616c61726d;   // "alarm"
 constexpr double kSmallestSidePx = 2.0;
-constexpr double kMaskBlocksAcross = 160.0;  // of an image
-constexpr double kMaskShiftBlocks = 0.5;     // standard deviation in each direction
+constexpr double kMaskShiftBlocks = 0.5;  // standard deviation in each direction
 constexpr double kSmallestAlarmPx = 20.0;
 
 /// Classes that detectors take for each other. Pairs that a detector does not know are ignored.
@@ -81,8 +80,8 @@ PixelBox random_box(double width_px, double height_px, CounterRng& random) {
   return {u - half_width, v - half_height, u + half_width, v + half_height};
 }
 
-MaskError random_mask_error(int width_px, CounterRng& random) {
-  const double block_px = std::max(1.0, width_px / kMaskBlocksAcross);
+MaskError random_mask_error(int width_px, int height_px, CounterRng& random) {
+  const double block_px = std::max(1.0, mask_cell_px(width_px, height_px));
   const auto shift_px = [&] {
     return static_cast<int>(std::lround(kMaskShiftBlocks * block_px * random.normal()));
   };
@@ -198,11 +197,13 @@ std::optional<Detection> SimulatedDetector::detect_one(const VisibleObject& obje
   detection.score = Probability(weight);
   detection.class_scores = class_vector(named, weight);
   if (options_.masks) {
-    detection.mask = options_.noisy ? network_mask(instances,
-                                                   object.id,
-                                                   detection.box_px,
-                                                   random_mask_error(instances.width_px(), random))
-                                    : exact_mask(instances, object.id);
+    detection.mask =
+        options_.noisy
+            ? network_mask(instances,
+                           object.id,
+                           detection.box_px,
+                           random_mask_error(instances.width_px(), instances.height_px(), random))
+            : exact_mask(instances, object.id);
     if (bounds_of(*detection.mask).empty()) detection.mask.reset();
   }
   return detection;

@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame's depth, and the pose at which it stands in the map.
-#include "hypermap/core/segmentation/depth_cloud.hpp"
-#include "hypermap/core/segmentation/masks.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/borrowed_frames.hpp"
+#include "mapper/transient_observations.hpp"
 
-#include <algorithm>
-#include <functional>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
-namespace {
-
-/// Marks the pixels that the detection may show: of its mask and as far as that may be off, else of
-/// its box.
-void mark(const Detection& detection, MaskImage& marks) {
-  if (detection.mask) {
-    const MaskImage reached = widened_by_tolerance(*detection.mask);
-    std::ranges::transform(marks.pixels(), reached.pixels(), marks.pixels().begin(), std::bit_or());
-    return;
-  }
-  const PixelRect rect = pixels_in(detection.box_px, marks.width_px(), marks.height_px());
-  for (int v = rect.v_begin; v < rect.v_end; ++v) {
-    for (int u = rect.u_begin; u < rect.u_end; ++u) marks.at(u, v) = 1;
-  }
-}
-
-}  // namespace
 
 DepthImage SemanticMapper::smoothed_depth(const RgbdFrame& given) {
   if (options_.smoothing.rule == DepthSmoothingRule::kNone) return borrowed(given.depth_m);
@@ -38,13 +19,11 @@ DepthImage SemanticMapper::smoothed_depth(const RgbdFrame& given) {
 /// What moves is no surface to go by.
 RefinedPose SemanticMapper::refine(const RgbdFrame& frame,
                                    std::span<const Detection> given_detections) const {
-  MaskImage transient;
+  std::vector<const Detection*> transient;
   for (const Detection& detection : given_detections) {
-    if (!class_filter_.is_transient(detection.class_scores)) continue;
-    if (transient.empty()) transient = MaskImage(frame.camera.width_px, frame.camera.height_px);
-    mark(detection, transient);
+    if (class_filter_.is_transient(detection.class_scores)) transient.push_back(&detection);
   }
-  return refiner_.refine(frame, transient);
+  return refiner_.refine(frame, pixels_shown_by(frame.camera, transient));
 }
 
 Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& frame,

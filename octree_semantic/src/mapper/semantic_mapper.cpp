@@ -8,6 +8,7 @@
 #include "hypermap/core/vocabulary/asked_names.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/borrowed_frames.hpp"
+#include "mapper/frame_observations.hpp"
 #include "mapper/object_scopes.hpp"
 #include "mapper/observation_labels.hpp"
 #include "mapper/snapshot_exchange.hpp"
@@ -20,28 +21,6 @@
 
 namespace hypermap {
 namespace {
-
-/// Observations of the detections that the depth confirms; counts those dropped by the deadline.
-std::vector<Observation> observe(const RgbdFrame& frame,
-                                 std::span<const Detection> detections,
-                                 const SemanticMapperOptions& options,
-                                 const MayBegin& may_begin,
-                                 FrameReport& report) {
-  auto segments =
-      segment_all(frame, detections, options.objects.segmentation, options.num_threads, may_begin);
-  std::vector<Observation> observations;
-  observations.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (segments[i]) {
-      observations.push_back(make_observation(frame, detections[i], std::move(*segments[i])));
-    } else if (segments[i].error().code == ErrorCode::kOutOfMemory) {
-      throw std::bad_alloc();
-    } else if (segments[i].error().code == ErrorCode::kInterrupted) {
-      ++report.num_deadline_dropped;
-    }
-  }
-  return observations;
-}
 
 /// Errors: as asked_classes, naming the field.
 Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
@@ -173,9 +152,13 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const double deadline = deadline_s(options_.deadline, num_accepted);
   const auto in_time = [&] { return watch.elapsed_s() < deadline; };
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
-  auto observations =
-      observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin(), report);
+  auto [observations, without_segment, num_deadline_dropped] =
+      observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin());
+  report.num_deadline_dropped = num_deadline_dropped;
   const std::vector<Observation> transient = take_transient(observations);
+  std::erase_if(without_segment, [this](const Detection* d) {
+    return !class_filter_.is_transient(d->class_scores);
+  });
   report.num_segments = observations.size();
   inform(observations);
   report.seconds.segment = watch.lap();
@@ -196,8 +179,9 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
 
   const auto labels = observation_labels(std::move(observations), association);
   prepare_to_adopt(labels, association.merged);
-  const RgbdFrame still = transient.empty() ? with_depth(frame, borrowed(frame.depth_m))
-                                            : without_observations(frame, transient);
+  const RgbdFrame still = transient.empty() && without_segment.empty()
+                              ? with_depth(frame, borrowed(frame.depth_m))
+                              : without_transient(frame, transient, without_segment);
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
                             integrator_.integrate(octree_, still, labels, options_.integration));
   // Invariant: from here on the frame is in the map.

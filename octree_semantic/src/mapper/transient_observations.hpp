@@ -10,10 +10,17 @@
 
 namespace hypermap {
 
-/// The frame without a measurement where the observations are and as far beside them as the edge of
-/// a mask may be off; its colour is borrowed, its detections are left out.
+/// 1 on the pixels that the detections may show: of their masks and as far as these may be off,
+/// else of their boxes. Empty without detections. Cost: O(pixels) a detection.
+[[nodiscard]] MaskImage pixels_shown_by(const PinholeCamera& camera,
+                                        std::span<const Detection* const> detections);
+
+/// The frame without a measurement where the observations are, and as far beside them as the edge
+/// of a mask may be off, and where the detections may be that have no segment: out of the range of
+/// segmentation, or too small. Its colour is borrowed, its detections are left out.
 /// Requires: the observations are of this frame. Cost: O(pixels).
-[[nodiscard]] RgbdFrame without_observations(const RgbdFrame& frame,
-                                             std::span<const Observation> observations);
+[[nodiscard]] RgbdFrame without_transient(const RgbdFrame& frame,
+                                          std::span<const Observation> observations,
+                                          std::span<const Detection* const> without_segment);
 
 }  // namespace hypermap

@@ -70,6 +70,20 @@ TEST(TransientClasses, OthersAreMapped) {
   EXPECT_EQ(mapper.objects().size(), 1U);
 }
 
+TEST(TransientClasses, LeaveNoVoxelWhereTheyAreTooFarToBeSegmented) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person"};
+  options.objects.segmentation.max_range_m = kPersonM / 2;
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  const FrameReport report = mapper.integrate(walked_frame(20, person)).value();
+  EXPECT_EQ(report.num_transient, 1U);
+  const Occupied occupied = occupied_in(mapper.octree());
+  EXPECT_EQ(occupied.before_wall, 0U);
+  EXPECT_GT(occupied.at_wall, 1000U);
+}
+
 TEST(TransientClasses, LeaveNoObjectAndNoVoxel) {
   const SemanticMapper mapper = map_of_walk({"person"});
   const Occupied occupied = occupied_in(mapper.octree());

@@ -11,12 +11,16 @@
 
 namespace hypermap {
 
-/// How far the edge of a segmentation network's mask may be off, in an image of that size: one and
-/// a half of the mask's own cells. Networks take squares of 640 pixels, mostly, into which the
-/// longer side is fitted, and make masks at a quarter of that, so that a cell covers a 160th of
-/// that side: 4 pixels of 640. Unit: pixel.
+/// Side of a cell of a segmentation network's mask in an image of that size. Networks take squares
+/// of 640 pixels, mostly, into which the longer side is fitted, and make masks at a quarter of
+/// that, so that a cell covers a 160th of that side: 4 pixels of 640. Unit: pixel.
+[[nodiscard]] constexpr double mask_cell_px(int width_px, int height_px) noexcept {
+  return std::max(width_px, height_px) / 160.0;
+}
+
+/// How far the edge of such a mask may be off: one and a half of its cells. Unit: pixel.
 [[nodiscard]] constexpr double mask_tolerance_px(int width_px, int height_px) noexcept {
-  return 1.5 * std::max(width_px, height_px) / 160.0;
+  return 1.5 * mask_cell_px(width_px, height_px);
 }
 
 /// The smallest rectangle around the pixels that are not 0; empty when all are.
