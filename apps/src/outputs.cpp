@@ -57,8 +57,10 @@ std::optional<std::string> fault_of(const std::optional<DatasetFile>& part,
                                     const fs::path& output,
                                     MayReplace may) {
   if (!part || (part->is_detections && may == MayReplace::kDetections)) return std::nullopt;
-  return "would write over a file of the dataset " + printable(part->folder.string()) + ": " +
-         printable(output.string());
+  std::error_code failed;
+  const std::string rule = fs::exists(output, failed) ? "would write over a file of the dataset "
+                                                      : "would be read as a file of the dataset ";
+  return rule + printable(part->folder.string()) + ": " + printable(output.string());
 }
 
 }  // namespace

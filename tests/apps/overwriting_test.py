@@ -26,37 +26,50 @@ class Overwriting(Case):
         options = self.folder / "options.yaml"
         options.write_text("octree: {resolution_m: 0.05}\n")
         mapping = ["map", "--input", dataset]
-        cases = [["snapshot", archive, "--output", archive], ["snapshot", archive, "--output", link],
-                 ["export", archive, "--format", "ply", "--output", self.folder / "." / "a.hmap"],
-                 ["export", options, "--format", "ros-map", "--output", self.folder / "options"],
-                 ["export", options, "--format", "ros-map", "--output", self.folder / "options.pgm"],
-                 [*mapping, "--output", dataset / "groundtruth.txt"],
-                 [*mapping, "--output", dataset / "depth" / "1.png"],
-                 [*mapping, "--output", options, "--config", options],
-                 [*mapping, "--output", self.folder / "new", "--stats", self.folder / "new"],
-                 [*mapping, "--output", self.folder / "new", "--stats", dataset / "groundtruth.txt"],
-                 [*mapping, "--output", self.folder / "new", "--times-plot", dataset / "depth" / "1.png"],
-                 ["snapshot", archive, "--output", dataset / "depth" / "1.png"],
-                 ["snapshot", archive, "--output", self.folder / "images" / "1.png"],
-                 ["snapshot", archive, "--output", self.folder / "image.png"],
-                 ["tune", "--input", dataset, "--frame", 0, "--output", dataset / "depth"],
-                 ["transform", archive, "--by", "0,0,0,0", "--output", dataset / "truth.hmap"],
-                 [*mapping, "--output", dataset / "truth.hmap"]]
+        over_input = "would write over what is read: "
+        over_dataset = "would write over a file of the dataset "
+        in_dataset = "would be read as a file of the dataset "
         elsewhere = self.folder / "elsewhere.yaml"
         elsewhere.write_text("depth: depth/*.png\ndepth_scale: 5000\ntrajectory: slam.json\n"
                              "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\n")
         shutil.copy(dataset / "groundtruth.txt", dataset / "slam.json")
-        cases.append([*mapping, "--dataset", elsewhere, "--output", self.folder / "new", "--stats",
-                      dataset / "slam.json"])
+        patterned = self.folder / "patterned"
+        shutil.copytree(dataset / "depth", patterned / "depth")
+        shutil.copy(dataset / "groundtruth.txt", patterned)
+        (patterned / "color").mkdir()
+        (patterned / "dataset.yaml").write_text(
+            "depth: depth/*.png\ncolor: color/*.pgm\ndepth_scale: 5000\ntrajectory: groundtruth.txt\n"
+            "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\n")
+        new = self.folder / "new"
+        cases = [(over_input, ["snapshot", archive, "--output", archive]),
+                 (over_input, ["snapshot", archive, "--output", link]),
+                 (over_input, ["export", archive, "--format", "ply", "--output", self.folder / "." / "a.hmap"]),
+                 (over_input, ["export", options, "--format", "ros-map", "--output", self.folder / "options"]),
+                 (over_input, ["export", options, "--format", "ros-map", "--output", self.folder / "options.pgm"]),
+                 (over_dataset, [*mapping, "--output", dataset / "groundtruth.txt"]),
+                 (over_dataset, [*mapping, "--output", dataset / "depth" / "1.png"]),
+                 (over_input, [*mapping, "--output", options, "--config", options]),
+                 (over_input, [*mapping, "--output", new, "--stats", new]),
+                 (over_dataset, [*mapping, "--output", new, "--stats", dataset / "groundtruth.txt"]),
+                 (over_dataset, [*mapping, "--output", new, "--times-plot", dataset / "depth" / "1.png"]),
+                 (in_dataset, [*mapping, "--output", new, "--times-plot", patterned / "depth" / "new.png"]),
+                 (over_dataset, ["snapshot", archive, "--output", dataset / "depth" / "1.png"]),
+                 (over_dataset, ["snapshot", archive, "--output", self.folder / "images" / "1.png"]),
+                 (over_dataset, ["snapshot", archive, "--output", self.folder / "image.png"]),
+                 (in_dataset, ["export", archive, "--format", "ros-map", "--output", patterned / "color" / "grid"]),
+                 ("a folder of a dataset", ["tune", "--input", dataset, "--frame", 0, "--output", dataset / "depth"]),
+                 (over_dataset, ["transform", archive, "--by", "0,0,0,0", "--output", dataset / "truth.hmap"]),
+                 (over_dataset, [*mapping, "--output", dataset / "truth.hmap"]),
+                 (over_dataset, [*mapping, "--dataset", elsewhere, "--output", new, "--stats", dataset / "slam.json"])]
         shutil.copy(self.archive, dataset / "truth.hmap")
         (self.folder / "images").symlink_to(dataset / "depth")
         (self.folder / "image.png").symlink_to(dataset / "depth" / "1.png")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
-        for arguments in cases:
+        for fault, arguments in cases:
             with self.subTest(arguments):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)
-                self.assertRegex(result.stderr, "write over|a folder of a dataset")
+                self.assertIn(fault, result.stderr)
         after = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         self.assertEqual(before, after)
 

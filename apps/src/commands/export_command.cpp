@@ -3,6 +3,7 @@
 #include "class_names.hpp"
 #include "command.hpp"
 #include "data_dir.hpp"
+#include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/exports/map_export.hpp"
 #include "hypermap/io/options/palette_file.hpp"
@@ -117,6 +118,11 @@ void check(const ExportArguments& arguments) {
               arguments.zones,
               arguments.places,
               arguments.class_names.file});
+  if (is_ros_map) {
+    // The image's name depends on what is in it; where one would be in the way, all would be.
+    const std::filesystem::path yaml = ros_map_yaml(output);
+    keep_apart("--output", yaml.parent_path() / hashed_image_name(yaml.stem().string(), ""), {});
+  }
   const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
                          format == ExportFormat::kNav2;
   if (is_folder) keep_out_of_datasets("--output", output);
