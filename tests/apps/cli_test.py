@@ -206,6 +206,9 @@ class Pipeline(unittest.TestCase):
         for layer in {one["class"]: one for one in layers}.values() if IS_SANITIZED else layers:
             with self.subTest(layer["name"]):
                 low, high = (layer["bounds"][end] for end in ("min", "max"))
+                if layer["class"] == "octomap":  # as text all its voxels take most of this program's time
+                    middle = [(a + b) / 2 for a, b in zip(low, high)]
+                    low, high = ([at + step for at in middle] for step in (-0.5, 0.5))
                 area = f"{low[0]} {low[1]},{high[0]} {low[1]},{high[0]} {high[1]},{low[0]} {high[1]}"
                 result = run("query", self.archive, "--layer", layer["name"], "--area", area, "--json")
                 self.assertEqual(result.returncode, 0, result.stderr)
@@ -268,7 +271,7 @@ class Pipeline(unittest.TestCase):
 
     def test_why_goes_by_the_rules_that_the_map_was_made_by(self):
         rules = self.folder / "rules.yaml"
-        rules.write_text("publication:\n  min_observations: 1000\n  gone: {looks: 7}\n")
+        rules.write_text("publication:\n  min_observations: 1000\n  gone: {looks: 7, rare_looks: 0}\n")
         strict = self.folder / "strict.hmap"
         self.assertEqual(run("map", "--input", self.dataset, "--output", strict, "--config", rules).returncode, 0)
         shown = json.loads(run("query", self.archive, "--layer", "objects", "--json").stdout)["results"][0]["id"]

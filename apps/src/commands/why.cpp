@@ -159,9 +159,8 @@ void print_removal(const Removal& removal, bool is_shown) {
     const std::uint32_t looks = removal.clear_looks.looks;
     const std::string so_far =
         looks == 0 ? "" : " (so were the newest " + std::to_string(looks) + ")";
-    const std::string over = removal.seconds_until_gone > 0.0
-                                 ? ", over " + fixed(removal.seconds_until_gone, 1) + " s at least"
-                                 : std::string();
+    const double least_s = removal.seconds_until_gone;
+    const std::string over = least_s > 0.0 ? ", over " + fixed(least_s, 1) + " s at least" : "";
     print_line("removal",
                "hidden after " + count_text(*gone, "more clear look") +
                    " in a row through its place" + so_far + over);

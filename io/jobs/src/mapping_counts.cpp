@@ -43,6 +43,7 @@ void count(const FrameReport& frame, MappingReport& report) {
   report.points.num_not_measured += frame.integration.num_not_measured;
   report.points.num_not_finite += frame.integration.num_not_finite;
   report.points.num_outside_volume += frame.integration.num_outside_volume;
+  report.points.num_transient += frame.integration.num_transient;
   report.seconds.smooth += frame.seconds.smooth;
   report.seconds.refine += frame.seconds.refine;
   report.seconds.segment += frame.seconds.segment;

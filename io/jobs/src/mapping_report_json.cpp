@@ -72,7 +72,8 @@ std::string to_json(const MappingReport& report) {
   json["points_skipped"] = {{"beyond_range", points.num_beyond_range},
                             {"not_measured", points.num_not_measured},
                             {"not_finite", points.num_not_finite},
-                            {"outside_volume", points.num_outside_volume}};
+                            {"outside_volume", points.num_outside_volume},
+                            {"transient", points.num_transient}};
   json["detections"] = report.num_detections;
   json["detections_filtered"] = report.num_filtered;
   json["segments"] = report.num_segments;

@@ -38,6 +38,7 @@ constexpr std::array kCountKeys{
              [](MappingReport& r) -> std::size_t& { return r.points.num_not_finite; }},
     CountKey{"outside_volume",
              [](MappingReport& r) -> std::size_t& { return r.points.num_outside_volume; }},
+    CountKey{"transient", [](MappingReport& r) -> std::size_t& { return r.points.num_transient; }},
 };
 
 /// In digits alone, however large.

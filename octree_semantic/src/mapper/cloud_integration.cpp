@@ -29,12 +29,19 @@ std::vector<PixelLabels> labels_of(const LabelledCloud& cloud,
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> SemanticMapper::still_points(const LabelledCloud& cloud,
-                                                          const CloudObservations& seen) const {
-  std::vector<Eigen::Vector3f> points = cloud.points_in_map;
-  const auto leave_out = [&points](std::span<const std::uint32_t> positions) {
+SemanticMapper::StillPoints SemanticMapper::still_points(const LabelledCloud& cloud,
+                                                         const CloudObservations& seen) const {
+  StillPoints still;
+  if (class_filter_.transient.empty()) return still;
+  still.in_map = cloud.points_in_map;
+  const auto leave_out = [&still](std::span<const std::uint32_t> positions) {
     constexpr float kNoMeasurement = std::numeric_limits<float>::quiet_NaN();
-    for (const std::uint32_t position : positions) points[position].setConstant(kNoMeasurement);
+    for (const std::uint32_t position : positions) {
+      Eigen::Vector3f& point = still.in_map[position];
+      if (!point.allFinite()) continue;
+      point.setConstant(kNoMeasurement);
+      ++still.num_left_out;
+    }
   };
   for (const Observation& instance : seen.instances) {
     if (class_filter_.is_transient(instance.class_scores))
@@ -44,7 +51,7 @@ std::vector<Eigen::Vector3f> SemanticMapper::still_points(const LabelledCloud& c
     if (class_filter_.is_transient(cloud.class_vectors[of_class.class_vector]))
       leave_out(of_class.point_indices);
   }
-  return points;
+  return still;
 }
 
 Result<FrameReport> SemanticMapper::integrate_cloud(const LabelledCloud& cloud) {
@@ -66,7 +73,7 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
                              .leaf_size_m = options_.objects.segmentation.leaf_size_m,
                              .depth_slack_m = options_.objects.segmentation.depth_slack_m});
   report.num_detections = seen.instances.size();
-  const std::vector<Eigen::Vector3f> points_in_map = still_points(cloud, seen);
+  const StillPoints still = still_points(cloud, seen);
   std::erase_if(seen.instances,
                 [this](const Observation& o) { return !class_filter_.accepts(o.class_scores); });
   std::erase_if(seen.classes, [&](const ClassPoints& points) {
@@ -87,9 +94,13 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
 
   const auto labels = labels_of(cloud, std::move(seen), association);
   prepare_to_adopt(labels, association.merged);
+  const std::span<const Eigen::Vector3f> points_in_map =
+      still.num_left_out == 0 ? cloud.points_in_map : still.in_map;
   HYPERMAP_ASSIGN_OR_RETURN(report.integration,
                             integrator_.integrate_far_cloud(
                                 octree_, cloud.sensor, points_in_map, labels, options_.cloud));
+  report.integration.num_not_finite -= still.num_left_out;
+  report.integration.num_transient = still.num_left_out;
   adopt(std::move(objects), labels, association.merged);  // from here on the scan is in the map
   note_frame(cloud.index, cloud.stamp);
   report.seconds.integrate = watch.lap();

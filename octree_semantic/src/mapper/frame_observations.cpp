@@ -20,8 +20,9 @@ FrameObservations observe(const RgbdFrame& frame,
       continue;
     }
     if (segments[i].error().code == ErrorCode::kOutOfMemory) throw std::bad_alloc();
-    if (segments[i].error().code == ErrorCode::kInterrupted) ++seen.num_deadline_dropped;
     seen.without_segment.push_back(&detections[i]);
+    if (segments[i].error().code == ErrorCode::kInterrupted)
+      seen.not_begun.push_back(&detections[i]);
   }
   return seen;
 }

@@ -7,7 +7,6 @@
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace hypermap {
 struct FrameObservations {
   std::vector<Observation> observations;  ///< Of the detections that the depth confirms, in order.
   std::vector<const Detection*> without_segment;  ///< The other ones, in order.
-  std::size_t num_deadline_dropped = 0;           ///< Those of them that were not begun.
+  std::vector<const Detection*> not_begun;        ///< Those of them that came too late, in order.
 };
 
 /// Throws: std::bad_alloc.

@@ -152,13 +152,14 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const double deadline = deadline_s(options_.deadline, num_accepted);
   const auto in_time = [&] { return watch.elapsed_s() < deadline; };
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
-  auto [observations, without_segment, num_deadline_dropped] =
+  auto [observations, without_segment, not_begun] =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin());
-  report.num_deadline_dropped = num_deadline_dropped;
-  const std::vector<Observation> transient = take_transient(observations);
-  std::erase_if(without_segment, [this](const Detection* d) {
+  const auto stays = [this](const Detection* d) {
     return !class_filter_.is_transient(d->class_scores);
-  });
+  };
+  report.num_deadline_dropped = static_cast<std::size_t>(std::ranges::count_if(not_begun, stays));
+  const std::vector<Observation> transient = take_transient(observations);
+  std::erase_if(without_segment, stays);
   report.num_segments = observations.size();
   inform(observations);
   report.seconds.segment = watch.lap();
@@ -179,11 +180,14 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
 
   const auto labels = observation_labels(std::move(observations), association);
   prepare_to_adopt(labels, association.merged);
-  const RgbdFrame still = transient.empty() && without_segment.empty()
-                              ? with_depth(frame, borrowed(frame.depth_m))
-                              : without_transient(frame, transient, without_segment);
-  HYPERMAP_ASSIGN_OR_RETURN(report.integration,
-                            integrator_.integrate(octree_, still, labels, options_.integration));
+  const StillFrame still = transient.empty() && without_segment.empty()
+                               ? StillFrame{with_depth(frame, borrowed(frame.depth_m))}
+                               : without_transient(frame, transient, without_segment);
+  HYPERMAP_ASSIGN_OR_RETURN(
+      report.integration,
+      integrator_.integrate(octree_, still.frame, labels, options_.integration));
+  report.integration.num_not_measured -= still.num_left_out;
+  report.integration.num_transient = still.num_left_out;
   // Invariant: from here on the frame is in the map.
   adopt(std::move(objects), labels, association.merged);
   embedding_dimensions_ = std::move(dimensions);

@@ -41,9 +41,9 @@ MaskImage pixels_shown_by(const PinholeCamera& camera,
   return shown;
 }
 
-RgbdFrame without_transient(const RgbdFrame& frame,
-                            std::span<const Observation> observations,
-                            std::span<const Detection* const> without_segment) {
+StillFrame without_transient(const RgbdFrame& frame,
+                             std::span<const Observation> observations,
+                             std::span<const Detection* const> without_segment) {
   MaskImage segments(frame.camera.width_px, frame.camera.height_px);
   for (const Observation& observation : observations) {
     for (const std::uint32_t pixel : observation.segment.pixel_indices)
@@ -53,11 +53,16 @@ RgbdFrame without_transient(const RgbdFrame& frame,
   if (!without_segment.empty())
     left_out = united(std::move(left_out), pixels_shown_by(frame.camera, without_segment));
   DepthImage depth_m(frame.camera.width_px, frame.camera.height_px);
+  std::size_t num_left_out = 0;
   std::ranges::transform(frame.depth_m.pixels(),
                          left_out.pixels(),
                          depth_m.pixels().begin(),
-                         [](float z_m, std::uint8_t is_out) { return is_out == 0 ? z_m : 0.0F; });
-  return with_depth(frame, std::move(depth_m));
+                         [&num_left_out](float z_m, std::uint8_t is_out) {
+                           if (is_out == 0 || z_m <= 0.0F) return z_m;
+                           ++num_left_out;
+                           return 0.0F;
+                         });
+  return {.frame = with_depth(frame, std::move(depth_m)), .num_left_out = num_left_out};
 }
 
 }  // namespace hypermap

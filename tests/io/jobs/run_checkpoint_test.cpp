@@ -34,7 +34,8 @@ RunCheckpoint sample_run_checkpoint() {
                    .num_beyond_range = 5,
                    .num_not_measured = 6,
                    .num_not_finite = 7,
-                   .num_outside_volume = std::size_t{1} << 60U};
+                   .num_outside_volume = std::size_t{1} << 60U,
+                   .num_transient = 8};
   checkpoint.settings = make_map({{"stride", make_text("2")}});
   return checkpoint;
 }
@@ -80,6 +81,7 @@ TEST(RunCheckpoint, AllThatIsNotedComesBack) {
   EXPECT_EQ(again->report.points.num_not_measured, 6U);
   EXPECT_EQ(again->report.points.num_not_finite, 7U);
   EXPECT_EQ(again->report.points.num_outside_volume, std::size_t{1} << 60U);
+  EXPECT_EQ(again->report.points.num_transient, 8U);
   EXPECT_EQ(again->settings, noted.settings);
   EXPECT_EQ(to_tree(*again), to_tree(noted));
 }

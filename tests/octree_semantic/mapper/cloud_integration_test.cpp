@@ -61,6 +61,8 @@ TEST(CloudIntegration, InstancesBecomeObjectsAndOtherPointsLabelVoxels) {
     EXPECT_EQ(report.num_matched, i == 0 ? 0U : 1U);
     EXPECT_FALSE(report.visibility_evaluated);
     EXPECT_GT(report.integration.working_bytes, 0U);
+    EXPECT_EQ(report.integration.num_transient, 340U);
+    EXPECT_EQ(report.integration.num_not_finite, 0U);
   }
   ASSERT_EQ(mapper.objects().size(), 1U);
   const Object& car = *mapper.objects().objects().begin();

@@ -79,9 +79,25 @@ TEST(TransientClasses, LeaveNoVoxelWhereTheyAreTooFarToBeSegmented) {
   SemanticMapper mapper = SemanticMapper::create(options, classes).value();
   const FrameReport report = mapper.integrate(walked_frame(20, person)).value();
   EXPECT_EQ(report.num_transient, 1U);
+  EXPECT_EQ(report.integration.num_transient, 26U * 101U) << "the box, not only who is in it";
+  EXPECT_EQ(report.integration.num_not_measured, 0U);
   const Occupied occupied = occupied_in(mapper.octree());
   EXPECT_EQ(occupied.before_wall, 0U);
   EXPECT_GT(occupied.at_wall, 1000U);
+}
+
+TEST(TransientClasses, MakeNoDifferenceToTheOthersWhenTheyComeTooLate) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person"};
+  options.deadline = {.rule = DeadlineRule::kFixed, .frame_s = 1.0};
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  mapper.set_clock([now = 0.0]() mutable { return now += 1e6; });  // always too late
+  const FrameReport report = mapper.integrate(walked_frame(20, person)).value();
+  EXPECT_EQ(report.num_deadline_dropped, 0U);
+  EXPECT_TRUE(report.visibility_evaluated);
+  EXPECT_EQ(occupied_in(mapper.octree()).before_wall, 0U);
 }
 
 TEST(TransientClasses, LeaveNoObjectAndNoVoxel) {

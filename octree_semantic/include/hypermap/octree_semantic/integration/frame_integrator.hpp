@@ -83,13 +83,15 @@ struct PixelLabels {
 };
 
 /// Counts of a frame's measurements. Each pixel or point is counted in exactly one of the
-/// first five.
+/// first six.
 struct IntegrationReport {
   std::size_t num_hits = 0;            ///< Ended in a voxel, which became more occupied.
   std::size_t num_beyond_range = 0;    ///< Farther than the range: only freed the way.
   std::size_t num_not_measured = 0;    ///< Depth 0 or negative.
   std::size_t num_not_finite = 0;      ///< NaN or infinite.
   std::size_t num_outside_volume = 0;  ///< Ended outside the 65,536 voxels of an axis: dropped.
+  /// Of classes that do not stay, which a SemanticMapper leaves out; an integrator has none.
+  std::size_t num_transient = 0;
 
   std::size_t num_labelled_hits = 0;  ///< Hits among the labelled measurements, counted per label.
   std::size_t num_occupied_voxels = 0;  ///< Voxels updated as hit.

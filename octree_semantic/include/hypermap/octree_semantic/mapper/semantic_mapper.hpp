@@ -280,9 +280,13 @@ class SemanticMapper {
   /// Those of transient classes, which are no longer among the observations.
   [[nodiscard]] std::vector<Observation> take_transient(
       std::vector<Observation>& observations) const;
-  /// The scan's points, those of transient classes as no measurement.
-  [[nodiscard]] std::vector<Eigen::Vector3f> still_points(const LabelledCloud& cloud,
-                                                          const CloudObservations& seen) const;
+  /// A scan's points, those of transient classes as no measurement. Without such classes none.
+  struct StillPoints {
+    std::vector<Eigen::Vector3f> in_map;
+    std::size_t num_left_out = 0;
+  };
+  [[nodiscard]] StillPoints still_points(const LabelledCloud& cloud,
+                                         const CloudObservations& seen) const;
   void find_voxels_of_objects();
   /// Of an object that `prepare_to_adopt` made room for; else nothing.
   void grow_voxel_bounds(ObjectId id, const Box& by) noexcept;
