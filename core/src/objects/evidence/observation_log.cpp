@@ -226,8 +226,8 @@ bool is_gone_by(const AbsenceRun& run, const GoneRule& rule) {
 }
 
 GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule) {
-  if (rule.rare_looks == 0 || num_detections == 0 || num_detections >= rule.looks) return rule;
-  const auto detections = static_cast<std::uint32_t>(num_detections);  // fewer than `looks`
+  if (rule.rare_looks == 0 || num_detections == 0 || num_detections > rule.looks) return rule;
+  const auto detections = static_cast<std::uint32_t>(num_detections);  // at most `looks`
   return {.looks = std::min(rule.looks, std::max(detections, rule.rare_looks)),
           .seconds = 0.0,
           .rare_looks = rule.rare_looks};

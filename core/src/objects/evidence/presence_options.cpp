@@ -127,7 +127,7 @@ constexpr OptionRow kGoneRows[] = {
         "rare_looks",
         {0, ObservationLog::kMaxNewest},
         {.effect =
-             "What was detected less often than `looks` ends after as many as it was detected, "
+             "What was detected no more often than `looks` ends after as many as it was detected, "
              "but not fewer than these; 0: as all else."}),
 };
 

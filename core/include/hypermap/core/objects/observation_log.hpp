@@ -147,7 +147,7 @@ struct AbsenceRun {
 struct GoneRule {
   std::uint32_t looks = 5;  ///< 0: never. At most ObservationLog::kMaxNewest.
   double seconds = 1.0;     ///< Not asked of a run of kMaxNewest looks, the most that are kept.
-  /// What was detected less often than `looks` is gone after as many clear looks as it was
+  /// What was detected no more often than `looks` is gone after as many clear looks as it was
   /// detected, so many at least, over any time: nothing speaks for it any more. 0: the rule is one
   /// for all.
   std::uint32_t rare_looks = 3;
