@@ -88,9 +88,17 @@ void keep_apart(const std::string& option,
   }
 }
 
+void keep_unlike(const std::string& option,
+                 const fs::path& output,
+                 const std::vector<fs::path>& others) {
+  for (const fs::path& other : others) {
+    if (output.empty() || other.empty() || !is_same(output, other)) continue;
+    throw CLI::ValidationError(option,
+                               "is the name of another output: " + printable(output.string()));
+  }
+}
+
 void keep_out_of_datasets(const std::string& option, const fs::path& output) {
-  std::error_code failed;
-  if (!fs::is_directory(output, failed)) return;
   if (!is_dataset(output) && !dataset_with_images_in(output)) return;
   throw CLI::ValidationError(
       option,

@@ -29,8 +29,14 @@ void keep_apart(const std::string& option,
                 const std::vector<std::filesystem::path>& inputs,
                 MayReplace may = MayReplace::kNothing);
 
+/// Throws CLI::ValidationError naming `option` when `output` is one of the `others` that the
+/// command writes, by whatever name. Empty names stand for nothing.
+void keep_unlike(const std::string& option,
+                 const std::filesystem::path& output,
+                 const std::vector<std::filesystem::path>& others);
+
 /// Throws CLI::ValidationError naming `option` when the folder `output` is that of a dataset, or
-/// one in which it has images.
+/// one in which it has images or would look for them.
 void keep_out_of_datasets(const std::string& option, const std::filesystem::path& output);
 
 /// The error of a later file, with the files that were written before it.

@@ -40,6 +40,9 @@ class Overwriting(Case):
         (patterned / "dataset.yaml").write_text(
             "depth: depth/*.png\ncolor: color/*.pgm\ndepth_scale: 5000\ntrajectory: groundtruth.txt\n"
             "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\n")
+        broken = self.folder / "broken"
+        shutil.copytree(patterned, broken)
+        (broken / "dataset.yaml").write_text("depth: depth/*.png\ndepth_scale: 0\n")
         new = self.folder / "new"
         cases = [(over_input, ["snapshot", archive, "--output", archive]),
                  (over_input, ["snapshot", archive, "--output", link]),
@@ -49,14 +52,19 @@ class Overwriting(Case):
                  (over_dataset, [*mapping, "--output", dataset / "groundtruth.txt"]),
                  (over_dataset, [*mapping, "--output", dataset / "depth" / "1.png"]),
                  (over_input, [*mapping, "--output", options, "--config", options]),
-                 (over_input, [*mapping, "--output", new, "--stats", new]),
+                 ("is the name of another output: ", [*mapping, "--output", new, "--stats", new]),
                  (over_dataset, [*mapping, "--output", new, "--stats", dataset / "groundtruth.txt"]),
                  (over_dataset, [*mapping, "--output", new, "--times-plot", dataset / "depth" / "1.png"]),
                  (in_dataset, [*mapping, "--output", new, "--times-plot", patterned / "depth" / "new.png"]),
                  (over_dataset, ["snapshot", archive, "--output", dataset / "depth" / "1.png"]),
                  (over_dataset, ["snapshot", archive, "--output", self.folder / "images" / "1.png"]),
                  (over_dataset, ["snapshot", archive, "--output", self.folder / "image.png"]),
-                 (in_dataset, ["export", archive, "--format", "ros-map", "--output", patterned / "color" / "grid"]),
+                 ("the image beside it would be read as one of a dataset's",
+                  ["export", archive, "--format", "ros-map", "--output", patterned / "color" / "grid"]),
+                 ("a folder of a dataset", ["export", archive, "--format", "class-grids", "--output", patterned / "color"]),
+                 (over_dataset, ["snapshot", archive, "--output", broken / "depth" / "1.png"]),
+                 *[("must be the name of a file", ["export", archive, "--format", "ros-map", "--output", name])
+                   for name in ("/", f"{self.folder}/", f"{self.folder}/.", ".", "..", "-")],
                  ("a folder of a dataset", ["tune", "--input", dataset, "--frame", 0, "--output", dataset / "depth"]),
                  (over_dataset, ["transform", archive, "--by", "0,0,0,0", "--output", dataset / "truth.hmap"]),
                  (over_dataset, [*mapping, "--output", dataset / "truth.hmap"]),

@@ -105,6 +105,23 @@ Polygon sub_map_area_of(const std::string& text) {
   return *std::move(area);
 }
 
+/// Whether the output names a map of map_server, whose image beside it no dataset takes for one of
+/// its own. That image's name depends on what is in it; where one would be in the way, all would
+/// be. Throws: CLI::ValidationError.
+void check_ros_map_output(const std::filesystem::path& output) {
+  const std::string name = output.filename().string();
+  if (name.empty() || name == "." || name == ".." || name == "-") {
+    throw CLI::ValidationError(
+        "--output",
+        "must be the name of a file, with a folder or without, is " + printable(output.string()));
+  }
+  const std::filesystem::path yaml = ros_map_yaml(output);
+  if (!dataset_fault(yaml.parent_path() / hashed_image_name(yaml.stem().string(), ""))) return;
+  throw CLI::ValidationError(
+      "--output",
+      "the image beside it would be read as one of a dataset's: " + printable(output.string()));
+}
+
 /// Whether the options go together, and the output is no input. Throws: CLI::ValidationError.
 void check(const ExportArguments& arguments) {
   const ExportFormat format = arguments.request.format;
@@ -118,11 +135,7 @@ void check(const ExportArguments& arguments) {
               arguments.zones,
               arguments.places,
               arguments.class_names.file});
-  if (is_ros_map) {
-    // The image's name depends on what is in it; where one would be in the way, all would be.
-    const std::filesystem::path yaml = ros_map_yaml(output);
-    keep_apart("--output", yaml.parent_path() / hashed_image_name(yaml.stem().string(), ""), {});
-  }
+  if (is_ros_map) check_ros_map_output(output);
   const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
                          format == ExportFormat::kNav2;
   if (is_folder) keep_out_of_datasets("--output", output);

@@ -42,12 +42,12 @@ void MappingTimesArguments::keep_outputs_apart(
   const std::filesystem::path stats_path = stats.value_or("");
   const std::filesystem::path plot_path = plot.value_or("");
   keep_apart("--stats", stats_path, read);
-  keep_apart("--stats", stats_path, written);
+  keep_unlike("--stats", stats_path, written);
   keep_suffix("--stats", stats_path, ".json");
   if (!plot) return;
   keep_apart("--times-plot", plot_path, read);
-  keep_apart("--times-plot", plot_path, written);
-  keep_apart("--times-plot", plot_path, {stats_path});
+  keep_unlike("--times-plot", plot_path, written);
+  keep_unlike("--times-plot", plot_path, {stats_path});
   keep_suffix("--times-plot", plot_path, ".png");
 }
 

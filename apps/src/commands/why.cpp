@@ -8,6 +8,7 @@
 #include "shown_rules.hpp"
 #include "tables.hpp"
 #include "why_json.hpp"
+#include "why_removal.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -139,42 +140,12 @@ void print_namings(const Explanation& why, const MapArchive& archive) {
   }
 }
 
-/// How many looks remove it: those from sides on which it was never detected count less.
-std::string removed_text(const Removal& removal, const std::string& looks, bool is_hidden_first) {
-  const std::uint32_t removed = *removal.looks_until_removed;
-  const std::optional<std::uint32_t>& unseen = removal.looks_until_removed_unseen;
-  std::string text = "out of the map after " + count_text(removed, looks);
-  if (!is_hidden_first) text += " through its place";
-  if (!unseen || *unseen == removed) return text;
-  return text + " from where it was detected, " + std::to_string(*unseen) + " from elsewhere";
-}
-
-/// What comes first of being hidden and being removed: what is hidden or removed cannot be hidden.
 void print_removal(const Removal& removal, bool is_shown) {
-  const auto& gone = removal.looks_until_gone;
-  const auto& removed = removal.looks_until_removed;
-  if (gone == 0U) print_line("removal", "it is gone until something shows it again");
-  const bool is_hidden_first = is_shown && gone && *gone > 0 && (!removed || *gone < *removed);
-  if (is_hidden_first) {
-    const std::uint32_t looks = removal.clear_looks.looks;
-    const std::string so_far =
-        looks == 0 ? "" : " (so were the newest " + std::to_string(looks) + ")";
-    const double least_s = removal.seconds_until_gone;
-    const std::string over = least_s > 0.0 ? ", over " + fixed(least_s, 1) + " s at least" : "";
-    print_line("removal",
-               "hidden after " + count_text(*gone, "more clear look") +
-                   " in a row through its place" + so_far + over);
+  std::string_view key = "removal";
+  for (const std::string& text : removal_texts(removal, is_shown)) {
+    print_line(key, text);
+    key = "";
   }
-  if (removal.threshold) {
-    print_line(is_hidden_first || gone == 0U ? "" : "removal",
-               "out of the map when its confidence, " +
-                   fixed(removal.threshold->confidence.value(), 2) + " now, falls below " +
-                   fixed(removal.threshold->removed_below.value(), 2));
-  }
-  if (!removed) return;
-  const std::string looks = is_hidden_first ? "such look" : "clear look";
-  print_line(is_hidden_first || gone == 0U ? "" : "removal",
-             removed_text(removal, looks, is_hidden_first));
 }
 
 /// When it was detected first and last, and when a newer frame that should have shown it did not.
@@ -211,7 +182,7 @@ void print_object(const Explanation& why, const MapArchive& archive, bool is_sho
     print_line("doubted",
                "not detected in " + count_text(missed.num_frames, "frame") +
                    " that should have shown it, " + fixed(missed.mean_visible_share, 2) +
-                   " of it open to view in the mean");
+                   " of its surface seen there in the mean");
   }
   print_removal(why.removal, is_shown);
 }
@@ -264,7 +235,8 @@ void print_place(const PlaceExplanation& place,
         "nearest",
         label(place.nearest->id) + ", " + fixed(place.nearest->distance_m, 2) + " m from its box");
   }
-  if (place.withheld.empty()) print_line("withheld", nothing_withheld_text(place, archive, rules));
+  if (place.withheld.empty() && place.shown.empty())
+    print_line("withheld", nothing_withheld_text(place, archive, rules));
   for (const Explanation& why : place.withheld) print_object(why, archive, false);
 }
 

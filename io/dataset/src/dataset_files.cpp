@@ -105,14 +105,30 @@ std::optional<DatasetFile> find_above(const fs::path& place, const Visitor& is_t
   return found || real == written ? found : find_above_named(real, is_the_one);
 }
 
+/// Where a description cannot be read, any file may be part of what it describes.
+std::optional<DatasetFile> file_of_unreadable(const fs::path& file) {
+  std::error_code failed;
+  const fs::path whole = followed(fs::absolute(file, failed));
+  const bool is_map = whole.extension() == ".hmap" && whole.filename() != kTruth;
+  if (is_map || !fs::is_regular_file(whole, failed)) return std::nullopt;
+  fs::path folder = whole.parent_path();
+  for (int level = 0; level < kMostLevels; ++level) {
+    if (fs::exists(folder / "dataset.yaml", failed) && !find_layout(folder))
+      return DatasetFile{.folder = folder, .is_detections = false};
+    folder = folder.parent_path();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<DatasetFile> dataset_file(const fs::path& file) {
-  return find_above(
-      file, [](const DatasetDescription& dataset, const std::string& name, DatasetFile& found) {
-        found.is_detections = is_detections_file(dataset, name);
-        return found.is_detections || is_part_of(found.folder, dataset, name);
+  const auto found = find_above(
+      file, [](const DatasetDescription& dataset, const std::string& name, DatasetFile& at) {
+        at.is_detections = is_detections_file(dataset, name);
+        return at.is_detections || is_part_of(at.folder, dataset, name);
       });
+  return found ? found : file_of_unreadable(file);
 }
 
 std::optional<DatasetFile> dataset_file(const fs::path& file,
@@ -132,14 +148,16 @@ std::optional<DatasetFile> dataset_file(const fs::path& file,
 std::optional<fs::path> dataset_with_images_in(const fs::path& folder) {
   const auto is_in = [&](const fs::path& root, const std::string& place, const std::string& name) {
     if (place.empty()) return false;
+    if (is_pattern(place)) return fs::path(plain(place)).parent_path().generic_string() == name;
     const auto files = list_files(root, place);
     if (!files) return false;
     return std::ranges::any_of(*files, [&](const ListedFile& file) {
       return fs::path(plain(file.path)).parent_path().generic_string() == name;
     });
   };
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   const auto found = find_above(
-      folder, [&](const DatasetDescription& dataset, const std::string& name, DatasetFile& at) {
+      named, [&](const DatasetDescription& dataset, const std::string& name, DatasetFile& at) {
         const auto images = image_places(dataset);
         return std::ranges::any_of(
             images, [&](const auto* place) { return is_in(at.folder, *place, name); });

@@ -19,6 +19,17 @@ bool SemanticMapper::ClassFilter::is_transient(std::span<const ClassEvidence> cl
   return best && std::ranges::binary_search(transient, best->id);
 }
 
+std::vector<const Detection*> SemanticMapper::take_transient(
+    std::vector<const Detection*>& detections) const {
+  const auto is_transient = [this](const Detection* d) {
+    return class_filter_.is_transient(d->class_scores);
+  };
+  std::vector<const Detection*> transient;
+  std::ranges::copy_if(detections, std::back_inserter(transient), is_transient);
+  std::erase_if(detections, is_transient);
+  return transient;
+}
+
 std::vector<Observation> SemanticMapper::take_transient(
     std::vector<Observation>& observations) const {
   const auto first = std::stable_partition(

@@ -33,9 +33,9 @@ SemanticMapper::StillPoints SemanticMapper::still_points(const LabelledCloud& cl
                                                          const CloudObservations& seen) const {
   StillPoints still;
   if (class_filter_.transient.empty()) return still;
-  still.in_map = cloud.points_in_map;
-  const auto leave_out = [&still](std::span<const std::uint32_t> positions) {
+  const auto leave_out = [&](std::span<const std::uint32_t> positions) {
     constexpr float kNoMeasurement = std::numeric_limits<float>::quiet_NaN();
+    if (still.in_map.empty()) still.in_map = cloud.points_in_map;
     for (const std::uint32_t position : positions) {
       Eigen::Vector3f& point = still.in_map[position];
       if (!point.allFinite()) continue;

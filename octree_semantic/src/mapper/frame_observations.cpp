@@ -20,9 +20,8 @@ FrameObservations observe(const RgbdFrame& frame,
       continue;
     }
     if (segments[i].error().code == ErrorCode::kOutOfMemory) throw std::bad_alloc();
-    seen.without_segment.push_back(&detections[i]);
-    if (segments[i].error().code == ErrorCode::kInterrupted)
-      seen.not_begun.push_back(&detections[i]);
+    const bool was_begun = segments[i].error().code != ErrorCode::kInterrupted;
+    (was_begun ? seen.without_segment : seen.not_begun).push_back(&detections[i]);
   }
   return seen;
 }

@@ -14,8 +14,8 @@ namespace hypermap {
 
 struct FrameObservations {
   std::vector<Observation> observations;  ///< Of the detections that the depth confirms, in order.
-  std::vector<const Detection*> without_segment;  ///< The other ones, in order.
-  std::vector<const Detection*> not_begun;        ///< Those of them that came too late, in order.
+  std::vector<const Detection*> without_segment;  ///< Those that it does not confirm, in order.
+  std::vector<const Detection*> not_begun;        ///< Those that came too late, in order.
 };
 
 /// Throws: std::bad_alloc.

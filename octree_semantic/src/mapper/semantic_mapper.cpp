@@ -22,6 +22,11 @@
 namespace hypermap {
 namespace {
 
+/// Requires: the range is set (`with_ranges`).
+SegmentedDepth segmented_depth(const GeometricSegmentationOptions& options) {
+  return {.min_m = options.min_range_m, .max_m = *options.max_range_m};
+}
+
 /// Errors: as asked_classes, naming the field.
 Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
                                     const ClassRegistry& classes,
@@ -154,12 +159,10 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const bool is_limited = options_.deadline.rule != DeadlineRule::kNone;
   auto [observations, without_segment, not_begun] =
       observe(frame, detections, options_, is_limited ? MayBegin(in_time) : MayBegin());
-  const auto stays = [this](const Detection* d) {
-    return !class_filter_.is_transient(d->class_scores);
-  };
-  report.num_deadline_dropped = static_cast<std::size_t>(std::ranges::count_if(not_begun, stays));
-  const std::vector<Observation> transient = take_transient(observations);
-  std::erase_if(without_segment, stays);
+  const TransientDetections transient{.observations = take_transient(observations),
+                                      .without_segment = take_transient(without_segment),
+                                      .not_begun = take_transient(not_begun)};
+  report.num_deadline_dropped = not_begun.size();
   report.num_segments = observations.size();
   inform(observations);
   report.seconds.segment = watch.lap();
@@ -180,9 +183,10 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
 
   const auto labels = observation_labels(std::move(observations), association);
   prepare_to_adopt(labels, association.merged);
-  const StillFrame still = transient.empty() && without_segment.empty()
-                               ? StillFrame{with_depth(frame, borrowed(frame.depth_m))}
-                               : without_transient(frame, transient, without_segment);
+  const StillFrame still =
+      transient.empty()
+          ? StillFrame{with_depth(frame, borrowed(frame.depth_m))}
+          : without_transient(frame, transient, segmented_depth(options_.objects.segmentation));
   HYPERMAP_ASSIGN_OR_RETURN(
       report.integration,
       integrator_.integrate(octree_, still.frame, labels, options_.integration));

@@ -27,6 +27,20 @@ MaskImage pixels_of_box(const PinholeCamera& camera, const PixelBox& box_px) {
   return pixels;
 }
 
+MaskImage pixels_of(const RgbdFrame& frame, std::span<const Observation> observations) {
+  MaskImage segments(frame.camera.width_px, frame.camera.height_px);
+  for (const Observation& observation : observations) {
+    for (const std::uint32_t pixel : observation.segment.pixel_indices)
+      segments.pixels()[pixel] = 1;
+  }
+  return segments;
+}
+
+/// Of an image that may be empty.
+bool is_set(const MaskImage& image, std::size_t pixel) {
+  return !image.pixels().empty() && image.pixels()[pixel] != 0;
+}
+
 }  // namespace
 
 MaskImage pixels_shown_by(const PinholeCamera& camera,
@@ -42,26 +56,22 @@ MaskImage pixels_shown_by(const PinholeCamera& camera,
 }
 
 StillFrame without_transient(const RgbdFrame& frame,
-                             std::span<const Observation> observations,
-                             std::span<const Detection* const> without_segment) {
-  MaskImage segments(frame.camera.width_px, frame.camera.height_px);
-  for (const Observation& observation : observations) {
-    for (const std::uint32_t pixel : observation.segment.pixel_indices)
-      segments.pixels()[pixel] = 1;
-  }
-  MaskImage left_out = widened_by_tolerance(segments);
-  if (!without_segment.empty())
-    left_out = united(std::move(left_out), pixels_shown_by(frame.camera, without_segment));
+                             const TransientDetections& transient,
+                             const SegmentedDepth& segmented) {
+  const MaskImage near_segments = widened_by_tolerance(pixels_of(frame, transient.observations));
+  const MaskImage not_begun = pixels_shown_by(frame.camera, transient.not_begun);
+  const MaskImage without_segment = pixels_shown_by(frame.camera, transient.without_segment);
   DepthImage depth_m(frame.camera.width_px, frame.camera.height_px);
   std::size_t num_left_out = 0;
-  std::ranges::transform(frame.depth_m.pixels(),
-                         left_out.pixels(),
-                         depth_m.pixels().begin(),
-                         [&num_left_out](float z_m, std::uint8_t is_out) {
-                           if (is_out == 0 || z_m <= 0.0F) return z_m;
-                           ++num_left_out;
-                           return 0.0F;
-                         });
+  for (std::size_t i = 0; i < depth_m.pixels().size(); ++i) {
+    const float z_m = frame.depth_m.pixels()[i];
+    const bool is_segmented = segmented.contains(z_m);
+    const bool is_left_out =
+        is_measured(z_m) && (is_set(near_segments, i) || is_set(not_begun, i) ||
+                             (is_set(without_segment, i) && !is_segmented));
+    depth_m.pixels()[i] = is_left_out ? 0.0F : z_m;
+    if (is_left_out) ++num_left_out;
+  }
   return {.frame = with_depth(frame, std::move(depth_m)), .num_left_out = num_left_out};
 }
 

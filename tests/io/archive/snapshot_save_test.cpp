@@ -3,6 +3,7 @@
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 #include "octree_semantic/support/detected_frame.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ namespace {
 constexpr std::chrono::milliseconds kPause{1};
 
 const std::vector<RgbdFrame>& seen_frames() {
-  static const std::vector<RgbdFrame> kFrames = test::detected_room_frames(8, 120);
+  static const std::vector<RgbdFrame> kFrames =
+      test::detected_room_frames(test::kThreadSanitized ? 4 : 8, 120);
   return kFrames;
 }
 

@@ -133,6 +133,26 @@ TEST_F(DatasetFiles, AFolderMayBeDescribedElsewhere) {
   EXPECT_FALSE(dataset_file(root / "slam.txt", root / "set", other).has_value());
 }
 
+TEST_F(DatasetFiles, WhereADescriptionCannotBeReadAllThatIsThereMayBePart) {
+  write("set/dataset.yaml", "depth: [1\n");
+  write("set/depth/1.png");
+  write("set/map.hmap");
+  write("set/truth.hmap");
+  for (const char* name : {"set/dataset.yaml", "set/depth/1.png", "set/truth.hmap"})
+    EXPECT_TRUE(is_part(name)) << name;
+  for (const char* name : {"set/map.hmap", "set/depth/2.png"}) EXPECT_FALSE(is_part(name)) << name;
+}
+
+TEST_F(DatasetFiles, FoldersInWhichAPatternLooksForImagesAreKnownWhileTheyAreEmpty) {
+  write("set/dataset.yaml",
+        "depth: depth/*.png\ncolor: ./color/*.pgm\ndepth_scale: 5000\ntrajectory: poses.txt\n"
+        "intrinsics: {fx: 100, fy: 100, cx: 50, cy: 50}\n");
+  EXPECT_EQ(dataset_with_images_in(root / "set/color"), fs::canonical(root / "set"));
+  EXPECT_EQ(dataset_with_images_in(root / "set/color/"), fs::canonical(root / "set"));
+  EXPECT_FALSE(dataset_with_images_in(root / "set/colors"));
+  EXPECT_FALSE(dataset_with_images_in(root / "set/color/below"));
+}
+
 TEST_F(DatasetFiles, FoldersWithImagesAreKnown) {
   make_tum();
   fs::create_directories(root / "set/maps");

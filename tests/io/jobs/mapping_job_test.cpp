@@ -94,6 +94,27 @@ TEST(MappingJob, DetectionsOfClassesThatAreNotWantedAreCountedAndUpdateNoObject)
   EXPECT_NE(to_json(*without).find("\"detections_filtered\": 1"), std::string::npos);
 }
 
+TEST(MappingJob, WhatTransientClassesHideIsCounted) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  test::write_text(folder.path() / "found.jsonl", test::chair_in("rgb/102.010.pgm"));
+  MappingJob job{.input = folder.path() / "recorded", .output = folder.path() / "map.hmap"};
+  job.dataset.detections = {folder.path() / "found.jsonl"};
+  const auto whole = run_mapping(job);
+  ASSERT_TRUE(whole) << to_string(whole.error());
+  EXPECT_EQ(whole->points.num_transient, 0U);
+  job.mapper.objects.transient_class_names = {"chair"};
+  job.mapper.objects.segmentation.max_range_m = 0.5;  // all of the chair's box stands behind
+  const auto still = run_mapping(job);
+  ASSERT_TRUE(still) << to_string(still.error());
+  const std::size_t num_transient = still->points.num_transient;
+  EXPECT_GT(num_transient, 0U);
+  EXPECT_EQ(still->points.num_hits + num_transient, whole->points.num_hits);
+  EXPECT_EQ(still->points.num_not_measured, whole->points.num_not_measured);
+  EXPECT_NE(to_json(*still).find("\"transient\": " + std::to_string(num_transient)),
+            std::string::npos);
+}
+
 TEST(MappingJob, CorrectedPosesAndGoingOnExcludeEachOther) {
   const auto refused = run_mapping({.output = "map.hmap", .poses = "poses.txt", .append = true});
   ASSERT_FALSE(refused);

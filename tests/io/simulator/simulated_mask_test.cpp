@@ -7,7 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <string_view>
 
 namespace hypermap {
 namespace {
@@ -124,6 +129,37 @@ TEST(SimulatedMask, ANoisyDetectorsIsOffByTwoPixelsAndNeverOutsideItsBox) {
   }
   EXPECT_GT(num_all, 60U);
   EXPECT_LT(num_exact, num_all / 4);
+}
+
+// 640 / 160: as networks fit an image into their squares, whichever side is the longer.
+TEST(SimulatedMask, OfAHighImageConsistsOfSquaresOfFourPixels) {
+  ClassRegistry registry;
+  const auto detector =
+      SimulatedDetector::create({.false_alarms_per_frame = 0.0, .masks = true}, registry, 42);
+  ASSERT_TRUE(detector);
+  Image<ObjectId> instances(480, 640);
+  for (int v = 200; v < 320; ++v) {
+    for (int u = 150; u < v - 40; ++u) instances.at(u, v) = ObjectId{1};  // stairs have many edges
+  }
+  auto objects = visible_objects(instances, std::array{std::string_view("chair")});
+  objects.at(0).unhidden_share = 1.0;
+  int num_edges = 0;
+  for (std::uint64_t frame = 0; frame < 20; ++frame) {
+    for (const Detection& seen : detector->detect(objects, instances, frame).detections) {
+      std::set<int> phases;
+      for (int v = 0; v < 640; ++v) {
+        for (int u = 1; u < 480; ++u) {
+          const bool is_cut =
+              std::abs(u - seen.box_px.u_min_px) < 2 || std::abs(u - seen.box_px.u_max_px) < 2;
+          if (is_cut || seen.mask->at(u, v) == seen.mask->at(u - 1, v)) continue;
+          phases.insert(u % 4);
+          ++num_edges;
+        }
+      }
+      EXPECT_LE(phases.size(), 1U) << "frame " << frame;
+    }
+  }
+  EXPECT_GT(num_edges, 200);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,57 @@ TEST(TransientClasses, LeaveNoVoxelWhereTheyAreTooFarToBeSegmented) {
   EXPECT_GT(occupied.at_wall, 1000U);
 }
 
+// In range the depth was looked at, and nine pixels are no segment.
+TEST(TransientClasses, TakeNothingInRangeThatIsTooSmallToBeTheirs) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person"};
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  RgbdFrame frame = walked_frame(20, person);
+  std::ranges::fill(frame.depth_m.pixels(), kWallM);
+  frame.detections[0].box_px = {20.0, 20.0, 23.0, 23.0};
+  const FrameReport report = mapper.integrate(frame).value();
+  EXPECT_EQ(report.num_transient, 1U);
+  EXPECT_EQ(report.integration.num_transient, 0U);
+  EXPECT_EQ(report.integration.num_hits, frame.depth_m.pixels().size());
+}
+
+TEST(TransientClasses, HideMeasurementsAlone) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person"};
+  options.objects.segmentation.max_range_m = kPersonM / 2;
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  RgbdFrame frame = walked_frame(20, person);
+  frame.depth_m.at(25, 50) = 0.0F;
+  frame.depth_m.at(26, 50) = std::numeric_limits<float>::quiet_NaN();
+  frame.depth_m.at(27, 50) = 0.5F;  // nearer than what could not be segmented
+  const FrameReport report = mapper.integrate(frame).value();
+  EXPECT_EQ(report.integration.num_transient, 26U * 101U - 3U);
+  EXPECT_EQ(report.integration.num_not_measured, 1U);
+  EXPECT_EQ(report.integration.num_not_finite, 1U);
+}
+
+TEST(TransientClasses, AreLeftOutByTheirMasksWhereTheyHaveThem) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person"};
+  options.objects.segmentation.max_range_m = kPersonM / 2;
+  ClassRegistry classes;
+  const ClassId person = classes.add("person").value();
+  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  RgbdFrame frame = walked_frame(20, person);
+  MaskImage mask(kCamera.width_px, kCamera.height_px);
+  for (int v = 20; v < 60; ++v) {
+    for (int u = 20; u < 44; ++u) mask.at(u, v) = 1;
+  }
+  frame.detections[0].mask = mask;
+  const FrameReport report = mapper.integrate(frame).value();
+  // 160 pixels make squares of one pixel: the mask may be off by one and a half, rounded up.
+  EXPECT_EQ(report.integration.num_transient, (24U + 4U) * (40U + 4U));
+}
+
 TEST(TransientClasses, MakeNoDifferenceToTheOthersWhenTheyComeTooLate) {
   SemanticMapperOptions options;
   options.objects.transient_class_names = {"person"};
@@ -98,6 +151,12 @@ TEST(TransientClasses, MakeNoDifferenceToTheOthersWhenTheyComeTooLate) {
   EXPECT_EQ(report.num_deadline_dropped, 0U);
   EXPECT_TRUE(report.visibility_evaluated);
   EXPECT_EQ(occupied_in(mapper.octree()).before_wall, 0U);
+  RgbdFrame both = walked_frame(20, person);
+  both.detections.push_back(both.detections[0]);
+  both.detections[1].class_scores = {{classes.add("chair").value(), Probability(1.0)}};
+  const FrameReport second = mapper.integrate(both).value();
+  EXPECT_EQ(second.num_deadline_dropped, 1U);
+  EXPECT_FALSE(second.visibility_evaluated);
 }
 
 TEST(TransientClasses, LeaveNoObjectAndNoVoxel) {

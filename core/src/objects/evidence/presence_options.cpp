@@ -122,13 +122,15 @@ constexpr OptionRow kGoneRows[] = {
          .smap = 0,
          .hypermap = 0}),
     option::number<&GoneRule::seconds>(
-        "seconds", {0, 3600}, {.unit = "s", .effect = "Time over which they are, at least."}),
+        "seconds",
+        {0, 3600},
+        {.unit = "s", .effect = "Time over which they are, at least; not asked by `rare_looks`."}),
     option::count<&GoneRule::rare_looks>(
         "rare_looks",
         {0, ObservationLog::kMaxNewest},
         {.effect =
              "What was detected no more often than `looks` ends after as many as it was detected, "
-             "but not fewer than these; 0: as all else."}),
+             "but not fewer than these, over any time; 0: as all else. P(real) goes by the defaults."}),
 };
 
 constexpr OptionRow kPublicationRows[] = {

@@ -108,7 +108,7 @@ struct FrameReport {
   /// Of a class that does not stay or is not wanted.
   std::size_t num_transient = 0;
   std::size_t num_segments = 0;  ///< Detections that were found in the depth.
-  /// Detections dropped by the deadline, those of the lowest scores.
+  /// Detections dropped by the deadline, those of the lowest scores; of classes that stay.
   std::size_t num_deadline_dropped = 0;
   std::size_t num_created = 0;
   std::size_t num_matched = 0;
@@ -118,8 +118,8 @@ struct FrameReport {
   std::vector<DetectedObject> detected;
   /// In the order in which they happened.
   std::vector<ObjectMerge> merged;
-  /// False when visibility was not evaluated: no detector looked or detections had been dropped, so
-  /// that a missed detection means nothing, or there was no memory or no Embree for it.
+  /// False when visibility was not evaluated: no detector looked or such detections were dropped,
+  /// so that a missed detection means nothing, or there was no memory or no Embree for it.
   bool visibility_evaluated = false;
   /// Whether the frame is in a snapshot now. When memory ends before it is, the next frame tries.
   bool published = false;
@@ -277,9 +277,11 @@ class SemanticMapper {
   void grow_topological_map(const PointInMap& sensor, const AssociationReport& association);
   /// Tells observations how many classes there are, and what is known of theirs.
   void inform(std::vector<Observation>& observations) const;
-  /// Those of transient classes, which are no longer among the observations.
+  /// Those of transient classes, which are no longer among the others.
   [[nodiscard]] std::vector<Observation> take_transient(
       std::vector<Observation>& observations) const;
+  [[nodiscard]] std::vector<const Detection*> take_transient(
+      std::vector<const Detection*>& detections) const;
   /// A scan's points, those of transient classes as no measurement. Without such classes none.
   struct StillPoints {
     std::vector<Eigen::Vector3f> in_map;

@@ -20,8 +20,9 @@ struct DatasetFile {
 /// names of labels, detections or the truth of a simulation. A name that a pattern of the dataset
 /// fits is one of its images. The file is looked for as it is written and as links lead to it.
 ///
-/// Boundary: none where no folder up to three levels above is a dataset, or where that cannot be
-/// read: who cannot read a dataset cannot say what belongs to it.
+/// Boundary: none where no folder up to three levels above is a dataset, or where its lists cannot
+/// be read: who cannot read a dataset cannot say what belongs to it. Below a `dataset.yaml` that
+/// cannot be read that is each file that is there, maps aside.
 /// Cost: of `find_layout` for each of these folders, and of reading the dataset's lists.
 [[nodiscard]] std::optional<DatasetFile> dataset_file(const std::filesystem::path& file);
 
@@ -30,7 +31,8 @@ struct DatasetFile {
                                                       const std::filesystem::path& folder,
                                                       const DatasetDescription& dataset);
 
-/// The dataset that has images directly in this folder; none as above.
+/// The dataset that has images directly in this folder, or would have if they were there; none as
+/// above.
 [[nodiscard]] std::optional<std::filesystem::path> dataset_with_images_in(
     const std::filesystem::path& folder);
 
