@@ -65,7 +65,7 @@ StillFrame without_transient(const RgbdFrame& frame,
   std::size_t num_left_out = 0;
   for (std::size_t i = 0; i < depth_m.pixels().size(); ++i) {
     const float z_m = frame.depth_m.pixels()[i];
-    const bool is_segmented = segmented.contains(z_m);
+    const bool is_segmented = segmented.contains(static_cast<double>(z_m));
     const bool is_left_out =
         is_measured(z_m) && (is_set(near_segments, i) || is_set(not_begun, i) ||
                              (is_set(without_segment, i) && !is_segmented));
