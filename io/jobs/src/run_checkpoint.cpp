@@ -19,6 +19,7 @@ constexpr std::size_t kMaxReasonBytes = 1000;
 struct CountKey {
   std::string_view key;
   std::size_t& (*of)(MappingReport& report);
+  bool may_be_absent = false;  ///< 0 then: checkpoints of older programs do not have it.
 };
 
 constexpr std::array kCountKeys{
@@ -38,7 +39,8 @@ constexpr std::array kCountKeys{
              [](MappingReport& r) -> std::size_t& { return r.points.num_not_finite; }},
     CountKey{"outside_volume",
              [](MappingReport& r) -> std::size_t& { return r.points.num_outside_volume; }},
-    CountKey{"transient", [](MappingReport& r) -> std::size_t& { return r.points.num_transient; }},
+    CountKey{
+        "transient", [](MappingReport& r) -> std::size_t& { return r.points.num_transient; }, true},
 };
 
 /// In digits alone, however large.
@@ -128,6 +130,7 @@ Result<RunCheckpoint> parse_run_checkpoint(const ValueTree& tree, const std::str
   HYPERMAP_ASSIGN_OR_RETURN(checkpoint.last, frame_at(root, "last", checkpoint.num_positions));
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode counts, root.at("counts"));
   for (const CountKey& count : kCountKeys) {
+    if (count.may_be_absent && !counts.find(count.key)) continue;
     HYPERMAP_ASSIGN_OR_RETURN(count.of(checkpoint.report), count_at(counts, count.key));
   }
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode skipped, root.at("skipped"));

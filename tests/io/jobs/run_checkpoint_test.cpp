@@ -86,6 +86,19 @@ TEST(RunCheckpoint, AllThatIsNotedComesBack) {
   EXPECT_EQ(to_tree(*again), to_tree(noted));
 }
 
+TEST(RunCheckpoint, OneOfAProgramThatDidNotCountTransientPointsIsRead) {
+  ValueTree tree = to_tree(sample_run_checkpoint());
+  for (auto& [name, entry] : tree.entries) {
+    if (name != "counts") continue;
+    EXPECT_EQ(std::erase_if(entry.entries, [](const auto& e) { return e.first == "transient"; }),
+              1U);
+  }
+  const auto again = parse_run_checkpoint(tree, "a.hmap.checkpoint");
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(again->report.points.num_transient, 0U);
+  EXPECT_EQ(again->report.points.num_hits, 4U);
+}
+
 TEST(RunCheckpoint, ASkippedFrameKeepsItsReasonAndWhoseFaultItWas) {
   const auto again = parse_run_checkpoint(to_tree(sample_run_checkpoint()), "a.hmap.checkpoint");
   ASSERT_TRUE(again);
