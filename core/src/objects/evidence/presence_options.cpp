@@ -130,7 +130,8 @@ constexpr OptionRow kGoneRows[] = {
         {0, ObservationLog::kMaxNewest},
         {.effect =
              "What was detected no more often than `looks` ends after as many as it was detected, "
-             "but not fewer than these, over any time; 0: as all else. P(real) goes by the defaults."}),
+             "but not fewer than these, over any time; 0: as all else. P(real) goes by the "
+             "defaults."}),
 };
 
 constexpr OptionRow kPublicationRows[] = {
