@@ -66,6 +66,23 @@ SemanticMapper map_of_walk(const std::vector<std::string>& transient) {
   return mapper;
 }
 
+/// The only class of these maps.
+constexpr ClassId kPerson{0};
+
+SemanticMapper mapper_without_people(SemanticMapperOptions options = {}) {
+  options.objects.transient_class_names = {"person"};
+  ClassRegistry classes;
+  EXPECT_EQ(classes.add("person").value(), kPerson);
+  return SemanticMapper::create(options, classes).value();
+}
+
+/// Of whom people are out of the range of segmentation.
+SemanticMapperOptions short_sighted() {
+  SemanticMapperOptions options;
+  options.objects.segmentation.max_range_m = kPersonM / 2;
+  return options;
+}
+
 TEST(TransientClasses, OthersAreMapped) {
   const SemanticMapper mapper = map_of_walk({});
   EXPECT_GT(occupied_in(mapper.octree()).before_wall, 100U);
@@ -73,13 +90,8 @@ TEST(TransientClasses, OthersAreMapped) {
 }
 
 TEST(TransientClasses, LeaveNoVoxelWhereTheyAreTooFarToBeSegmented) {
-  SemanticMapperOptions options;
-  options.objects.transient_class_names = {"person"};
-  options.objects.segmentation.max_range_m = kPersonM / 2;
-  ClassRegistry classes;
-  const ClassId person = classes.add("person").value();
-  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
-  const FrameReport report = mapper.integrate(walked_frame(20, person)).value();
+  SemanticMapper mapper = mapper_without_people(short_sighted());
+  const FrameReport report = mapper.integrate(walked_frame(20, kPerson)).value();
   EXPECT_EQ(report.num_transient, 1U);
   EXPECT_EQ(report.integration.num_transient, 26U * 101U) << "the box, not only who is in it";
   EXPECT_EQ(report.integration.num_not_measured, 0U);
@@ -90,12 +102,8 @@ TEST(TransientClasses, LeaveNoVoxelWhereTheyAreTooFarToBeSegmented) {
 
 // In range the depth was looked at, and nine pixels are no segment.
 TEST(TransientClasses, TakeNothingInRangeThatIsTooSmallToBeTheirs) {
-  SemanticMapperOptions options;
-  options.objects.transient_class_names = {"person"};
-  ClassRegistry classes;
-  const ClassId person = classes.add("person").value();
-  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
-  RgbdFrame frame = walked_frame(20, person);
+  SemanticMapper mapper = mapper_without_people();
+  RgbdFrame frame = walked_frame(20, kPerson);
   std::ranges::fill(frame.depth_m.pixels(), kWallM);
   frame.detections[0].box_px = {20.0, 20.0, 23.0, 23.0};
   const FrameReport report = mapper.integrate(frame).value();
@@ -105,13 +113,8 @@ TEST(TransientClasses, TakeNothingInRangeThatIsTooSmallToBeTheirs) {
 }
 
 TEST(TransientClasses, HideMeasurementsAlone) {
-  SemanticMapperOptions options;
-  options.objects.transient_class_names = {"person"};
-  options.objects.segmentation.max_range_m = kPersonM / 2;
-  ClassRegistry classes;
-  const ClassId person = classes.add("person").value();
-  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
-  RgbdFrame frame = walked_frame(20, person);
+  SemanticMapper mapper = mapper_without_people(short_sighted());
+  RgbdFrame frame = walked_frame(20, kPerson);
   frame.depth_m.at(25, 50) = 0.0F;
   frame.depth_m.at(26, 50) = std::numeric_limits<float>::quiet_NaN();
   frame.depth_m.at(27, 50) = 0.5F;  // nearer than what could not be segmented
@@ -122,13 +125,8 @@ TEST(TransientClasses, HideMeasurementsAlone) {
 }
 
 TEST(TransientClasses, AreLeftOutByTheirMasksWhereTheyHaveThem) {
-  SemanticMapperOptions options;
-  options.objects.transient_class_names = {"person"};
-  options.objects.segmentation.max_range_m = kPersonM / 2;
-  ClassRegistry classes;
-  const ClassId person = classes.add("person").value();
-  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
-  RgbdFrame frame = walked_frame(20, person);
+  SemanticMapper mapper = mapper_without_people(short_sighted());
+  RgbdFrame frame = walked_frame(20, kPerson);
   MaskImage mask(kCamera.width_px, kCamera.height_px);
   for (int v = 20; v < 60; ++v) {
     for (int u = 20; u < 44; ++u) mask.at(u, v) = 1;
@@ -140,20 +138,16 @@ TEST(TransientClasses, AreLeftOutByTheirMasksWhereTheyHaveThem) {
 }
 
 TEST(TransientClasses, MakeNoDifferenceToTheOthersWhenTheyComeTooLate) {
-  SemanticMapperOptions options;
-  options.objects.transient_class_names = {"person"};
-  options.deadline = {.rule = DeadlineRule::kFixed, .frame_s = 1.0};
-  ClassRegistry classes;
-  const ClassId person = classes.add("person").value();
-  SemanticMapper mapper = SemanticMapper::create(options, classes).value();
+  SemanticMapper mapper =
+      mapper_without_people({.deadline = {.rule = DeadlineRule::kFixed, .frame_s = 1.0}});
   mapper.set_clock([now = 0.0]() mutable { return now += 1e6; });  // always too late
-  const FrameReport report = mapper.integrate(walked_frame(20, person)).value();
+  const FrameReport report = mapper.integrate(walked_frame(20, kPerson)).value();
   EXPECT_EQ(report.num_deadline_dropped, 0U);
   EXPECT_TRUE(report.visibility_evaluated);
   EXPECT_EQ(occupied_in(mapper.octree()).before_wall, 0U);
-  RgbdFrame both = walked_frame(20, person);
+  RgbdFrame both = walked_frame(20, kPerson);
   both.detections.push_back(both.detections[0]);
-  both.detections[1].class_scores = {{classes.add("chair").value(), Probability(1.0)}};
+  both.detections[1].class_scores = {{ClassId{1}, Probability(1.0)}};
   const FrameReport second = mapper.integrate(both).value();
   EXPECT_EQ(second.num_deadline_dropped, 1U);
   EXPECT_FALSE(second.visibility_evaluated);
