@@ -35,20 +35,24 @@ endfunction()
 # hypermap_add_library_headers(<target>)
 #
 # What most sources of the libraries include, parsed once, for the libraries that are added after it in this folder and
-# below: a precompiled header serves targets with the same options only. Presets `dev` and `tidy` compile without it, so
-# that no source leans on what it does not include.
+# below: a precompiled header serves targets with the same options only, so those that steer have one of their own where
+# they are not optimised. Presets `dev` and `tidy` compile without it, so that no source leans on what it does not include.
 function(hypermap_add_library_headers target)
   hypermap_find_packages(Eigen3 tl-expected)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
-  file(WRITE ${source} "")
-  add_library(${target} STATIC ${source})
-  target_link_libraries(${target} PRIVATE Eigen3::Eigen tl::expected hypermap_warnings hypermap_determinism)
-  target_compile_features(${target} PRIVATE cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  set(headers ${target} ${target}_steering)
+  foreach(name ${headers})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    file(WRITE ${source} "")
+    add_library(${name} STATIC EXCLUDE_FROM_ALL ${source})
+    target_link_libraries(${name} PRIVATE Eigen3::Eigen tl::expected hypermap_warnings hypermap_determinism)
+    target_compile_features(${name} PRIVATE cxx_std_20)
+    set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+    target_precompile_headers(${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp> <algorithm> <array>
+      <charconv> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string> <string_view> <unordered_map>
+      <vector>)
+  endforeach()
+  target_compile_options(${target}_steering PRIVATE -O0)
   set(HYPERMAP_LIBRARY_HEADERS ${target} PARENT_SCOPE)
-  target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <tl/expected.hpp> <algorithm> <array>
-    <charconv> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string> <string_view> <unordered_map>
-    <vector>)
 endfunction()
 
 # hypermap_find_packages(<package>...): each "name" or "name arguments of find_package".
@@ -59,7 +63,7 @@ macro(hypermap_find_packages)
   endforeach()
 endmacro()
 
-# hypermap_add_module(<name> SOURCES ... [ROOMS ...] [PACKAGES ...] PUBLIC_LINK ... [PRIVATE_LINK ...])
+# hypermap_add_module(<name> [STEERS] SOURCES ... [ROOMS ...] [PACKAGES ...] PUBLIC_LINK ... [PRIVATE_LINK ...])
 #
 # One call a library: a top-level folder, or a room of io. Makes the library hypermap_<name>, its alias
 # hypermap::<name>, its header set (everything under include/), its install rules and the component <name> of the
@@ -67,9 +71,11 @@ endmacro()
 # PACKAGES: third-party packages that it links, as hypermap_find_packages takes them; users of the component get them too.
 # The arrows of ARCHITECTURE.md are written here and nowhere else, and tests/tools/check_layers.py holds every #include
 # against them. PUBLIC_LINK: what its headers may include of ours; PRIVATE_LINK: what only its sources may.
+# STEERS: calls what computes, which is elsewhere. Debug builds (sanitizers) do not optimise it: that would take longer than
+# it saves.
 # ROOMS: the sub-folders of a library, each "room" or "room -> rooms that it may include".
 function(hypermap_add_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PACKAGES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "STEERS" "" "SOURCES;ROOMS;PACKAGES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   hypermap_find_packages(${ARG_PACKAGES})
   set(target hypermap_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
@@ -81,7 +87,12 @@ function(hypermap_add_module name)
                                   PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:hypermap_warnings>
                                           $<BUILD_INTERFACE:hypermap_determinism>)
   target_include_directories(${target} PRIVATE src)
-  target_precompile_headers(${target} REUSE_FROM ${HYPERMAP_LIBRARY_HEADERS})
+  if(ARG_STEERS AND CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(${target} PRIVATE -O0)
+    target_precompile_headers(${target} REUSE_FROM ${HYPERMAP_LIBRARY_HEADERS}_steering)
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${HYPERMAP_LIBRARY_HEADERS})
+  endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF LINKER_LANGUAGE CXX
                                              POSITION_INDEPENDENT_CODE ON

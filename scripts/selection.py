@@ -1,5 +1,5 @@
-"""Which files a run of scripts/verify looks at: those changed since the commit named in scripts/lint-base, and an eighth
-of the rest that changes with each commit, so that eight commits see everything."""
+"""What a run of scripts/verify looks at: what changed since the commit named in scripts/lint-base, and a share of the rest
+that changes with each commit, so that a few commits see everything."""
 import pathlib
 import subprocess
 
@@ -19,7 +19,7 @@ def changed_files():
     return None if changed is None or new is None else set(changed + new)
 
 
-def eighth(names):
-    """Every eighth of the names in their order, beginning at the number of commits."""
+def share(names, parts):
+    """One of so many parts of the names, another with each commit."""
     count = int((git("rev-list", "--count", "HEAD") or ["0"])[0])
-    return {name for index, name in enumerate(sorted(names)) if index % 8 == count % 8}
+    return {name for index, name in enumerate(sorted(names)) if index % parts == count % parts}
