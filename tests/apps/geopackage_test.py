@@ -113,6 +113,7 @@ class GeoPackages(LaboratoryCase):
         self.assertEqual(missing.returncode, 3, missing.stderr)
         self.assertIn(str(self.folder / "none"), missing.stderr)
         wrong = self.export(name="a.sqlite")
+        self.assertEqual(wrong.returncode, 4, wrong.stderr)
         self.assertIn("must end in .gpkg", wrong.stderr)
 
 

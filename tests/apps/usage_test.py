@@ -37,7 +37,8 @@ class Usage(unittest.TestCase):
                           ["update", "x"], ["update", "x", "--batch", "y", "--grid", "z"],
                           ["simulate", "--output", "x", "--frames", "0"],
                           ["snapshot", "x", "--output", "y", "--size", "0x7"],
-                          ["query", "x", "--at", "1,2"]]:
+                          ["query", "x", "--at", "1,2"], ["query", "x", "--string", "chair"],
+                          ["export", "x", "--format", "octomap", "--output", "y.o"]]:
             with self.subTest(arguments):
                 result = run(*arguments)
                 self.assertEqual(result.returncode, 4, result.stderr)

@@ -139,11 +139,6 @@ void check(const ExportArguments& arguments) {
   const bool is_folder = format == ExportFormat::kClassGrids || format == ExportFormat::kViews ||
                          format == ExportFormat::kNav2;
   if (is_folder) keep_out_of_datasets("--output", output);
-  if (format == ExportFormat::kGeojson &&
-      !arguments.request.output.string().ends_with(".local.geojson")) {
-    throw CLI::ValidationError("--output",
-                               "must end in .local.geojson: it is in metres of the map");
-  }
   const auto fits = validate(arguments.request);
   if (!fits) throw CLI::ValidationError(fits.error().field, fits.error().what);
   const bool has_relations = format == ExportFormat::kGeojson || format == ExportFormat::kRelations;

@@ -76,7 +76,11 @@ std::optional<std::string> usage_fault(const QueryArguments& arguments) {
   if (!arguments.related.empty() && arguments.layer && *arguments.layer != kObjectsLayer) {
     return "relations are those of the objects of the 3D map, not of --layer " + *arguments.layer;
   }
-  if (!arguments.layer && arguments.related.empty() && !arguments.time.is_asked()) {
+  const bool has_layer = arguments.layer || !arguments.related.empty() || arguments.time.is_asked();
+  if (!has_layer && asks_layers(arguments)) {
+    return "--layer is needed: objects, or one of those that `hypermap info` lists";
+  }
+  if (!has_layer) {
     return "one of --layer, --nearest, --embedding, --why, --why-not, --on, --in, --under, "
            "--beside, --part-of, --rooms, --place, --route, --since, --until, --as-of and "
            "--session is needed";

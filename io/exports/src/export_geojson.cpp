@@ -98,12 +98,6 @@ Json feature_json(const SemanticObject& object,
 }  // namespace
 
 Result<WrittenFiles> export_geojson(const MapArchive& archive, const ExportRequest& request) {
-  // Plain .geojson promises longitude and latitude (RFC 7946); these are metres of the map.
-  if (!request.output.string().ends_with(".local.geojson")) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must end in .local.geojson, is '" + request.output.string() + "'",
-                "--output");
-  }
   HYPERMAP_ASSIGN_OR_RETURN(const Layer* layer,
                             wanted_layer<SemanticLayer>(archive, request, kSemanticLayerClass));
   const SemanticLayer& semantic = *layer->content.as<SemanticLayer>();

@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/octomap_tree.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
+#include "output_ending.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -31,31 +32,21 @@ bool is_empty(const OctomapTree& tree, const std::optional<std::set<ClassId>>& w
   });
 }
 
-Result<void> require_suffix(const ExportRequest& request, std::string_view suffixes) {
-  const std::string suffix = request.output.extension().string();
-  if (!suffix.empty() && suffixes.find(suffix) != std::string_view::npos) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "must end in " + std::string(suffixes) + ", is '" + request.output.string() + "'",
-              "--output");
-}
-
 }  // namespace
 
 Result<WrittenFiles> export_octomap(const MapArchive& archive, const ExportRequest& request) {
-  HYPERMAP_TRY(require_suffix(request, ".ot or .bt"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
   HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, octree_resolution_m(archive));
   const OctomapTree tree = occupancy_tree(only(shown_leaves(archive), wanted), resolution_m);
   if (is_empty(tree, wanted)) return WrittenFiles{};
   HYPERMAP_ASSIGN_OR_RETURN(
       const std::string bytes,
-      request.output.extension() == ".bt" ? write_octomap_binary(tree) : write_octomap(tree));
+      has_ending(request, ".bt") ? write_octomap_binary(tree) : write_octomap(tree));
   HYPERMAP_TRY(write_file_atomically(request.output, bytes));
   return WrittenFiles{request.output};
 }
 
 Result<WrittenFiles> export_color_octomap(const MapArchive& archive, const ExportRequest& request) {
-  HYPERMAP_TRY(require_suffix(request, ".ot"));
   HYPERMAP_ASSIGN_OR_RETURN(const auto wanted, wanted_classes(archive, request));
   HYPERMAP_ASSIGN_OR_RETURN(const double resolution_m, octree_resolution_m(archive));
   const OctomapTree tree = class_color_tree(only(shown_leaves(archive), wanted),

@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/archive/object_relations.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
+#include "output_ending.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -126,17 +127,11 @@ std::string relations_geojson(const WrittenGraph& written) {
 }  // namespace
 
 Result<WrittenFiles> export_relations(const MapArchive& archive, const ExportRequest& request) {
-  const std::string name = request.output.string();
-  const bool is_dot = name.ends_with(".dot");
-  if (!is_dot && !name.ends_with(".local.geojson")) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must end in .dot or .local.geojson, is '" + printable(name) + "'",
-                "--output");
-  }
   HYPERMAP_ASSIGN_OR_RETURN(const WrittenGraph written, written_graph(archive, request));
   if (written.graph.supports.empty()) return WrittenFiles{};
-  HYPERMAP_TRY(write_file_atomically(request.output,
-                                     is_dot ? relations_dot(written) : relations_geojson(written)));
+  HYPERMAP_TRY(write_file_atomically(
+      request.output,
+      has_ending(request, ".dot") ? relations_dot(written) : relations_geojson(written)));
   return WrittenFiles{request.output};
 }
 

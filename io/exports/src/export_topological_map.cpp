@@ -78,11 +78,6 @@ std::string topological_map_dot(const MapArchive& archive, std::span<const Verte
 
 Result<WrittenFiles> export_topological_map(const MapArchive& archive,
                                             const ExportRequest& request) {
-  const std::string name = request.output.string();
-  if (!name.ends_with(".dot")) {
-    return fail(
-        ErrorCode::kInvalidArgument, "must end in .dot, is '" + printable(name) + "'", "--output");
-  }
   if (!archive.topological_map || archive.topological_map->vertices().empty()) {
     return WrittenFiles{};
   }

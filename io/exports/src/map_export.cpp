@@ -6,6 +6,7 @@
 #include "hypermap/core/vocabulary/asked_names.hpp"
 #include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
+#include "output_ending.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,22 +34,6 @@ constexpr std::array<std::string_view, 13> kExportFormats{"ros-map",
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
-}
-
-/// The suffix, in upper or lower case, that the output of a format has when it has any.
-Result<void> check_suffix(const ExportRequest& request) {
-  const auto required = [&]() -> std::string_view {
-    if (request.format == ExportFormat::kPly) return ".ply";
-    if (request.format == ExportFormat::kGlb) return ".glb";
-    if (request.format == ExportFormat::kGeopackage) return ".gpkg";
-    return {};
-  }();
-  const std::string suffix = request.output.extension().string();
-  if (required.empty() || suffix.empty() || is_spelling_of(suffix, required)) return {};
-  return fail(
-      ErrorCode::kInvalidArgument,
-      "must end in " + std::string(required) + ", is '" + printable(request.output.string()) + "'",
-      "--output");
 }
 
 /// How to get what the map has of a class that was taken for a layer.
@@ -129,7 +114,7 @@ Result<void> validate(const ExportRequest& request) {
                 "class-grids has a grid for each",
                 "--class");
   }
-  return {};
+  return check_ending(request);
 }
 
 Result<std::optional<std::set<ClassId>>> wanted_classes(const MapArchive& archive,
@@ -204,7 +189,6 @@ Unexpected no_layer_of_kind(const MapArchive& archive,
 
 Result<WrittenFiles> export_map(const MapArchive& archive, const ExportRequest& request) {
   HYPERMAP_TRY(validate(request));
-  HYPERMAP_TRY(check_suffix(request));
   switch (request.format) {
     case ExportFormat::kRosMap:
       return export_ros_map(archive, request);

@@ -192,6 +192,12 @@ TEST(BoundedYaml, AnAliasIsACopy) {
   EXPECT_EQ(document.root().at("a")->value(), document.root().at("b")->value());
 }
 
+TEST(BoundedYaml, AnAliasOfNothingIsTakenForTextWithoutQuotes) {
+  const Error error = refused("color: rgb\ndepth: *.pgm\n");
+  EXPECT_EQ(error.line, 2);
+  EXPECT_THAT(error.what, HasSubstr("text that begins with * stands in quotes"));
+}
+
 TEST(BoundedYaml, ACycleOfAliasesIsRefused) {
   EXPECT_THAT(refused("a: &a [1, *a]\n").what, HasSubstr("within the value"));
   EXPECT_FALSE(parse_yaml("a: *nowhere\n", kSource));

@@ -107,7 +107,11 @@ Result<ValueTree> parse_tree(std::string_view bytes, const YamlLimits& limits) {
               .what = "nested deeper than " + std::to_string(limits.max_depth) + " levels",
               .line = deep.mark.line + 1});
   } catch (const YAML::Exception& exception) {
-    return tl::make_unexpected(malformed("is no YAML: " + exception.msg, exception.mark.line + 1));
+    const bool is_star = exception.msg == YAML::ErrorMsg::UNKNOWN_ANCHOR;
+    const std::string what =
+        is_star ? "nothing is called by the * here; text that begins with * stands in quotes"
+                : "is no YAML: " + exception.msg;
+    return tl::make_unexpected(malformed(what, exception.mark.line + 1));
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the document");
   } catch (const std::exception& exception) {

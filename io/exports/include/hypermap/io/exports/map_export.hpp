@@ -76,9 +76,10 @@ struct ExportRequest {
   std::optional<PlaceRules> place_rules = std::nullopt;
 };
 
-/// Whether the format has what is asked of it. Errors: kInvalidArgument naming the flag, "--layer",
-/// "--complete", "--class", "--without-objects", "--area", "--with-voxels", and the formats that it
-/// goes with.
+/// Whether the format has what is asked of it, and the output ends as its files do, in upper or
+/// lower case. Errors: kInvalidArgument naming the flag, "--layer", "--complete", "--class",
+/// "--without-objects", "--area", "--with-voxels", and the formats that it goes with, or "--output"
+/// and how it must end.
 [[nodiscard]] Result<void> validate(const ExportRequest& request);
 
 /// Writes the export; each file is replaced atomically, other files are never touched. Returns the
@@ -86,8 +87,8 @@ struct ExportRequest {
 ///
 /// Errors: kNotFound when the archive lacks what the format needs, naming what there is, or a class
 /// is not known, an area meets no cell, or nothing connects its frame; kUnsupported for a layer of
-/// another kind than the format needs; those of validate; kInvalidArgument for an output name that
-/// the format does not allow, or, as kTiles, kViews and kNav2, a folder with other files; kIo.
+/// another kind than the format needs; those of validate; kInvalidArgument for an output of
+/// kTiles, kViews or kNav2 that is a folder with other files; kIo.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> export_map(const MapArchive& archive,
                                                                     const ExportRequest& request);
 
