@@ -97,6 +97,13 @@ std::string text_of(const ClassEvidence& c, const ClassRegistry& classes) {
   return printable(classes.name(c.id)) + " " + fixed(c.probability.value(), 2);
 }
 
+/// The second class; "-" when there is none, or none that two digits do not round to 0: that is the
+/// lowest id of those that share what is left, and no runner-up.
+std::string runner_up_text(const std::vector<ClassEvidence>& all, const ClassRegistry& classes) {
+  const bool is_told = all.size() > 1 && all[1].probability.value() >= kLeastInText;
+  return is_told ? text_of(all[1], classes) : "-";
+}
+
 /// The classes that two digits do not round to 0; "-" when there are none.
 std::string text_of(const std::vector<ClassEvidence>& all, const ClassRegistry& classes) {
   std::string text;
@@ -170,7 +177,7 @@ class AnswerTable {
     const auto& all = one.beliefs->classes;
     row.push_back(fixed(one.beliefs->real.value(), 2));
     row.push_back(fixed(one.beliefs->class_entropy_nats, 2));
-    row.push_back(all.size() > 1 ? text_of(all[1], shown_.archive.classes) : "-");
+    row.push_back(runner_up_text(all, shown_.archive.classes));
     row.push_back(text_of(all, shown_.archive.classes));
   }
 

@@ -148,6 +148,23 @@ void print_removal(const Removal& removal, bool is_shown) {
   }
 }
 
+/// Which of the class and the runner-up outside knowledge favours, and by how much: nothing where
+/// two digits would say that the runner-up is 0.00 probable or that both have the same factor.
+void print_prior(const Explanation& why, const ClassRegistry& classes) {
+  const auto& all = why.beliefs.classes;
+  if (!why.prior || all[1].probability.value() < kLeastCounted) return;
+  const double ratio = why.prior->best / why.prior->runner_up;
+  const std::string times_as = fixed(std::max(ratio, 1.0 / ratio), 2);
+  if (times_as == "1.00") return;
+  const bool favours_best = ratio > 1.0;
+  print_line("prior",
+             "outside knowledge makes " + printable(classes.name(all[favours_best ? 0 : 1].id)) +
+                 " " + times_as + " times as probable against " +
+                 printable(classes.name(all[favours_best ? 1 : 0].id)) +
+                 (why.prior->is_of_each_observation ? " in the newest observation"
+                                                    : " as detections alone"));
+}
+
 /// When it was detected first and last, and when a newer frame that should have shown it did not.
 void print_moments(const Explanation& why, const MapArchive& archive) {
   if (why.first) print_line("first seen", moment_text(*why.first, archive));
@@ -169,6 +186,7 @@ void print_object(const Explanation& why, const MapArchive& archive, bool is_sho
              "confidence " + fixed(why.confidence.value(), 2) + ": real " +
                  fixed(why.beliefs.real.value(), 2) + "; " +
                  classes_text(why.beliefs, archive.classes));
+  print_prior(why, archive.classes);
   std::uint64_t num_detections = 0;
   for (const Naming& naming : why.namings) num_detections += naming.num_detections;
   print_line("seen",

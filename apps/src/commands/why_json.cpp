@@ -105,6 +105,16 @@ Json json_of(const Removal& removal) {
           {"removed_below_confidence", std::move(threshold)}};
 }
 
+/// Factors of the class and of the runner-up; null where nothing is known besides detections.
+Json prior_json(const Explanation& why, const ClassRegistry& classes) {
+  if (!why.prior) return nullptr;
+  const auto& all = why.beliefs.classes;
+  Json factors = {{{"name", classes.name(all[0].id)}, {"factor", why.prior->best}},
+                  {{"name", classes.name(all[1].id)}, {"factor", why.prior->runner_up}}};
+  return {{"classes", std::move(factors)},
+          {"of_each_observation", why.prior->is_of_each_observation}};
+}
+
 Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
   const ClassRegistry& classes = archive.classes;
   Json out{{"id", why.id.value},
@@ -124,6 +134,7 @@ Json json_of(const Explanation& why, const MapArchive& archive, bool is_shown) {
     out["classes"].push_back(
         {{"name", classes.name(c.id)}, {"probability", c.probability.value()}});
   }
+  out["prior"] = prior_json(why, classes);
   for (const MissedCondition& missed : why.missed_conditions) {
     Json one{{"condition", key_of(missed.condition)}};
     if (missed.condition == Condition::kOwnPlace) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -115,6 +116,22 @@ Removal removal_of(const Object& object, const GoneRule& gone, const AbsenceOpti
   return removal;
 }
 
+/// Factors that are nearer to 1 say nothing: maps of before such were left out have 1 - 1e-16.
+constexpr double kLeastPriorChange = 1e-6;
+
+std::optional<PriorFactors> prior_factors_of(const Object& object,
+                                             std::span<const ClassEvidence> classes) {
+  if (object.prior.empty() || classes.size() < 2) return std::nullopt;
+  const PriorFactors factors{
+      .best = object.prior.factor(classes[0].id),
+      .runner_up = object.prior.factor(classes[1].id),
+      .is_of_each_observation = object.belief.options().tempering == ClassTempering::kNone ||
+                                object.observation_log.num_detections() == 0};
+  const auto is_one = [](double factor) { return std::abs(factor - 1.0) < kLeastPriorChange; };
+  if (is_one(factors.best) && is_one(factors.runner_up)) return std::nullopt;
+  return factors;
+}
+
 }  // namespace
 
 std::optional<Explanation> explain(const ObjectMap& objects,
@@ -136,6 +153,7 @@ std::optional<Explanation> explain(const ObjectMap& objects,
                   .directions = directions_of(log),
                   .missed_detections = missed_detections_of(log),
                   .removal = removal_of(*object, confirmation.gone, absence)};
+  out.prior = prior_factors_of(*object, out.beliefs.classes);
   if (!log.newest.empty()) out.newest = log.newest.back();
   if (out.last_seen) out.last_seen_frame = out.last_seen->frame_index;
   for (ConfirmationResult& result : confirmation_results(objects, confirmation)) {

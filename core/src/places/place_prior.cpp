@@ -34,6 +34,9 @@ constexpr OptionRow kPlacePriorRows[] = {
         "min_real", {0, 1}, {.effect = "Less real objects tell nothing of the place."}),
 };
 
+/// Smaller logarithms of a factor are the rounding of numbers that are equal.
+constexpr double kLeastLogFactor = 1e-9;
+
 /// Whether what was observed may be this object.
 bool may_be(const Observation& observation, const Object& object) {
   return object.box.contains(observation.segment.centroid_in_map) ||
@@ -113,7 +116,8 @@ ClassPrior PlacePrior::prior_of(const Observation& observation,
     if (!classes.contains(one.id)) continue;
     const std::string name = canonical_class_name(classes.name(one.id));
     const double log_factor = std::log(belonging_factor(classifier_.rules(), name, place));
-    if (log_factor >= 0.0) continue;  // it is at home here, which makes it no likelier than others
+    // What is at home here is no likelier for that than others.
+    if (log_factor > -kLeastLogFactor) continue;
     log_factors.push_back({one.id, LogOdds(std::max(log_factor, -most))});
   }
   return ClassPrior::create(std::move(log_factors)).value_or(ClassPrior{});

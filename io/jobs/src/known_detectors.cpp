@@ -60,6 +60,12 @@ Result<Loaded<StackingModel>> model_of_stacking(
   }
   Loaded<StackingModel> loaded{.value = stacking_model(options, detectors),
                                .findings = check_weights(options, detectors)};
+  if (options.rule == StackingRule::kWeighted && options.weights.empty()) {
+    loaded.findings.push_back(
+        {.error = {.what = "must name a detector where stacking.rule is weighted, names none: all "
+                           "weigh 1, as by rule sum (--weights NAME=WEIGHT)",
+                   .field = "stacking.weights"}});
+  }
   if (!combiner) return loaded;
   HYPERMAP_ASSIGN_OR_RETURN(const CombinerModel model, read_combiner(*combiner));
   auto bound = TrainedCombiner::bind(model, detectors, classes);

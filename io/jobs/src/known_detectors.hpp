@@ -26,9 +26,10 @@ namespace hypermap {
                                                     NetworkForm form);
 
 /// What the rules of stacking need to know of the detectors; the classes of a combiner are added to
-/// `classes`. Findings: those of check_weights; detectors that the combiner does not know.
-/// Errors: those of read_combiner and TrainedCombiner::bind; kInvalidArgument, field
-/// `stacking.rule`, for rule trained without a combiner, and for a combiner with another rule.
+/// `classes`. Findings: those of check_weights; rule weighted without any weight; detectors that
+/// the combiner does not know. Errors: those of read_combiner and TrainedCombiner::bind;
+/// kInvalidArgument, field `stacking.rule`, for rule trained without a combiner, and for a combiner
+/// with another rule.
 [[nodiscard]] Result<Loaded<StackingModel>> model_of_stacking(
     const StackingOptions& options,
     const std::optional<std::filesystem::path>& combiner,

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -174,6 +176,54 @@ TEST(Explanation, ItsConfidenceIsThatOfTheLayers) {
   const Explanation why = explain(map, id, confirmation).value();
   EXPECT_EQ(why.confidence, object_confidence(map.at(id), confirmation.confidence));
   EXPECT_NE(why.confidence, explain(map, id).value().confidence);
+}
+
+// [smap] Eq. (3.17). Views: from the first bearing cup alone, sqrt 5; from the second cup 3 of 4
+// and vase 1, 3/2 and 1/2. Weights 4 (sqrt 5 + 3/2)^2, 1/4 and 0.2 of all that were never named:
+// cup is first, vase the runner-up.
+TEST(Explanation, TellsWhatOutsideKnowledgeSaysOfTheClassAndTheRunnerUp) {
+  Object object = cup();
+  EXPECT_EQ(explained(object).prior, std::nullopt);
+  object.prior =
+      ClassPrior::create({{kNamedCup, LogOdds(std::log(4.0))}, {kNamedVase, LogOdds(-1e-16)}})
+          .value();
+  const Explanation why = explained(object);
+  const double cup_weight = 4.0 * std::pow(std::sqrt(5.0) + 1.5, 2);
+  EXPECT_NEAR(why.beliefs.classes[1].probability.value(), 0.25 / (cup_weight + 0.45), 1e-9);
+  ASSERT_TRUE(why.prior.has_value());
+  EXPECT_NEAR(why.prior->best, 4.0, 1e-12);
+  EXPECT_NEAR(why.prior->runner_up, 1.0, 1e-12);
+  EXPECT_FALSE(why.prior->is_of_each_observation);
+}
+
+TEST(Explanation, OfKnowledgeThatIsNoneOrOfOneClassItTellsNothing) {
+  Object object = cup();
+  object.prior =
+      ClassPrior::create({{kNamedCup, LogOdds(-1e-16)}, {kNamedVase, LogOdds(2e-16)}}).value();
+  EXPECT_EQ(explained(object).prior, std::nullopt) << "rounding";
+  object.prior = ClassPrior::create({{kNamedCup, LogOdds(1.0)}}).value();
+  EXPECT_TRUE(explained(object).prior.has_value());
+  object.observation_log = {};
+  object.observation_log.add(detection(0, kNamedCup, 0.1, 0.5F));
+  object.belief = {};
+  object.belief.observe(std::vector<ClassEvidence>{{kNamedCup, Probability(0.8)}},
+                        Probability(0.5));
+  EXPECT_EQ(explained(object).prior, std::nullopt) << "no other class is known of it";
+}
+
+TEST(Explanation, UnderTheSumThePriorIsThatOfTheNewestObservation) {
+  Object object = cup();
+  ClassBeliefOptions options;
+  options.tempering = ClassTempering::kNone;
+  object.belief = ClassBelief::create(options).value();
+  object.belief.observe(
+      std::vector<ClassEvidence>{{kNamedCup, Probability(0.8)}, {kNamedVase, Probability(0.2)}},
+      Probability(0.5));
+  object.prior = ClassPrior::create({{kNamedVase, LogOdds(-1.0)}}).value();
+  const Explanation why = explained(object);
+  ASSERT_TRUE(why.prior.has_value());
+  EXPECT_TRUE(why.prior->is_of_each_observation);
+  EXPECT_NEAR(why.prior->runner_up, std::exp(-1.0), 1e-12);
 }
 
 TEST(Explanation, OfWhatIsGoneSaysSo) {

@@ -102,6 +102,21 @@ TEST_F(PlacePriorTest, OfAPlaceOfWhichNothingIsKnownItSaysNothing) {
   EXPECT_TRUE(prior_of(doubtful_at({0.2, 0, 1})).empty()) << "seen once, it is hardly real";
 }
 
+// [smap] Eq. (3.17), p(x): of three places alike the first has 20 times as many ovens as the
+// others: (20 + 1 + 1) / 3 through the mean (20 + 1 + 1) / 3 is 1, which doubles round to 1
+// - 1.1e-16.
+TEST_F(PlacePriorTest, RoundingIsNoKnowledge) {
+  for (const double weight : {5.0, 7.0, 20.0, 25.0, 40.0, 50.0}) {
+    PlaceRules rules;
+    rules.places = {"kitchen", "living room", "office"};
+    rules.belongings = {{"oven", {{"kitchen", weight}}}};
+    const auto prior = PlacePrior::create(rules, {.source = ClassPriorKind::kPlaces}).value();
+    Observation observation = doubtful_at({0.2, 0, 1});
+    observation.class_scores = {{oven, Probability(0.5)}, {sofa, Probability(0.5)}};
+    EXPECT_TRUE(prior.prior_of(observation, objects, places, classes).empty()) << weight;
+  }
+}
+
 TEST_F(PlacePriorTest, WhatIsAtHomeIsNotMoreProbableForThat) {
   put(sofa, {1.2, 0, 1});
   Observation observation = doubtful_at({0.2, 0, 1});

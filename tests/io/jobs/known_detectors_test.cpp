@@ -155,6 +155,24 @@ TEST(KnownDetectors, WeightsDecideBetweenThem) {
       HasSubstr("stacking.weights: no detector is named \"yollo\", did you mean \"yolo\"?"));
 }
 
+TEST(KnownDetectors, RuleWeightedWithoutWeightsIsSaid) {
+  const TempDir folder;
+  test::write_block_dataset(folder / "data", kNumNamedFrames);
+  test::write_text(folder / "yolo.jsonl",
+                   words_of(R"({"name": "yolo", "classes": ["chair", "bed", "cup"]})", "chair"));
+  MappingJob job{.input = folder / "data", .output = folder / "a.hmap"};
+  job.dataset.detections = {folder / "yolo.jsonl"};
+  job.up_axis = "z";
+  job.mapper.num_threads = 1;
+  job.mapper.objects.stacking.rule = StackingRule::kWeighted;
+  const auto report = run_mapping(job);
+  ASSERT_TRUE(report) << to_string(report.error());
+  ASSERT_THAT(report->findings, SizeIs(1));
+  EXPECT_EQ(to_string(report->findings[0].error),
+            "stacking.weights: must name a detector where stacking.rule is weighted, names none: "
+            "all weigh 1, as by rule sum (--weights NAME=WEIGHT)");
+}
+
 TEST(KnownDetectors, OfAMapFromBeforeTheyWereKeptTheIdsAreTaken) {
   const TempDir folder;
   const MappingJob job = mapped_by_yolo(folder);

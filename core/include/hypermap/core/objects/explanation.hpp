@@ -58,6 +58,16 @@ struct Removal {
   friend bool operator==(const Removal&, const Removal&) = default;
 };
 
+/// How many times as probable outside knowledge makes the class that an object is shown as, and the
+/// runner-up. Source: [smap] Eq. (3.17).
+struct PriorFactors {
+  double best = 1.0;
+  double runner_up = 1.0;
+  /// Whether each observation had one and these are of the newest; else they hold once for all.
+  bool is_of_each_observation = false;
+  friend bool operator==(const PriorFactors&, const PriorFactors&) = default;
+};
+
 /// All that decides whether and as what an object is shown.
 struct Explanation {
   ObjectId id;
@@ -73,6 +83,8 @@ struct Explanation {
   std::vector<std::uint8_t> directions;  ///< Bearing bins with a detection, ascending.
   MissedDetections missed_detections;
   Removal removal;
+  /// None where it says nothing of both, or there is no runner-up.
+  std::optional<PriorFactors> prior = std::nullopt;
   friend bool operator==(const Explanation&, const Explanation&) = default;
 };
 
