@@ -219,7 +219,7 @@ class Names(Case):
                           ["export", self.archive, "--format", "octomap", "--output", "-"]):
             with self.subTest(arguments):
                 self.assertEqual(run(*arguments).returncode, 4)
-        self.assertEqual(run("export", self.archive, "--format", "ply", "--output", self.folder / "x.jpg").returncode, 2)
+        self.assertEqual(run("export", self.archive, "--format", "ply", "--output", self.folder / "x.jpg").returncode, 4)
         self.assert_names()
 
     def test_areas_are_taken_in_both_forms(self):

@@ -3,6 +3,7 @@
 """Each equation of tests/tools/equations.txt has a header, a test and a user; prints which file has which."""
 
 import collections
+import pathlib
 import re
 import sys
 
@@ -17,6 +18,7 @@ JOINED = r"(?:,\s*and\s*|,\s*|\s+and\s+|\s+to\s+)"
 EQUATIONS = re.compile(rf"Eqs?\.\s*(\({NUMBER}\)(?:{JOINED}(?:Eqs?\.\s*)?\({NUMBER}\))*)")
 DRAWN = re.compile(rf"(pseudocode|figure)s?\s+({NUMBER}(?:{JOINED}{NUMBER}\b)*)")
 MEMBER = re.compile(r"(to\s+(?:Eqs?\.\s*)?)?\(?\b(\d+|[A-Z])(?:\.(\d+))?\b\)?")
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 NOT_YET = "not yet"
 
 Row = collections.namedtuple("Row", "what used note line")
@@ -97,6 +99,13 @@ def declares(code, used):
     return re.search(rf"\b{last_word(used)}\b", code) is not None
 
 
+def is_free_function(code, used):
+    """Whether a header that has it has a function, and neither a method nor a type with constructors."""
+    word = last_word(used)
+    is_type = re.search(rf"^(?:struct|class|enum class) {word}\b", code, re.MULTILINE)
+    return "." not in used and not is_type and re.search(rf"\b{word}\(", code) is not None
+
+
 def is_own_file(code, used):
     """Whether it defines what is used at the start of a line: a method, or a function or type."""
     word = last_word(used)
@@ -106,11 +115,45 @@ def is_own_file(code, used):
                      code, re.MULTILINE) is not None
 
 
-def is_used(code, used):
-    return re.search(rf"(?<!\w){re.escape(used)}(?!\w)", code) is not None and not is_own_file(code, used)
+def is_used(code, used, is_function):
+    """Whether it is named; a free function must be called, since a field may have its name."""
+    name = rf"(?<![\w.>]){re.escape(used)}(?:<[^;()]*>)?\(" if is_function else rf"(?<!\w){re.escape(used)}(?!\w)"
+    return re.search(name, code) is not None and not is_own_file(code, used)
 
 
-def faults_of(equation, row, headers, tests, codes):
+def folder_of_sources(path):
+    """The folder that a quoted name which is no public header is looked for in, besides the file's own."""
+    parts = path.parts
+    return pathlib.Path(*parts[:parts.index("src") + 1]) if "src" in parts else path.parent
+
+
+def included_by(paths):
+    """By file, the headers of ours that it includes."""
+    public = {path.as_posix().rpartition("/include/")[2]: path for path in paths if "include" in path.parts}
+    known = set(paths)
+    found = {}
+    for path in paths:
+        names = INCLUDE.findall(source_tree.without_comments(source_tree.read(path)))
+        places = [[public.get(name), path.parent / name, folder_of_sources(path) / name] for name in names]
+        found[path] = {place for choices in places for place in choices if place in known}
+    return found
+
+
+def sees(path, used, declaring, includes):
+    """Whether it includes one of the headers, itself or by at most two headers of ours.
+
+    A member, which is written with what has it, is seen by any way: it comes with the type of something else.
+    """
+    seen, new = {path}, {path}
+    steps = 0
+    while new and ("." in used or steps < 3):
+        new = set().union(*(includes[one] for one in new)) - seen
+        seen |= new
+        steps += 1
+    return not declaring.isdisjoint(seen)
+
+
+def faults_of(equation, row, headers, tests, codes, includes):
     """What is missing of one equation."""
     cited = headers.get(equation, [])
     if row.used == NOT_YET:
@@ -121,10 +164,13 @@ def faults_of(equation, row, headers, tests, codes):
     if not tests.get(equation):
         faults.append("is cited by no test")
     for used in re.split(r",\s*", row.used):
-        if cited and not any(declares(codes[path], used) for path in cited):
+        declaring = {path for path in cited if declares(codes[path], used)}
+        if cited and not declaring:
             faults.append(f"is cited by no header that has {used}")
-        if not any(is_used(code, used) for code in codes.values()):
-            faults.append(f"has no caller: nobody uses {used} outside its own file and tests")
+        is_function = any(is_free_function(codes[path], used) for path in declaring)
+        if not any(is_used(code, used, is_function) and sees(path, used, declaring, includes)
+                   for path, code in codes.items()):
+            faults.append(f"has no caller: nobody who sees its header uses {used} outside its own file and tests")
     return faults
 
 
@@ -134,10 +180,11 @@ def check(root):
     # Benchmarks are callers: figures of merit are there to be measured.
     paths = source_tree.files(root, (*source_tree.FOLDERS, "tests/bench"), [".hpp", ".cpp"])
     codes = {path: source_tree.without_comments_and_strings(source_tree.read(path)) for path in paths}
+    includes = included_by(paths)
     problems = []
     for (key, number), row in rows.items():
         problems += [f"{LIST_FILE}:{row.line}: [{key}] {number} {fault}"
-                     for fault in faults_of((key, number), row, headers, tests, codes)]
+                     for fault in faults_of((key, number), row, headers, tests, codes, includes)]
     for (key, number), cited in sorted(headers.items(), key=order):
         if not number.startswith("("):
             continue
@@ -175,9 +222,14 @@ GOOD = {
     HEADER: "/// Source: [smap] Eq. (3.14) to\n/// (3.15), figures 3.22 and 3.23, Eq. (F.1).\n"
             "/// Source: [sogm] Eq. (7).\n[[nodiscard]] int combine(int a);\nstruct Angle {\n  void merge();\n};\n",
     SOURCE: "int combine(int a) {\n  return a;\n}\n",
-    "core/src/b.cpp": "int b(Angle a) {\n  bins.merge();\n  return combine(1);\n}\n",
+    "core/src/b.hpp": '#include "hypermap/core/a.hpp"\n',
+    "core/src/c.hpp": '#include "b.hpp"\n',
+    "core/src/d.hpp": '#include "c.hpp"\n',
+    "core/src/c.cpp": '#include "d.hpp"\nvoid c() {\n  bins.merge();\n}\n',
+    "core/src/inner/b.cpp": '#include "c.hpp"\nint b(Angle a) {\n  return combine(1);\n}\n',
     TEST: "// [smap] Eq. (3.14), Eq. (3.15) and (F.1), figure 3.23\n\n// [sogm] Eq. (7) to (9)\n",
 }
+CALLER = "core/src/inner/b.cpp"
 BAD = [
     ("no header", {LIST_FILE: GOOD[LIST_FILE] + "[smap] (3.19) | g | combine |\n",
                    TEST: GOOD[TEST] + "\n// [smap] Eq. (3.19)\n"}),
@@ -185,11 +237,25 @@ BAD = [
     ("figure without test", {LIST_FILE: GOOD[LIST_FILE],
                              TEST: "// [smap] Eq. (3.14), (3.15), (F.1), [sogm] Eq. (7)\n"}),
     ("no caller but tests and its own file",
-     {LIST_FILE: GOOD[LIST_FILE], "core/src/b.cpp": "int b(Angle a) { bins.merge(); }\n",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: '#include "b.hpp"\nint b(Angle a);\n',
       SOURCE: "int combine(int a) {\n  return a;\n}\nint c() {\n  return combine(1);\n}\n",
       TEST: GOOD[TEST] + "int d = combine(2);\n"}),
     ("named by a comment alone",
-     {LIST_FILE: GOOD[LIST_FILE], "core/src/b.cpp": "// combine(1) of Angle\nint b() { bins.merge(); }\n"}),
+     {LIST_FILE: GOOD[LIST_FILE],
+      CALLER: '#include "b.hpp"\n// combine(1) of Angle\nint b();\n'}),
+    ("called by a file that has another of the name, and not the header",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: '#include "b.hpp"\nint b(Angle a);\n',
+      "apps/src/c.cpp": "int c() {\n  const auto combine = [](int a) { return a; };\n  return combine(1);\n}\n"}),
+    ("the name of a field alone",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: GOOD[CALLER].replace("combine(1)", "stages.combine")}),
+    ("a method of the name",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: GOOD[CALLER].replace("combine(1)", "pot->combine(1)")}),
+    ("its header included by a comment alone",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: GOOD[CALLER].replace("#include", "// #include")}),
+    ("a member of nothing that is included",
+     {LIST_FILE: GOOD[LIST_FILE], "core/src/c.cpp": GOOD["core/src/c.cpp"].replace("#include", "// #include")}),
+    ("its header three headers away",
+     {LIST_FILE: GOOD[LIST_FILE], CALLER: GOOD[CALLER].replace("c.hpp", "d.hpp")}),
     ("a function that the citing header lacks",
      {LIST_FILE: GOOD[LIST_FILE].replace("| a | combine", "| a | b")}),
     ("built, and still not yet", {LIST_FILE: GOOD[LIST_FILE],
