@@ -156,6 +156,23 @@ TEST(FlatTop, IsNoneOfAGapInFrontOfWhatIsBelowIt) {
   for (const Eigen::Vector3f& point : box.top()) EXPECT_GE(point.z(), 1.98F);
 }
 
+TEST(FlatTop, IsNotThatOfAnotherThingInFrontWhichIsAsHigh) {
+  FrontOfABox box;
+  box.fill(kWallEnd, 85, 6.0F);
+  const std::size_t num_points = box.top().size();
+  // From column 40 on something nearer hides the front. Its top is as high and not measured, its
+  // own front begins at row 120, 0.495 / 0.3475 = 1.42 m away.
+  for (int x = 40; x < kColumns; ++x) {
+    for (int y = kEdge; y < kRows; ++y) {
+      box.window.depth_m[box.window.cell(x, y)] = y < 120 ? 0.0F : 1.42F;
+      box.is_object[box.window.cell(x, y)] = 0;
+    }
+  }
+  const auto points = box.top();
+  for (const Eigen::Vector3f& point : points) EXPECT_GE(point.z(), 1.94F);
+  EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
+}
+
 /// 1 from that row on.
 MaskImage mask_from(int row) {
   MaskImage mask(kColumns, kRows);

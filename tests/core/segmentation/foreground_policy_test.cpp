@@ -55,6 +55,20 @@ INSTANTIATE_TEST_SUITE_P(Office,
                                          Expected{kChair, 0.85},
                                          Expected{kCupboard, 0.7} /* a sliver at the edge */));
 
+TEST(ForegroundPlanes, ThatCutASurfaceTakeNothingOfIt) {
+  BoxScene scene;
+  scene.add(kFloor, {-1, -4, -0.1}, {6, 4, 0}).add(kWall, {5, -4, 0}, {5.1, 4, 3});
+  scene.add(kTable, {1.7, -1.6, 0.72}, {2.6, -0.35, 0.75});  // tops that go on beside the board
+  scene.add(kTable, {1.7, 0.35, 0.72}, {2.6, 1.6, 0.75});
+  scene.add(kChair, {2.0, -0.25, 0.0}, {2.05, 0.25, 1.0});
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const SceneView view = scene.view(test::look_at({0, 0, 1.4}, {2.0, 0, 0.7}), seed);
+    const auto found = segment(view.frame, detection_of(view, kChair), {});
+    ASSERT_TRUE(found.has_value()) << to_string(found.error());
+    EXPECT_GE(test::pixel_overlap(found->pixel_indices, view.truth, kChair), 0.97);
+  }
+}
+
 TEST(ForegroundPoints, AreFineOnSmallThingsAndBoundedOnLargeOnes) {
   const SceneView view = office_view(4);
   EXPECT_GE(segment(view.frame, detection_of(view, kMouse), {})->points_in_map.size(), 100U);

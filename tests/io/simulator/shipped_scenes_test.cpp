@@ -114,6 +114,8 @@ TEST_P(ShippedScene, ShowsWhatItHolds) {
 INSTANTIATE_TEST_SUITE_P(All,
                          ShippedScene,
                          testing::Values("apartment",
+                                         "cafe",
+                                         "classroom",
                                          "flat",
                                          "floor",
                                          "hall",

@@ -43,6 +43,7 @@ struct CellAbove {
 struct LevelEdge {
   float height_m = 0.0F;  ///< Above the camera; negative.
   std::vector<CellAbove> above;
+  std::vector<float> nearest_m;  ///< For each column: a top begins behind its edge.
   Eigen::Vector3f middle_in_camera = Eigen::Vector3f::Zero();
   float length_m = 0.0F;
 };
@@ -92,6 +93,8 @@ class FlatTop {
       if (x < box.u_begin || x >= box.u_end || y < box.v_begin || y >= box.v_end) return;
       const std::size_t cell = window_.cell(x, y);
       if (is_gap[cell] != 0 || !is_unmeasured(cell) || !is_flat(x, y, edge.height_m)) return;
+      const float depth_m = plane_depth_m(lower_ray(x, y), edge.height_m);
+      if (depth_m < edge.nearest_m[static_cast<std::size_t>(x)]) return;
       is_gap[cell] = 1;
       open.push_back({x, y});
     };
@@ -198,7 +201,22 @@ class FlatTop {
       edge.middle_in_camera += point / static_cast<float>(edge.above.size());
     }
     edge.length_m = (highest - lowest).norm();
+    edge.nearest_m = nearest_depths_m(edge.above, edge.height_m);
     return edge;
+  }
+
+  /// Depth in each column at which the plane begins behind the edge, less what tells two surfaces
+  /// apart; where the edge is not seen the least of all columns. Requires: a cell.
+  [[nodiscard]] std::vector<float> nearest_depths_m(const std::vector<CellAbove>& above,
+                                                    float height_m) const {
+    const auto depth_m = [&](const CellAbove& cell) {
+      return plane_depth_m(lower_ray(cell.x, cell.y), height_m) -
+             window_.step_m[window_.cell(cell.x, cell.y + 1)];
+    };
+    const float least_m = depth_m(*std::ranges::min_element(above, {}, depth_m));
+    std::vector<float> depths_m(static_cast<std::size_t>(window_.width()), least_m);
+    for (const CellAbove& cell : above) depths_m[static_cast<std::size_t>(cell.x)] = depth_m(cell);
+    return depths_m;
   }
 
   /// What remains of the marked cells when squares of `side` cells are all that may cover them.

@@ -17,11 +17,12 @@ namespace hypermap {
 /// from the sensor.
 ///
 /// A gap in the depth above a level edge of the object shows its top where rays meet the plane of
-/// the edge flatter than sensors measure (70 degrees from its normal). Any level surface behind the
-/// object is seen as flat, so the gap ends with the mask where there is one, else where something
-/// is measured again, or a tenth of the box's height below the box's upper border when nothing is,
-/// for there a detector's inaccuracy is all that ends it. All of it is refused when more than a
-/// tenth lies farther than 1.25 lengths of the edge from its middle.
+/// the edge flatter than sensors measure (70 degrees from its normal). It begins behind the edge:
+/// what lies nearer is the top of something else, which may be as high. Any level surface behind
+/// the object is seen as flat, so the gap ends with the mask where there is one, else where
+/// something is measured again, or a tenth of the box's height below the box's upper border when
+/// nothing is, for there a detector's inaccuracy is all that ends it. All of it is refused when
+/// more than a tenth lies farther than 1.25 lengths of the edge from its middle.
 ///
 /// `is_object` is 1 on the cells of the object. Frame: camera; unit: metre; no farther apart than
 /// `spacing_m` along the line of sight. Empty when there is no such gap, for things lower than 0.3

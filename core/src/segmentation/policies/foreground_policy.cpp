@@ -6,6 +6,7 @@
 #include "pixel_shares.hpp"
 #include "segmentation/background_planes.hpp"
 #include "segmentation/plane_growth.hpp"
+#include "segmentation/plane_slices.hpp"
 #include "segmentation/voxel_grid.hpp"
 #include "segmentation_policies.hpp"
 #include "surface_choice.hpp"
@@ -257,7 +258,8 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
       frame.map_from_camera.isometry().linear().cast<float>();
   const std::vector<Plane> planes =
       background_planes(window, gravity_aligned_from_camera.row(2).transpose(), foreground);
-  const std::vector<std::uint8_t> kind = plane_of_cells(window, planes, foreground);
+  const std::vector<std::uint8_t> kind =
+      without_slices(window, planes, plane_of_cells(window, planes, foreground));
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
