@@ -212,6 +212,21 @@ class KnownAnswers(unittest.TestCase):
         names = {hit["name"] for hit in self.results("--area", "3 -2,3 -1,2 -1,2 -2")}
         self.assertEqual(names, {"table", "tvmonitor", "chair"})
 
+    def test_the_nearest_where_no_archive_has_3d_objects(self):
+        for name in ("map_t16", "lab_rosbag_t1_intersection", "semantic_gt_2019-04-23-12-51-46"):
+            with self.subTest(name):
+                path = DATA / f"hmap/{name}.hmap"
+                chairs = json.loads(run("query", path, "--layer", "semantic", "--string", "chair", "--json").stdout)
+                away = {one["id"]: math.dist(one["position"], (0, 0)) for one in chairs["results"]}
+                told = run("query", path, "--nearest", "Chair", "--at", "0,0", "--top", 2, "--json")
+                self.assertIn(told.returncode, (0, 1), told.stderr)
+                found = json.loads(told.stdout)["results"]
+                self.assertEqual([one["id"] for one in found], sorted(away, key=away.get)[:2])
+                self.assertAlmostEqual(found[0]["distance_m"], away[found[0]["id"]], delta=1e-9)
+                self.assertIn("1 found", run("query", path, "--nearest", "chair", "--at", "0,0").stdout)
+                high = run("query", path, "--nearest", "chair", "--at", "0,0,1")
+                self.assertEqual((high.returncode, "--at takes 2 numbers" in high.stderr), (4, True), high.stderr)
+
     def test_every_archive_loads(self):
         for path in sorted((DATA / "hmap").glob("*.hmap")):
             with self.subTest(path.name):

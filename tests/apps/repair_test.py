@@ -66,7 +66,11 @@ class Repair(SmallLaboratoryCase):
     def test_a_lost_configuration_is_made_anew(self):
         self.without("hmap_config.yaml")
         self.repaired()
-        self.assertEqual(self.layers(self.output), self.layers(self.map))
+        expected = self.layers(self.map)
+        for name in ("occupancy", "semantic"):
+            self.assertTrue(expected[name]["subscribe_mode"])
+            expected[name]["subscribe_mode"] = False  # flags are lost with the configuration (docs/DAMAGE.md)
+        self.assertEqual(self.layers(self.output), expected)
 
     def test_what_depends_on_nothing_else_is_lost_alone(self):
         self.without("objects.jsonl", "octree.bt")

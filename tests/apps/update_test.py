@@ -93,6 +93,25 @@ class Updates(unittest.TestCase):
         self.assertEqual(self.names(self.map, "fixed"), {0: "chair", 1: "table", 2: "cup"})
         self.assertEqual(run("check", self.map).returncode, 0)
 
+    def test_info_tells_the_flags_that_are_not_at_their_default(self):
+        self.assertIn("\nfixed: enable_update false\n", self.done("info", self.map))
+        self.assertNotIn("subscribe_mode", self.done("info", self.map))
+        keys = ("load_file", "subscribe_mode", "enable_update")
+        flags = {layer["name"]: [layer[key] for key in keys]
+                 for layer in json.loads(self.done("info", self.map, "--json"))["layers"]}
+        self.assertEqual(flags, {"occupancy": [True, False, True], "semantic": [True, False, True],
+                                 "fixed": [True, False, False]})
+
+    def test_a_layer_that_is_not_loaded_cannot_keep_an_update_and_it_is_said_how_it_can(self):
+        config = self.folder / "empty.yaml"
+        config.write_text("layers:\n- {class: SemanticLayer, name: semantic, frame_id: map, load_file: false}\n")
+        batch = self.write("add.yaml", BATCH[:BATCH.index("modify")])
+        refused = run("update", config, "--batch", batch, "--output", self.folder / "kept.hmap")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("layer semantic: has content, yet load_file is false, so it would be lost: "
+                      "its configuration must say load_file: true", refused.stderr)
+        self.assertFalse((self.folder / "kept.hmap").exists())
+
     def test_what_cannot_be_done_changes_nothing(self):
         batch = self.write("batch.yaml", BATCH)
         self.assertIn("fixed takes no updates, as its enable_update says",

@@ -88,6 +88,17 @@ std::string lattice_text(const LayerSummary& layer) {
          fixed(grid.yaw_rad * 180.0 / std::numbers::pi, 2) + " degrees";
 }
 
+/// "fixed: load_file false, enable_update false"; nothing where all flags are at their default.
+std::string changed_flags_text(const LayerSummary& layer) {
+  const LayerFlags flags = layer.flags.value_or(LayerFlags{});
+  if (flags == LayerFlags{}) return "";
+  std::string text;
+  if (!flags.load_file) text += ", load_file false";
+  if (flags.subscribe_mode) text += ", subscribe_mode true";
+  if (!flags.enable_update) text += ", enable_update false";
+  return printable(layer.name) + ": " + text.substr(2);
+}
+
 /// "morning: 0.0 s to 33.2 s, from lab".
 std::string session_text(const MapSession& session) {
   std::string text = printable(name_of(session)) + ": ";
@@ -99,10 +110,14 @@ std::string session_text(const MapSession& session) {
   return text + ", from " + printable(session.input);
 }
 
-/// How grids lie, and what stacks and supercells are made of.
+/// How grids lie, which flags of layers are set, and what stacks and supercells are made of.
 void print_parts(const ArchiveInfo& info) {
   for (const LayerSummary& layer : info.layers) {
     if (layer.grid) std::printf("%s\n", lattice_text(layer).c_str());
+  }
+  for (const LayerSummary& layer : info.layers) {
+    const std::string flags = changed_flags_text(layer);
+    if (!flags.empty()) std::printf("%s\n", flags.c_str());
   }
   for (const LayerSummary& layer : info.layers) {
     if (layer.parts.empty()) continue;

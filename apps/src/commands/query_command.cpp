@@ -281,6 +281,7 @@ ExitCode run(QueryRequest request) {
     return report(read.error());
   }
   if (request.arguments.time.is_asked()) return tell_past(*loaded, request);
+  if (request.arguments.nearest) request.query.layer = nearest_layer(archive);
   if (request.arguments.why || request.why_not) return tell_why(archive, request);
   if (asks_places(request.arguments.places)) return tell_places(*loaded, request);
   if (request.arguments.approach.free_space) return tell_routes(archive, request);
@@ -315,7 +316,8 @@ void add_query_command(CLI::App& program, Action& action) {
       "--nearest",
       arguments->nearest,
       "the object of this class, alias, super-class, prefix or expression nearest to "
-      "--at, by the straight line to its centroid; --top of them");
+      "--at, by the straight line to its centroid; --top of them; in a map without 3D objects of "
+      "the shapes of its semantic layer");
   arguments->approach.add_to(command);
   arguments->time.add_to(command);
   arguments->similar.add_to(command);

@@ -44,10 +44,11 @@ Result<void> do_objects(ShellSession& session, const ShellArguments& words) {
 }
 
 Result<void> do_nearest(ShellSession& session, const ShellArguments& words) {
-  MapQuery query{.layer = std::string(kObjectsLayer), .text = words[0]};
+  MapQuery query{.text = words[0]};
   HYPERMAP_ASSIGN_OR_RETURN(query.at, parse_location(joined_words(words, 1)));
   query.frame_id = session.frame_id;
   HYPERMAP_ASSIGN_OR_RETURN(const MapArchive* map, with_objects(session));
+  query.layer = nearest_layer(*map);
   HYPERMAP_ASSIGN_OR_RETURN(const MapAnswers found, query_nearest(*map, query));
   return print_objects(*map, query, found);
 }

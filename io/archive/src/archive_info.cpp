@@ -35,6 +35,12 @@ LayerSummary summary_of(const Layer& layer) {
   return summary;
 }
 
+LayerFlags flags_of(const LayerInfo& info) {
+  return {.load_file = info.load_file,
+          .subscribe_mode = info.subscribe_mode.value_or(false),
+          .enable_update = info.enable_update.value_or(true)};
+}
+
 std::size_t count_members(const std::vector<VocabularyGroup>& groups) {
   std::size_t count = 0;
   for (const VocabularyGroup& group : groups) count += group.members.size();
@@ -68,6 +74,8 @@ ArchiveInfo describe(const MapArchive& archive) {
     info.layers.push_back(summary_of(layer));
     extended = extended || !is_strict_form(layer);
   }
+  const auto own = archive.hypermap.layers();  // they come first in the list
+  for (std::size_t i = 0; i < own.size(); ++i) info.layers[i].flags = flags_of(own[i].info);
   extended = extended || archive.classes.size() > 0 || archive.detectors.size() > 0 ||
              !archive.vocabulary.empty() || !archive.provenance.empty() ||
              archive.checkpoint.kind != ValueKind::kNull || archive.true_surfaces.has_value() ||

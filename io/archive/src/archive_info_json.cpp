@@ -32,6 +32,12 @@ std::string json_of(const LayerSummary& layer) {
                                   {"class", json_quoted(layer.class_name)},
                                   {"frame_id", json_quoted(layer.frame_id)}});
   text.pop_back();  // the brace; what follows depends on the layer
+  if (layer.flags) {
+    const LayerFlags& flags = *layer.flags;
+    text += std::string(",\"load_file\":") + (flags.load_file ? "true" : "false") +
+            ",\"subscribe_mode\":" + (flags.subscribe_mode ? "true" : "false") +
+            ",\"enable_update\":" + (flags.enable_update ? "true" : "false");
+  }
   if (layer.cells)
     text += ",\"cells\":" + json_object({{"occupied", std::to_string(layer.cells->occupied)},
                                          {"free", std::to_string(layer.cells->free)},

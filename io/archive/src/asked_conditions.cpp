@@ -6,6 +6,7 @@
 #include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/io/archive/asked_of_map.hpp"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -21,12 +22,14 @@ std::string conditions_of(const MapQuery& query) {
 
 std::string unmet_conditions_of(const MapQuery& query, const MapArchive& archive) {
   std::string text = conditions_of(query);
-  if (!query.text || is_class_of_map(archive, *query.text)) return text;
-  const auto names = asked_of_map(archive, *query.text);
-  const bool is_plain = names && names->contains(*query.text);
+  if (!query.text) return text;
   const auto classes = archive.classes.names();
   std::vector<std::string> known(classes.begin(), classes.end());
   if (known.empty()) known = names_in(archive);
+  const auto names = asked_of_map(archive, *query.text);
+  const auto is_asked = [&](const std::string& name) { return names->contains(name); };
+  if (names && std::ranges::any_of(known, is_asked)) return text;
+  const bool is_plain = names && names->contains(*query.text);
   if (is_plain && !archive.vocabulary.knows(*query.text)) {
     return text + did_you_mean(*query.text, known);
   }

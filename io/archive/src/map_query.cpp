@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/projection/layers/hypermap_query.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,12 +45,6 @@ Result<void> check_flat(const MapQuery& query) {
   return {};
 }
 
-/// In the plane when the point asked for has no height.
-double distance_m(const PlanPoint& position, const PlanPoint& asked) {
-  const double along_z = asked.z ? position.z.value_or(*asked.z) - *asked.z : 0.0;
-  return std::hypot((position.xy - asked.xy).norm(), along_z);
-}
-
 /// The names that the text asks for. Errors: those of asked_of_map, of the member `text`.
 Result<std::optional<NameSelection>> asked_text(const MapArchive& archive, const MapQuery& query) {
   if (!query.text) return std::optional<NameSelection>();
@@ -59,11 +54,10 @@ Result<std::optional<NameSelection>> asked_text(const MapArchive& archive, const
   return Unexpected(std::move(names).error());
 }
 
-}  // namespace
-
-Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
-  HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, query.layer));
-  if (layer.content->is_flat()) HYPERMAP_TRY(check_flat(query));
+/// What a layer answers to conditions that it can be asked. Errors: those of query_map.
+Result<MapAnswers> answers_of(const MapArchive& archive,
+                              const Layer& layer,
+                              const MapQuery& query) {
   HYPERMAP_TRY(check_frame(archive, query.frame_id));
   HYPERMAP_ASSIGN_OR_RETURN(const auto text, asked_text(archive, query));
   HYPERMAP_ASSIGN_OR_RETURN(
@@ -78,14 +72,39 @@ Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
   return answers;
 }
 
+/// In the plane when the point asked for has no height.
+double distance_m(const PlanPoint& position, const PlanPoint& asked) {
+  const double along_z = asked.z ? position.z.value_or(*asked.z) - *asked.z : 0.0;
+  return std::hypot((position.xy - asked.xy).norm(), along_z);
+}
+
+}  // namespace
+
+Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query) {
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, query.layer));
+  if (layer.content->is_flat()) HYPERMAP_TRY(check_flat(query));
+  return answers_of(archive, layer, query);
+}
+
+std::string nearest_layer(const MapArchive& archive) {
+  const Layer* layer = find_layer_of<SemanticLayer>(archive, kSemanticLayer);
+  const bool has_shapes =
+      layer != nullptr && !layer->content.as<SemanticLayer>()->objects().empty();
+  const bool asks_shapes = archive.objects.empty() && has_shapes;
+  return asks_shapes ? layer->info.name : std::string(kObjectsLayer);
+}
+
 Result<MapAnswers> query_nearest(const MapArchive& archive,
                                  const MapQuery& query,
                                  std::size_t count) {
   if (!query.at) return fail(ErrorCode::kInvalidArgument, "is needed", "at");
+  HYPERMAP_ASSIGN_OR_RETURN(const Layer layer, archive_layer(archive, nearest_layer(archive)));
+  if (layer.content->is_flat() && query.at->z) {
+    return fail(ErrorCode::kInvalidArgument, "takes 2 numbers on a 2D layer", "at");
+  }
   MapQuery conditions = query;
-  conditions.layer = kObjectsLayer;
   conditions.at.reset();
-  HYPERMAP_ASSIGN_OR_RETURN(MapAnswers answers, query_map(archive, conditions));
+  HYPERMAP_ASSIGN_OR_RETURN(MapAnswers answers, answers_of(archive, layer, conditions));
   if (answers.found.empty()) {
     return fail(ErrorCode::kNotFound, "no object" + unmet_conditions_of(query, archive));
   }

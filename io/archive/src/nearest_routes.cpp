@@ -18,16 +18,12 @@
 namespace hypermap {
 namespace {
 
-/// The layer of that name, else the first, that holds a T. Errors: kNotFound.
+/// What find_layer_of finds. Errors: kNotFound.
 template <class T>
 Result<const Layer*> layer_with(const MapArchive& archive,
                                 std::string_view name,
                                 std::string_view what) {
-  const Layer* named = archive.hypermap.find(name);
-  if (named != nullptr && named->content.as<T>() != nullptr) return named;
-  for (const Layer& layer : archive.hypermap.layers()) {
-    if (layer.content.as<T>() != nullptr) return &layer;
-  }
+  if (const Layer* found = find_layer_of<T>(archive, name)) return found;
   return fail(ErrorCode::kNotFound, "the map has no " + std::string(what), std::string(name));
 }
 

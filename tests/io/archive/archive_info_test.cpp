@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -94,6 +95,26 @@ TEST(ArchiveInfo, TellsOfTheSessions) {
               HasSubstr(R"("sessions":[{"number":1,"name":"morning","input":"lab","first_s":1.5,)"
                         R"("last_s":2.0},{"number":2,"name":null,"input":"","first_s":null,)"
                         R"("last_s":null}])"));
+}
+
+TEST(ArchiveInfo, TellsTheFlagsOfLayersWithTheirDefaults) {
+  MapArchive archive = test::sample_archive();
+  ASSERT_TRUE(archive.hypermap.add_layer(
+      {{.name = "fixed", .load_file = false, .subscribe_mode = true, .enable_update = false},
+       SemanticLayer()}));
+  const ArchiveInfo info = describe(archive);
+  ASSERT_EQ(info.layers.size(), 6U);
+  EXPECT_EQ(info.layers[0].flags, LayerFlags{});
+  EXPECT_EQ(info.layers[2].flags,
+            (LayerFlags{.load_file = false, .subscribe_mode = true, .enable_update = false}));
+  EXPECT_EQ(info.layers[3].flags, std::nullopt) << "the octree stands in no list of layers";
+  const std::string text = to_json(info);
+  EXPECT_THAT(text,
+              HasSubstr(R"("name":"fixed","class":"SemanticLayer","frame_id":"map",)"
+                        R"("load_file":false,"subscribe_mode":true,"enable_update":false)"));
+  EXPECT_THAT(text,
+              HasSubstr(R"("name":"occupancy","class":"OccupancyGridLayer","frame_id":"map",)"
+                        R"("load_file":true,"subscribe_mode":false,"enable_update":true)"));
 }
 
 TEST(ArchiveInfo, ItsJsonHasTheFieldsThatScriptsRelyOn) {

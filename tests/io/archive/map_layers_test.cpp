@@ -210,6 +210,17 @@ TEST(DerivedLayers, OneThatTakesNoUpdatesStaysAsItWas) {
   EXPECT_EQ(open.hypermap.find("occupancy")->info.enable_update, true) << "flags stay";
 }
 
+TEST(DerivedLayers, AreMarkedAsFedByAMapperAndOlderOnesKeepTheirFlags) {
+  MapArchive archive = archive_of({{0.02, 0.02}});
+  ASSERT_TRUE(archive.hypermap.add_layer({{.name = "semantic"}, SemanticLayer()}));
+  ASSERT_TRUE(derive_layers(archive, {}, {.class_stack = true}));
+  const auto loaded = parse_archive(write_archive(archive).value(), {.file = "a.hmap"}).value();
+  const Hypermap& map = loaded.value.hypermap;
+  EXPECT_EQ(map.at("occupancy").value()->info.subscribe_mode, true);
+  EXPECT_EQ(map.at("stack").value()->info.subscribe_mode, true);
+  EXPECT_EQ(map.at("semantic").value()->info.subscribe_mode, std::nullopt);
+}
+
 TEST(DerivedLayers, CarveFootprintsUnlessToldNotTo) {
   MapArchive archive;
   (void)archive.classes.add("chair").value();

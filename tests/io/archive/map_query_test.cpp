@@ -192,6 +192,40 @@ TEST(MapQuery, TheNearestFulfilsAllOtherConditions) {
   EXPECT_FALSE(query_nearest(archive, {.text = "sofa", .at = origin, .area = right}));
 }
 
+TEST(MapQuery, TheNearestIsAShapeWhereThereAreNo3dObjects) {
+  MapArchive archive;
+  const Polygon near = make_polygon({{2, 0}, {3, 0}, {3, 1}, {2, 1}}).value();  // about (2.5, 0.5)
+  const Polygon far = make_polygon({{5, 0}, {6, 0}, {6, 1}, {5, 1}}).value();
+  EXPECT_EQ(nearest_layer(archive), "objects");
+  ASSERT_TRUE(archive.hypermap.add_layer({{.name = "furniture"}, SemanticLayer()}));
+  EXPECT_EQ(nearest_layer(archive), "objects") << "no shapes either";
+  ASSERT_TRUE(archive.hypermap.set_content(
+      "furniture",
+      SemanticLayer::create({{.id = 4, .name = "chair", .parts = {far}},
+                             {.id = 7, .name = "chair", .parts = {near}},
+                             {.id = 9, .name = "table", .parts = {near}}})
+          .value()));
+  EXPECT_EQ(nearest_layer(archive), "furniture");
+  const PlanPoint corner{.xy = {2.5, 4.5}};
+  const auto chairs = query_nearest(archive, {.text = "Chair", .at = corner}, 2).value().found;
+  ASSERT_THAT(chairs, ids_are({7, 4}));
+  EXPECT_NEAR(*chairs[0].distance_m, 4.0, 1e-12);
+  EXPECT_NEAR(*chairs[1].distance_m, 5.0, 1e-12);  // 3 along x, 4 along y
+  EXPECT_THAT(query_nearest(archive, {.at = corner}).value().found, ids_are({7})) << "or 9";
+  EXPECT_THAT(query_nearest(archive, {.text = "chair", .value = 4, .at = corner}).value().found,
+              ids_are({4}));
+  const Polygon aside = make_polygon({{8, 8}, {9, 8}, {9, 9}, {8, 9}}).value();
+  EXPECT_EQ(query_nearest(archive, {.text = "chair", .at = corner, .area = aside}).error().what,
+            "no object of class 'chair' in the area");
+  EXPECT_EQ(query_nearest(archive, {.text = "chiar", .at = corner}).error().what,
+            "no object of class 'chiar', did you mean \"chair\"?");
+  const auto high = query_nearest(archive, {.text = "chair", .at = PlanPoint{{2.5, 4.5}, 1.0}});
+  EXPECT_EQ(high.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(high.error().field, "at");
+  (void)archive.objects.add(Object{});
+  EXPECT_EQ(nearest_layer(archive), "objects");
+}
+
 TEST(MapQuery, TheNearestIsMeasuredInTheFrameAskedFor) {
   MapArchive archive = archive_with_sofas();
   // The door's x axis is the map's -x axis: (0, 0) there is (7, 0.5) here.

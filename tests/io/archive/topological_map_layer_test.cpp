@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/topological_map_layer.hpp"
 
 #include "hypermap/io/archive/archive_layers.hpp"
+#include "projection/layers/layer_contract.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,6 +32,11 @@ std::vector<std::uint64_t> ids_of(const LayerQuery& query) {
   const auto answers = layer.query(query);
   for (const LayerAnswer& answer : answers.value()) ids.push_back(answer.id);
   return ids;
+}
+
+TEST(TopologicalMapLayer, KeepsWhatHoldsForEveryType) {
+  test::expect_layer_contract(TopologicalMapLayer(TopologicalMap()));
+  test::expect_layer_contract(TopologicalMapLayer(two_ways()));
 }
 
 TEST(TopologicalMapLayer, AnswersByKindNumberPointAndArea) {

@@ -59,9 +59,11 @@ Result<Loaded<LayerContent>> read_opaque_layer(ArchiveMembers& members,
 Result<void> check_nothing_is_lost(const Layer& layer) {
   const bool kept = layer.info.load_file || layer.content.as<OpaqueLayer>() != nullptr;
   if (kept || layer.content == OccupancyLayer() || layer.content == SemanticLayer()) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              "has content, yet load_file is false: it would be lost",
-              "layer " + printable(layer.info.name));
+  return fail(
+      ErrorCode::kInvalidArgument,
+      "has content, yet load_file is false, so it would be lost: its configuration must say "
+      "load_file: true",
+      "layer " + printable(layer.info.name));
 }
 
 /// What the configuration says of the layer besides its file. Errors: kMalformedFile for a flag

@@ -28,8 +28,10 @@ std::vector<const Object*> objects_of(const ObjectMap& objects,
   return found;
 }
 
+/// The mapper feeds a layer that is new; one that was there keeps its flags.
 Result<void> put_layer(Hypermap& hypermap, std::string_view name, LayerContent content) {
-  return hypermap.put_layer({LayerInfo{.name = std::string(name)}, std::move(content)});
+  return hypermap.put_layer(
+      {LayerInfo{.name = std::string(name), .subscribe_mode = true}, std::move(content)});
 }
 
 HeightBand band_of(const LayerOptions& options) {

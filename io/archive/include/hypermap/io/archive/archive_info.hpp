@@ -11,10 +11,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hypermap {
+
+/// What the configuration says of a layer; flags that it leaves out are at their default.
+struct LayerFlags {
+  bool load_file = true;        ///< False: the layer starts empty.
+  bool subscribe_mode = false;  ///< A mapper feeds the layer.
+  bool enable_update = true;    ///< False: the layer takes no updates.
+  friend bool operator==(const LayerFlags&, const LayerFlags&) = default;
+};
 
 /// A layer of `archive_layers`, and how much it holds.
 struct LayerSummary : LayerStatistics {
@@ -22,7 +31,8 @@ struct LayerSummary : LayerStatistics {
   std::string class_name;  ///< Of a layer; the format of an extension.
   std::string frame_id;
   bool flat = true;
-  std::vector<std::string> parts = {};  ///< Names of the layers in a stack, or of its supercells.
+  std::optional<LayerFlags> flags = {};  ///< Of layers of the hypermap; other parts have none.
+  std::vector<std::string> parts = {};   ///< Names of the layers in a stack, or of its supercells.
 };
 
 /// A network whose embeddings objects have.
@@ -52,7 +62,8 @@ struct ArchiveInfo {
 /// Cost: one pass over cells and leaves, and that of `find_relations`.
 [[nodiscard]] ArchiveInfo describe(const MapArchive& archive);
 
-/// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, `cells`
+/// One JSON document: `format_version`, `layers` [{`name`, `class`, `frame_id`, of layers of the
+/// hypermap `load_file`, `subscribe_mode` and `enable_update`, `cells`
 /// {`occupied`, `free`, `unknown`, `between`} with `grid` {`columns`, `rows`, `resolution_m`,
 /// `origin` [x, y, yaw], metres and radians} where they are of one, or `objects` (of tracked ones
 /// also `tentative`) or `leaves` {`occupied`, `free`} or `values`, `parts` [names] of stacks and

@@ -55,7 +55,8 @@ struct DerivedLayers {
 
 /// Gives the archive its layers `occupancy` and `semantic` and its class grids anew, and, where it
 /// is asked for or there already, `stack`: from its octree and from the objects that `objects`
-/// confirms; other layers stay as they are.
+/// confirms; other layers stay as they are. Those that are new are marked as fed by a mapper
+/// (`subscribe_mode`), those that were there keep their flags.
 ///
 /// Grids cover the largest region of the octree alone (map_regions.hpp); `semantic` has the objects
 /// of all regions. What cannot be made (too many cells, no memory) is left out and said: the map

@@ -70,11 +70,15 @@ struct MapAnswers {
 /// text and value together.
 [[nodiscard]] Result<MapAnswers> query_map(const MapArchive& archive, const MapQuery& query);
 
+/// The layer that query_nearest asks: kObjectsLayer; in a map without 3D objects kSemanticLayer,
+/// else the first semantic layer, if there is one and it has shapes.
+[[nodiscard]] std::string nearest_layer(const MapArchive& archive);
+
 /// Of the objects that fulfil all conditions but `at` the `count` whose centroids are nearest to
-/// that point, the nearest first, of equally near ones the lowest id. The layer is that of the
-/// objects, whatever `query.layer` says.
-/// Errors: those of query_map; kInvalidArgument naming `at` when it is absent; kNotFound when
-/// there is no such object.
+/// that point, the nearest first, of equally near ones the lowest id. The layer is nearest_layer,
+/// whatever `query.layer` says.
+/// Errors: those of query_map; kInvalidArgument naming `at` when it is absent, or has a height
+/// where shapes are asked; kNotFound when there is no such object.
 [[nodiscard]] Result<MapAnswers> query_nearest(const MapArchive& archive,
                                                const MapQuery& query,
                                                std::size_t count = 1);
