@@ -58,8 +58,12 @@ def many_stars(path, count=1400, num_points=449, step=223):
 
 
 def many_opaque_members(path, count=1000, num_bytes=1 << 20):
-    """Members that nothing names and that are therefore kept."""
-    members = [(f"part{i:04}", bytes(num_bytes)) for i in range(count)]
+    """Members that nothing names and that are therefore kept.
+
+    One content for all: what a child is measured to take at most begins with what its parent once took.
+    """
+    content = bytes(num_bytes)
+    members = [(f"part{i:04}", content) for i in range(count)]
     return write_archive(path, [("hmap_config.yaml", "layers: []\n"), *members])
 
 
