@@ -83,11 +83,14 @@ double frame_seconds(SemanticMapper& mapper, const RgbdFrame& frame) {
   return watch.elapsed_s();
 }
 
+bool is_skipped(benchmark::State& state) {
+  if (!laboratory().empty()) return false;
+  state.SkipWithError("no frames: scene not present");
+  return true;
+}
+
 void publish_frames(benchmark::State& state, double resolution_m, const Elsewhere& elsewhere) {
-  if (laboratory().empty()) {
-    state.SkipWithError("no frames: scene not present");
-    return;
-  }
+  if (is_skipped(state)) return;
   std::array<SemanticMapper, 2> mappers{mapper_of(resolution_m, elsewhere, 0),
                                         mapper_of(resolution_m, elsewhere, 1)};
   constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -119,6 +122,7 @@ void publish_frames(benchmark::State& state, double resolution_m, const Elsewher
 }
 
 void take_snapshot(benchmark::State& state, const Elsewhere& elsewhere) {
+  if (is_skipped(state)) return;
   const SemanticMapper mapper = mapper_of(0.05, elsewhere, 1);
   for ([[maybe_unused]] const auto _ : state) benchmark::DoNotOptimize(mapper.snapshot());
 }

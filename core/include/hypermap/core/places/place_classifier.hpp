@@ -36,8 +36,8 @@ struct PlaceProbability {
 /// probabilities sum to 1. Empty where there are no classes.
 using PlaceBelief = std::vector<PlaceProbability>;
 
-/// Tells what kind of place it is. A program may have its own, a network that looks at images for
-/// one. Threads: const functions are called concurrently.
+/// Tells what kind of place it is from the objects there. A program may have its own. Threads:
+/// const functions are called concurrently.
 class PlaceClassifier {
  public:
   virtual ~PlaceClassifier() = default;
