@@ -3,7 +3,7 @@
 /// Votes of cells counted together in blocks.
 #pragma once
 
-#include "hypermap/core/geometry/occupancy_votes.hpp"
+#include "cell_blocks.hpp"
 
 #include <cstdint>
 #include <span>
@@ -11,19 +11,16 @@
 
 namespace hypermap {
 
-/// Blocks are 2^kBlockShift cells wide on each axis.
-inline constexpr int kBlockShift = 2;
-
 /// The sums of the votes of all cells in a block.
 struct BlockVotes {
-  std::vector<std::uint32_t> of_cell;       ///< Per cell, the sum of its block.
-  std::vector<std::uint32_t> best_of_cell;  ///< Per cell, the most votes of a cell in its block.
+  std::vector<std::uint32_t> sums;  ///< By the number of the block.
+  std::vector<std::uint32_t> best;  ///< The most votes of a cell, by the number of its block.
   /// Of the block of a typical vote: half of all votes lie in blocks with more. 1 without votes.
   std::uint32_t typical = 1;
 };
 
-/// Requires: each cell once. Boundary: sums end at the largest number of 32 bits.
-/// Cost: O(cells); a table of them.
-[[nodiscard]] BlockVotes block_votes(std::span<const PointVote> votes);
+/// Requires: `blocks` are those of `votes`. Boundary: sums end at the largest number of 32 bits.
+/// Cost: O(cells).
+[[nodiscard]] BlockVotes block_votes(std::span<const PointVote> votes, const CellBlocks& blocks);
 
 }  // namespace hypermap

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long because: one type; what its cells and blocks are worth is split off already.
 #include "hypermap/core/geometry/occupancy_votes.hpp"
 
-#include "block_votes.hpp"
+#include "cell_standings.hpp"
 #include "common_cells.hpp"
 #include "hypermap/core/base/number_text.hpp"
+#include "listed_looks.hpp"
 #include "point_votes.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,74 +18,10 @@
 namespace hypermap {
 namespace {
 
-/// From so many observations on, a cell that only one of them saw is a stray.
-constexpr std::uint32_t kNumToOutvoteOne = 4;
-
-constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
-
 void widen(OccupancyVotesState& state) {
+  state.looks = widened_looks(state);
   state.votes = widened(state.votes);
   state.edge_m *= 2.0;
-}
-
-/// The share asked for of what is usual.
-std::uint32_t votes_needed(const OccupancyVotesState& state,
-                           std::uint32_t usual,
-                           const OccupancyVotesOptions& options) {
-  const double needed = std::ceil(options.min_vote_share * usual);
-  const std::uint32_t least =
-      options.min_vote_share > 0.0 && state.num_observations >= kNumToOutvoteOne ? 2U : 1U;
-  return std::max(least, static_cast<std::uint32_t>(needed));
-}
-
-/// A cell needs its share of what a typical cell has, or the best one of its block where that has
-/// less: the legs of a table are seen more rarely than its top, and are no error for that.
-std::vector<CellStanding> standings_of(const OccupancyVotesState& state,
-                                       std::uint32_t typical,
-                                       const OccupancyVotesOptions& options) {
-  std::vector<CellStanding> out;
-  out.reserve(state.votes.size());
-  const auto standing = [&](const PointVote& vote, std::uint32_t usual) {
-    return vote.votes >= votes_needed(state, usual, options) ? CellStanding::kAgreed
-                                                             : CellStanding::kSupported;
-  };
-  if (options.min_block_share == 0.0) {
-    for (const PointVote& vote : state.votes) out.push_back(standing(vote, typical));
-    return out;
-  }
-  const BlockVotes blocks = block_votes(state.votes);
-  const double needed_in_block = options.min_block_share * blocks.typical;
-  for (std::size_t i = 0; i < state.votes.size(); ++i) {
-    const bool is_stray = blocks.of_cell[i] < needed_in_block;
-    const std::uint32_t usual = std::min(typical, blocks.best_of_cell[i]);
-    out.push_back(is_stray ? CellStanding::kStray : standing(state.votes[i], usual));
-  }
-  return out;
-}
-
-/// Numbers and bounds of the agreed cells, which `standings` names.
-CellAgreement agreement_of(const OccupancyVotesState& state,
-                           std::span<const CellStanding> standings,
-                           CellAgreement thresholds) {
-  CellAgreement out = thresholds;
-  PointCell low{kHighest, kHighest, kHighest};
-  PointCell high{kLowest, kLowest, kLowest};
-  for (std::size_t i = 0; i < standings.size(); ++i) {
-    const PointCell& cell = state.votes[i].cell;
-    const bool counts = standings[i] == CellStanding::kAgreed;
-    out.num_cells += counts ? 1U : 0U;
-    low.x = std::min(low.x, counts ? cell.x : kHighest);
-    low.y = std::min(low.y, counts ? cell.y : kHighest);
-    low.z = std::min(low.z, counts ? cell.z : kHighest);
-    high.x = std::max(high.x, counts ? cell.x : kLowest);
-    high.y = std::max(high.y, counts ? cell.y : kLowest);
-    high.z = std::max(high.z, counts ? cell.z : kLowest);
-  }
-  if (out.num_cells == 0) return out;
-  out.low = low;
-  out.high = high;
-  return out;
 }
 
 /// Doubles the edges of the cells until there is room. Forgetting those of few votes instead would
@@ -166,6 +101,24 @@ Result<void> check_edge(double edge_m, double first_edge_m) {
               "points.edge_m");
 }
 
+Result<void> check_looks(const OccupancyVotesState& state, const OccupancyVotesOptions& options) {
+  if (state.looks.size() > options.max_cells) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be at most " + std::to_string(options.max_cells) + ", are " +
+                    std::to_string(state.looks.size()),
+                "points.looks");
+  }
+  for (std::size_t i = 0; i < state.looks.size(); ++i) {
+    const PointVote& look = state.looks[i];
+    const bool ascends = i == 0 || state.looks[i - 1].cell < look.cell;
+    if (ascends && look.votes > 0 && look.votes < state.num_observations) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                "blocks must ascend, looks be above 0 and fewer than num_observations",
+                "points.looks[" + std::to_string(i) + "]");
+  }
+  return {};
+}
+
 /// Of points in the order of their cells the first and the last in the plan of each x: those
 /// between lie on no hull.
 std::vector<Eigen::Vector2d> row_ends(const std::vector<Eigen::Vector3d>& points) {
@@ -181,7 +134,7 @@ std::vector<Eigen::Vector2d> row_ends(const std::vector<Eigen::Vector3d>& points
 }  // namespace
 
 OccupancyVotes::OccupancyVotes(const OccupancyVotesOptions& options) : options_(options) {
-  take({.edge_m = options.edge_m, .num_observations = 0, .votes = {}});
+  take({.edge_m = options.edge_m, .num_observations = 0, .votes = {}, .looks = {}});
 }
 
 Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& options,
@@ -205,6 +158,7 @@ Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& o
                 "cells must ascend, votes be in 1..num_observations",
                 "points.votes[" + std::to_string(i) + "]");
   }
+  HYPERMAP_TRY(check_looks(state, options));
   OccupancyVotes evidence(options);
   evidence.adopt(std::move(state));
   return evidence;
@@ -213,7 +167,21 @@ Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& o
 void OccupancyVotes::observe(std::span<const Eigen::Vector3f> points_in_map) {
   take({.edge_m = state_->edge_m,
         .num_observations = state_->num_observations + 1,
-        .votes = sum_of(state_->votes, votes_of(points_in_map, state_->edge_m))});
+        .votes = sum_of(state_->votes, votes_of(points_in_map, state_->edge_m)),
+        .looks = with_look_at_all(state_->looks)});
+}
+
+void OccupancyVotes::look(std::span<const Eigen::Vector3f> points_in_map,
+                          const IsInView& is_in_view,
+                          std::uint32_t num_looks_from_there) {
+  assert(state_->num_observations > 0);
+  const CellBlocks blocks(state_->votes);
+  const auto observed = votes_of(points_in_map, state_->edge_m);
+  auto looks = looks_after(*state_, blocks, observed, is_in_view, num_looks_from_there);
+  if (looks == state_->looks) return;
+  OccupancyVotesState state = *state_;
+  state.looks = std::move(looks);
+  adopt(std::move(state), blocks);
 }
 
 void OccupancyVotes::merge(const OccupancyVotes& other) {
@@ -222,9 +190,11 @@ void OccupancyVotes::merge(const OccupancyVotes& other) {
   OccupancyVotesState added = *other.state_;
   while (added.edge_m < mine.edge_m) widen(added);
   while (mine.edge_m < added.edge_m) widen(mine);
-  mine.num_observations += added.num_observations;
-  mine.votes = sum_of(mine.votes, added.votes);
-  take(std::move(mine));
+  const std::vector<PointVote> votes = sum_of(mine.votes, added.votes);
+  take({.edge_m = mine.edge_m,
+        .num_observations = mine.num_observations + added.num_observations,
+        .votes = votes,
+        .looks = sum_of_looks(mine, added, votes)});
 }
 
 void OccupancyVotes::take(OccupancyVotesState state) {
@@ -233,11 +203,16 @@ void OccupancyVotes::take(OccupancyVotesState state) {
 }
 
 void OccupancyVotes::adopt(OccupancyVotesState state) {
+  const CellBlocks blocks(state.votes);
+  adopt(std::move(state), blocks);
+}
+
+void OccupancyVotes::adopt(OccupancyVotesState state, const CellBlocks& blocks) {
   CellAgreement thresholds;
   thresholds.typical_votes = typical_votes(state.votes);
   thresholds.votes_needed = votes_needed(state, thresholds.typical_votes, options_);
   auto standings = std::make_shared<const std::vector<CellStanding>>(
-      standings_of(state, thresholds.typical_votes, options_));
+      standings_of(state, blocks, thresholds.typical_votes, options_));
   const CellAgreement agreement = agreement_of(state, *standings, thresholds);
   state_ = std::make_shared<const OccupancyVotesState>(std::move(state));
   standings_ = std::move(standings);
@@ -258,7 +233,8 @@ std::size_t OccupancyVotes::yield_to(const OccupancyVotes& other,
   if (lost.empty() || lost.size() == state_->votes.size()) return 0;
   take({.edge_m = state_->edge_m,
         .num_observations = state_->num_observations,
-        .votes = without(state_->votes, lost)});
+        .votes = without(state_->votes, lost),
+        .looks = state_->looks});
   return lost.size();
 }
 

@@ -2,6 +2,7 @@
 #include "hypermap/octree_semantic/mapper/semantic_mapper.hpp"
 
 #include "hypermap/core/objects/box_carving.hpp"
+#include "hypermap/core/objects/object_looks.hpp"
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
@@ -173,6 +174,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
                 observations,
                 options_.objects.association,
                 scope_of_candidates(frame, topological_map_, options_.objects));
+  look_at_matched(objects, frame, observations, association, options_.objects.association);
   carve_by_boxes(objects, frame, observations, association, options_.objects.association);
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();

@@ -15,16 +15,23 @@ TEST(BlockVotes, ACellHasTheSumOfItsFourByFourByFour) {
   // 0 and 3 share a block, 4 is in the next; -1 is in the one before, on each axis.
   const std::vector<PointVote> votes{
       {{-1, 0, 0}, 7}, {{0, 0, 0}, 1}, {{3, 3, 3}, 2}, {{4, 0, 0}, 5}};
-  const BlockVotes blocks = block_votes(votes);
-  EXPECT_EQ(blocks.of_cell, (std::vector<std::uint32_t>{7, 3, 3, 5}));
-  EXPECT_EQ(blocks.best_of_cell, (std::vector<std::uint32_t>{7, 2, 2, 5}));
+  const CellBlocks blocks(votes);
+  ASSERT_EQ(blocks.size(), 3U);
+  EXPECT_EQ(std::vector(blocks.of_cells().begin(), blocks.of_cells().end()),
+            (std::vector<std::uint32_t>{0, 1, 1, 2}));
+  EXPECT_EQ(blocks.find({-1, 0, 0}), 0U);
+  EXPECT_EQ(blocks.find({1, 0, 0}), 2U);
+  EXPECT_FALSE(blocks.find({2, 0, 0}).has_value());
+  const BlockVotes in_blocks = block_votes(votes, blocks);
+  EXPECT_EQ(in_blocks.sums, (std::vector<std::uint32_t>{7, 3, 5}));
+  EXPECT_EQ(in_blocks.best, (std::vector<std::uint32_t>{7, 2, 5}));
   // Of 15 votes, 7 and then 5 lie in blocks with more: the middle one is in the block of 5.
-  EXPECT_EQ(blocks.typical, 5U);
+  EXPECT_EQ(in_blocks.typical, 5U);
 }
 
 TEST(BlockVotes, NoVotesHaveNoBlocks) {
-  const BlockVotes blocks = block_votes({});
-  EXPECT_TRUE(blocks.of_cell.empty());
+  const BlockVotes blocks = block_votes({}, CellBlocks({}));
+  EXPECT_TRUE(blocks.sums.empty());
   EXPECT_EQ(blocks.typical, 1U);
 }
 
@@ -44,10 +51,13 @@ TEST(BlockVotes, AreThoseOfACountByMap) {
       votes.push_back({cell, count});
       sums[{cell.x >> 2, cell.y >> 2, cell.z >> 2}] += count;
     }
-    const BlockVotes blocks = block_votes(votes);
+    const CellBlocks blocks(votes);
+    const BlockVotes in_blocks = block_votes(votes, blocks);
+    EXPECT_EQ(blocks.size(), sums.size());
     for (std::size_t i = 0; i < votes.size(); ++i) {
       const PointCell& cell = votes[i].cell;
-      EXPECT_EQ(blocks.of_cell[i], sums.at({cell.x >> 2, cell.y >> 2, cell.z >> 2}));
+      EXPECT_EQ(in_blocks.sums[blocks.of_cells()[i]],
+                sums.at({cell.x >> 2, cell.y >> 2, cell.z >> 2}));
     }
   }
 }
@@ -55,7 +65,7 @@ TEST(BlockVotes, AreThoseOfACountByMap) {
 TEST(BlockVotes, SumsEndAtTheLargestNumber) {
   constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max();
   const std::vector<PointVote> votes{{{0, 0, 0}, kLargest}, {{0, 0, 1}, 2}};
-  EXPECT_EQ(block_votes(votes).of_cell, (std::vector<std::uint32_t>{kLargest, kLargest}));
+  EXPECT_EQ(block_votes(votes, CellBlocks(votes)).sums, std::vector<std::uint32_t>{kLargest});
 }
 
 }  // namespace

@@ -103,10 +103,35 @@ TEST(ObjectJson, APriorSurvivesAndIsChecked) {
   EXPECT_THAT(to_string(parse_objects(wrong, kObjectsSource).error()), HasSubstr("prior"));
 }
 
+TEST(ObjectJson, LooksAtBlocksSurviveAndAreChecked) {
+  const std::vector<Eigen::Vector3f> left{{0.0F, 0.1F, 0.1F}};
+  const std::vector<Eigen::Vector3f> right{{0.1F, 0.1F, 0.1F}};
+  Object object;
+  object.box.max_in_map = {1, 1, 1};
+  for (const auto& seen : {left, right}) {
+    object.points.observe(seen);
+    object.points.look(
+        seen, [](const Eigen::Vector3d&) { return false; }, 0);
+  }
+  ObjectMap objects;
+  objects.add(object);
+  const std::string text = write_objects(objects).value();
+  EXPECT_THAT(text, HasSubstr("\"looks\":{\"origin\":[0,2,2],"));
+  EXPECT_EQ(parse_objects(text, kObjectsSource).value(), objects);
+  EXPECT_THAT(objects_error(with_replaced(text, "\"looks\":{", "\"looks\":{\"x\":1,")),
+              HasSubstr("points.looks.x"));
+  EXPECT_THAT(objects_error(with_replaced(
+                  text, "\"num_observations\":2,\"origin", "\"num_observations\":1,\"origin")),
+              HasSubstr("points.looks[0]"));
+  const std::size_t at = text.find("\"cells\":\"") + 9;
+  EXPECT_THAT(objects_error(text.substr(0, at) + "?" + text.substr(at + 1)),
+              HasSubstr("points.looks.cells"));
+}
+
 /// What an older version wrote of one object: its cells among its state, no line of their own.
 std::string older_version(const std::string& text, int version, const std::string& cells) {
   std::string older =
-      with_replaced(text, "\"version\":3", "\"version\":" + std::to_string(version));
+      with_replaced(text, "\"version\":4", "\"version\":" + std::to_string(version));
   older.resize(older.rfind('\n', older.size() - 2) + 1);
   const std::size_t from = older.find("\"origin\":");
   const std::size_t to = older.find("},\"ledger\"");
@@ -211,7 +236,7 @@ TEST(ObjectJson, ErrorsNameMemberLineAndPath) {
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":1,\"color\":2,")),
               HasSubstr("unknown key"));
   EXPECT_THAT(objects_error(with_replaced(text, "\"id\":1,", "\"id\":0,")), HasSubstr("a.hmap"));
-  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":3", "\"version\":7")),
+  EXPECT_THAT(objects_error(with_replaced(text, "\"version\":4", "\"version\":7")),
               HasSubstr("written by a newer version 7"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/transformed_map.hpp"
 
+#include "hypermap/core/geometry/block_looks.hpp"
 #include "sample_archive.hpp"
 
 #include <gtest/gtest.h>
@@ -112,6 +113,24 @@ TEST(TransformedMap, AQuarterTurnByHand) {
   EXPECT_LT((moved.box.min_in_map - Eigen::Vector3d(0.8, 0.0, 0.5)).norm(), kRoundingM);
   EXPECT_LT((moved.box.max_in_map - Eigen::Vector3d(1.0, 0.1, 0.8)).norm(), kRoundingM);
   EXPECT_LT((moved.centroid_in_map - Eigen::Vector3d(0.9, 0.05, 0.65)).norm(), kRoundingM);
+}
+
+TEST(TransformedMap, HowOftenAPlaceWasInViewMovesWithIt) {
+  const std::vector<Eigen::Vector3f> left{{0.0F, 0.1F, 0.1F}};
+  const std::vector<Eigen::Vector3f> right{{0.1F, 0.1F, 0.1F}};
+  const auto nothing = [](const Eigen::Vector3d&) { return false; };
+  MapArchive archive = whole_map();
+  archive.objects.modify(ObjectId{1}, [&](Object& object) {
+    object.points = OccupancyVotes();
+    for (const auto& seen : {left, left, right}) {
+      object.points.observe(seen);
+      object.points.look(seen, nothing, 0);
+    }
+  });
+  const MapArchive moved = transformed(archive, moved_by({0.37, 0, 0}, 0.0)).value();
+  const OccupancyVotesState& state = only_object(moved).points.state();
+  EXPECT_EQ(looks_of_cells(state), (std::vector<std::uint32_t>{2, 1}));
+  EXPECT_EQ(state.looks, (std::vector<PointVote>{{{9, 2, 2}, 2}, {{11, 2, 2}, 1}}));
 }
 
 TEST(TransformedMap, AnEighthOfATurnGrowsTheBox) {

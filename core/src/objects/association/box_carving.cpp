@@ -2,7 +2,7 @@
 #include "hypermap/core/objects/box_carving.hpp"
 
 #include "geometry/point_votes.hpp"
-#include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "matched_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,15 +62,9 @@ class CellsInFrame {
   }
   /// Whether its depth is measured at the pixel.
   [[nodiscard]] bool is_shown(const PointInCamera& cell, const PixelPoint& at) const {
-    const double u_px = std::floor(at.u_px + 0.5);
-    const double v_px = std::floor(at.v_px + 0.5);
-    const bool is_inside = u_px >= 0.0 && v_px >= 0.0 && u_px < frame_.depth_m.width_px() &&
-                           v_px < frame_.depth_m.height_px();
-    if (!is_inside) return false;
-    const auto depth_m =
-        static_cast<double>(frame_.depth_m.at(static_cast<int>(u_px), static_cast<int>(v_px)));
-    const double reach_m = 1.5 * points_.state().edge_m + 3.0 * axial_noise_m(cell.xyz.z());
-    return std::abs(depth_m - cell.xyz.z()) <= reach_m;  // false where it is no number
+    const auto depth_m = measured_depth_m(frame_, at);
+    return depth_m &&
+           std::abs(*depth_m - cell.xyz.z()) <= reach_m(points_.state().edge_m, cell.xyz.z());
   }
 
   const RgbdFrame& frame_;
@@ -95,22 +89,6 @@ std::vector<std::size_t> cells_outside(const CellsInFrame& cells,
   return outside;
 }
 
-/// The only observation of the object in the frame.
-std::optional<std::size_t> only_observation_of(ObjectId id, const AssociationReport& association) {
-  const auto& ids = association.object_of_observation;
-  if (std::ranges::count(ids, id) != 1) return std::nullopt;
-  return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
-}
-
-void deny_cells(Object& object, std::span<const std::size_t> positions, bool box_from_points) {
-  object.points.deny(positions);
-  if (!box_from_points) return;
-  if (const auto box = object.points.agreed_box()) {
-    object.box = *box;
-    object.centroid_in_map = box->centre();
-  }
-}
-
 }  // namespace
 
 std::size_t carve_by_boxes(ObjectMap& objects,
@@ -128,8 +106,10 @@ std::size_t carve_by_boxes(ObjectMap& objects,
     const auto outside =
         cells_outside(CellsInFrame(frame, objects.at(id).points), box, carving.max_share);
     if (outside.empty()) continue;
-    objects.modify(id,
-                   [&](Object& object) { deny_cells(object, outside, options.box_from_points); });
+    objects.modify(id, [&](Object& object) {
+      object.points.deny(outside);
+      follow_points(object, options);
+    });
     num_denied += outside.size();
   }
   return num_denied;

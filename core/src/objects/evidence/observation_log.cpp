@@ -245,16 +245,19 @@ std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) 
   }));
 }
 
-bool was_detected_from(const ObservationLog& log, double bearing_rad) {
+std::uint64_t num_detections_from(const ObservationLog& log, double bearing_rad) {
   const int side = log_bearing_bin(bearing_rad);
-  bool was_detected = false;
+  std::uint64_t count = 0;
   for (const ObservationLogSummary& summary : log.state().summaries) {
-    if (summary.kind != ObservationKind::kDetection) continue;
     const int bins_apart = std::abs(summary.bearing_bin - side);
-    if (std::min(bins_apart, ObservationLog::kNumBearingBins - bins_apart) <= 1) return true;
-    was_detected = true;
+    const bool is_beside = std::min(bins_apart, ObservationLog::kNumBearingBins - bins_apart) <= 1;
+    if (summary.kind == ObservationKind::kDetection && is_beside) count += summary.count;
   }
-  return !was_detected;
+  return count;
+}
+
+bool was_detected_from(const ObservationLog& log, double bearing_rad) {
+  return num_detections_from(log, bearing_rad) > 0 || log.num_detections() == 0;
 }
 
 std::uint8_t log_bearing_bin(double bearing_rad) {

@@ -34,8 +34,7 @@ Result<Head> parse_head(const JsonNode& node, const ObjectFileLimits& limits) {
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode format, node.require("format"));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string_view format_name, format.string());
   if (format_name != "hypermap-objects" || version < 1)
-    return format.error(ErrorCode::kMalformedFile,
-                        "expected hypermap-objects of version 1, 2 or 3");
+    return format.error(ErrorCode::kMalformedFile, "expected hypermap-objects of version 1 to 4");
   Head head{.version = version};
   HYPERMAP_ASSIGN_OR_RETURN(head.num_objects, integer_at<std::uint32_t>(node, "num_objects"));
   HYPERMAP_ASSIGN_OR_RETURN(head.next_id.value, integer_at<std::uint32_t>(node, "next_id"));

@@ -53,8 +53,7 @@ class ObjectWriter {
                                     {"num_observations", count(object.num_observations)},
                                     {"farthest_detection_m", number(object.farthest_detection_m)}});
     if (object.prior.empty()) return text;
-    text.pop_back();
-    return text + ",\"prior\":" + json_of(object.prior.log_factors()) + "}";
+    return joined(std::move(text), json_object({{"prior", json_of(object.prior.log_factors())}}));
   }
 
   std::string number(double value) {
@@ -134,17 +133,34 @@ class ObjectWriter {
   std::string json_of(const OccupancyVotes& evidence, const VotedCellsCode& cells) {
     const OccupancyVotesOptions& options = evidence.options();
     const OccupancyVotesState& state = evidence.state();
-    return json_object({{"first_edge_m", number(options.edge_m)},
-                        {"max_cells", count(options.max_cells)},
-                        {"min_vote_share", number(options.min_vote_share)},
-                        {"min_block_share", number(options.min_block_share)},
-                        {"edge_m", number(state.edge_m)},
-                        {"num_observations", count(state.num_observations)},
-                        {"origin",
+    const std::string text =
+        joined(json_object({{"first_edge_m", number(options.edge_m)},
+                            {"max_cells", count(options.max_cells)},
+                            {"min_vote_share", number(options.min_vote_share)},
+                            {"min_block_share", number(options.min_block_share)},
+                            {"edge_m", number(state.edge_m)},
+                            {"num_observations", count(state.num_observations)}}),
+               place_of(cells));
+    if (state.looks.empty()) return text;
+    const VotedCellsCode looks = voted_cells_code(state.looks);
+    const std::string cells_of_looks =
+        json_object({{"cells", json_quoted(encode_base64(looks.bytes))}});
+    return joined(text, json_object({{"looks", joined(place_of(looks), cells_of_looks)}}));
+  }
+
+  /// Where the cells of a code lie.
+  std::string place_of(const VotedCellsCode& cells) {
+    return json_object({{"origin",
                          json_array(std::array{cells.origin.x, cells.origin.y, cells.origin.z},
                                     [](std::int32_t c) { return std::to_string(c); })},
                         {"levels", std::to_string(cells.levels)},
                         {"num_cells", std::to_string(cells.num_cells)}});
+  }
+
+  /// One object with the keys of both. Requires: neither is empty.
+  static std::string joined(std::string first, const std::string& second) {
+    first.back() = ',';
+    return first + second.substr(1);
   }
 
   /// Kind, visibility and the rest in the order of ObservationLogEntry's fields.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "hypermap/core/geometry/block_looks.hpp"
 #include "transformed_parts.hpp"
 
 #include <algorithm>
@@ -61,20 +62,39 @@ Result<PointCell> moved_cell(const PointCell& cell,
   return PointCell{index(moved.x()), index(moved.y()), index(moved.z())};
 }
 
+/// A cell after a motion, and how often its block was in view before.
+struct MovedCell {
+  PointVote vote;
+  std::uint32_t looks = 0;
+};
+
 Result<OccupancyVotes> moved_votes(const OccupancyVotes& points, const Eigen::Isometry3d& motion) {
   OccupancyVotesState state = points.state();
-  for (PointVote& vote : state.votes) {
-    HYPERMAP_ASSIGN_OR_RETURN(vote.cell, moved_cell(vote.cell, motion, state.edge_m));
+  const std::vector<std::uint32_t> looks = looks_of_cells(state);
+  std::vector<MovedCell> moved;
+  moved.reserve(state.votes.size());
+  for (std::size_t i = 0; i < state.votes.size(); ++i) {
+    HYPERMAP_ASSIGN_OR_RETURN(const PointCell cell,
+                              moved_cell(state.votes[i].cell, motion, state.edge_m));
+    moved.push_back({{cell, state.votes[i].votes}, looks[i]});
   }
   // Of equal cells the one with most votes comes first, and stays.
-  std::sort(state.votes.begin(), state.votes.end(), [](const PointVote& a, const PointVote& b) {
-    return std::tie(a.cell, b.votes) < std::tie(b.cell, a.votes);
+  std::sort(moved.begin(), moved.end(), [](const MovedCell& a, const MovedCell& b) {
+    return std::tie(a.vote.cell, b.vote.votes, b.looks) <
+           std::tie(b.vote.cell, a.vote.votes, a.looks);
   });
-  const auto end = std::unique(
-      state.votes.begin(), state.votes.end(), [](const PointVote& a, const PointVote& b) {
-        return a.cell == b.cell;
+  const auto end =
+      std::unique(moved.begin(), moved.end(), [](const MovedCell& a, const MovedCell& b) {
+        return a.vote.cell == b.vote.cell;
       });
-  state.votes.erase(end, state.votes.end());
+  moved.erase(end, moved.end());
+  std::vector<std::uint32_t> moved_looks;
+  state.votes.clear();
+  for (const MovedCell& cell : moved) {
+    state.votes.push_back(cell.vote);
+    moved_looks.push_back(cell.looks);
+  }
+  state.looks = looks_of_blocks(state.votes, moved_looks, state.num_observations);
   return OccupancyVotes::from_state(points.options(), std::move(state));
 }
 

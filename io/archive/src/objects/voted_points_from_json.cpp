@@ -78,6 +78,14 @@ Result<std::vector<PointVote>> parse_votes(const JsonNode& points,
                                      : list_of(votes, parse_vote);
 }
 
+/// How often blocks were in view; none in an older file, and where all were in view each time.
+Result<std::vector<PointVote>> parse_looks(const JsonNode& points, std::uint32_t max_cells) {
+  const auto looks = points.find("looks");
+  if (!looks) return std::vector<PointVote>{};
+  HYPERMAP_TRY(expect_keys(*looks, {"origin", "levels", "num_cells", "cells"}));
+  return parse_cells_code(*looks, *looks->find("cells"), max_cells);
+}
+
 /// The keys of a file with or without lines of cells.
 Result<void> check_keys(const JsonNode& points, bool has_cell_line) {
   if (has_cell_line)
@@ -90,7 +98,8 @@ Result<void> check_keys(const JsonNode& points, bool has_cell_line) {
                         "num_observations",
                         "origin",
                         "levels",
-                        "num_cells"});
+                        "num_cells"},
+                       {"looks"});
   return expect_keys(
       points,
       {"first_edge_m", "max_cells", "min_vote_share", "edge_m", "num_observations", "votes"},
@@ -116,6 +125,7 @@ Result<OccupancyVotes> voted_points_from_json(const JsonNode& node,
   HYPERMAP_ASSIGN_OR_RETURN(state.num_observations,
                             integer_at<std::uint32_t>(node, "num_observations"));
   HYPERMAP_ASSIGN_OR_RETURN(state.votes, parse_votes(node, cells, options.max_cells));
+  HYPERMAP_ASSIGN_OR_RETURN(state.looks, parse_looks(node, options.max_cells));
   return validated(node, OccupancyVotes::from_state(options, std::move(state)));
 }
 

@@ -16,6 +16,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +24,7 @@
 
 namespace hypermap {
 
+class CellBlocks;
 struct OptionTable;
 
 /// A cell of the point grid: floor(p / edge) on each axis. Source: [smap] Eq. (3.8), restored.
@@ -49,7 +51,9 @@ struct OccupancyVotesOptions {
   double min_vote_share = 0.25;
   /// A cell counts when, besides, the block of 4 x 4 x 4 cells that it lies in has at least this
   /// share of the votes that a typical vote's block has. Points of a large surface rarely fall into
-  /// one cell twice, so that its cells alone cannot tell a single segment's error. 0 counts all.
+  /// one cell twice, so that its cells alone cannot tell a single segment's error. Where a cell of
+  /// the block has three votes, and min_vote_share of the observations that had the block in view,
+  /// as much is asked as from so many observations. 0 counts all.
   double min_block_share = 0.1;
   friend bool operator==(const OccupancyVotesOptions&, const OccupancyVotesOptions&) = default;
 };
@@ -63,8 +67,15 @@ struct OccupancyVotesState {
   double edge_m = 0.01;                ///< Now: the first edge, doubled some times.
   std::uint32_t num_observations = 0;  ///< That voted.
   std::vector<PointVote> votes;        ///< Ascending by cell.
+  /// Of blocks of 4 x 4 x 4 cells, by their place in the grid of blocks, how many observations had
+  /// them in view, 1 and more; ascending. All others were in view of each observation, or nobody
+  /// looked.
+  std::vector<PointVote> looks;
   friend bool operator==(const OccupancyVotesState&, const OccupancyVotesState&) = default;
 };
+
+/// Whether an observation had the point in view.
+using IsInView = std::function<bool(const Eigen::Vector3d& point_in_map)>;
 
 /// Where two objects contest a cell: in it alone, or in the other's block of 4 x 4 x 4 around it.
 enum class ContestedPlace : std::uint8_t { kCell, kBlock };
@@ -99,10 +110,20 @@ class OccupancyVotes {
   [[nodiscard]] static Result<OccupancyVotes> from_state(const OccupancyVotesOptions& options,
                                                          OccupancyVotesState state);
 
-  /// One observation votes once for each cell that it has a point in.
+  /// One observation votes once for each cell that it has a point in. It counts as if it had all
+  /// blocks in view, until `look` says otherwise.
   /// Boundary: points that are not finite or beyond 1e6 m are left out.
   /// Cost: O((points + cells) log).
   void observe(std::span<const Eigen::Vector3f> points_in_map);
+  /// Counts which blocks the newest observation had in view: those that it has a point in, and
+  /// those whose centre `is_in_view` says so of. What was seen by few, since few looked there, is
+  /// told from what few segments took in although others looked. A block that this observation is
+  /// the first to have a point in counts as seen by `num_looks_from_there` earlier ones, too: as
+  /// many as were made from about the same direction. Requires: `points_in_map` are those of the
+  /// newest `observe`. Cost: O(points + cells); asks once for each block without a point.
+  void look(std::span<const Eigen::Vector3f> points_in_map,
+            const IsInView& is_in_view,
+            std::uint32_t num_looks_from_there);
   /// Adds the votes of another evidence of the same object.
   void merge(const OccupancyVotes& other);
 
@@ -147,6 +168,8 @@ class OccupancyVotes {
   void take(OccupancyVotesState state);
   /// Sets the state and what follows from it. Requires: there is room.
   void adopt(OccupancyVotesState state);
+  /// The same, whose cells lie in these blocks.
+  void adopt(OccupancyVotesState state, const CellBlocks& blocks);
   [[nodiscard]] std::vector<Eigen::Vector3d> points_from(CellStanding least) const;
 
   OccupancyVotesOptions options_;

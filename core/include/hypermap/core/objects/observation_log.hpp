@@ -115,6 +115,10 @@ static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
                   std::size_t{16} * 1024,
               "an observation log takes at most 16 KB");
 
+/// Detections that were recorded in sums from the bearing's bin and those beside it.
+/// Cost: linear in the log's summaries.
+[[nodiscard]] std::uint64_t num_detections_from(const ObservationLog& log, double bearing_rad);
+
 /// Whether a detection was ever recorded from the bearing's bin or one beside it. Looks through the
 /// object's place change nothing of it, as they would of the visibility histogram.
 /// Boundary: true of a log without detections, which knows of no side.

@@ -20,8 +20,9 @@
 namespace hypermap {
 
 /// The newest version that is read, and the one that is written. Version 1 lists voted cells as
-/// numbers, version 2 as two texts among an object's state; both have no lines of cells.
-inline constexpr int kObjectsVersion = 3;
+/// numbers, version 2 as two texts among an object's state; both have no lines of cells. Version 4
+/// may say how often blocks of them were in view.
+inline constexpr int kObjectsVersion = 4;
 
 struct ObjectFileLimits {
   std::size_t max_objects = 1'000'000;
