@@ -18,8 +18,10 @@ namespace {
 /// Centres of the 4 x 4 cells of 1 cm of one block, in the lowest layer of block `x`.
 std::vector<Eigen::Vector3f> sheet(int x) {
   std::vector<Eigen::Vector3f> points;
+  points.reserve(16);
   for (int i = 0; i < 16; ++i) {
-    const Eigen::Vector3f cell(static_cast<float>(4 * x + i % 4), static_cast<float>(i / 4), 0.0F);
+    const int row = i / 4;
+    const Eigen::Vector3f cell(static_cast<float>(4 * x + i % 4), static_cast<float>(row), 0.0F);
     points.emplace_back(0.01F * (cell.array() + 0.5F));
   }
   return points;
@@ -52,6 +54,7 @@ void see(OccupancyVotes& points,
 
 std::vector<PointVote> looks_at(const std::vector<std::pair<int, std::uint32_t>>& blocks) {
   std::vector<PointVote> out;
+  out.reserve(blocks.size());
   for (const auto& [x, looks] : blocks) out.push_back({{x, 0, 0}, looks});
   return out;
 }

@@ -19,10 +19,12 @@ using testing_support::scores;
 /// A patch of 4 x 4 cells of 1 cm, one block, at y in cells of 4 cm, 2.02 m ahead.
 std::vector<Eigen::Vector3f> patch_at(int y) {
   std::vector<Eigen::Vector3f> points;
+  points.reserve(16);
   for (int i = 0; i < 16; ++i) {
+    const int row = i / 4;
     points.emplace_back(2.025F,
                         0.04F * static_cast<float>(y) + 0.01F * (static_cast<float>(i % 4) + 0.5F),
-                        0.01F * (static_cast<float>(i / 4) + 0.5F));
+                        0.01F * (static_cast<float>(row) + 0.5F));
   }
   return points;
 }

@@ -133,14 +133,13 @@ class ObjectWriter {
   std::string json_of(const OccupancyVotes& evidence, const VotedCellsCode& cells) {
     const OccupancyVotesOptions& options = evidence.options();
     const OccupancyVotesState& state = evidence.state();
-    const std::string text =
-        joined(json_object({{"first_edge_m", number(options.edge_m)},
-                            {"max_cells", count(options.max_cells)},
-                            {"min_vote_share", number(options.min_vote_share)},
-                            {"min_block_share", number(options.min_block_share)},
-                            {"edge_m", number(state.edge_m)},
-                            {"num_observations", count(state.num_observations)}}),
-               place_of(cells));
+    std::string text = joined(json_object({{"first_edge_m", number(options.edge_m)},
+                                           {"max_cells", count(options.max_cells)},
+                                           {"min_vote_share", number(options.min_vote_share)},
+                                           {"min_block_share", number(options.min_block_share)},
+                                           {"edge_m", number(state.edge_m)},
+                                           {"num_observations", count(state.num_observations)}}),
+                              place_of(cells));
     if (state.looks.empty()) return text;
     const VotedCellsCode looks = voted_cells_code(state.looks);
     const std::string cells_of_looks =
