@@ -101,20 +101,23 @@ Result<void> check_edge(double edge_m, double first_edge_m) {
               "points.edge_m");
 }
 
-Result<void> check_looks(const OccupancyVotesState& state, const OccupancyVotesOptions& options) {
-  if (state.looks.size() > options.max_cells) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be at most " + std::to_string(options.max_cells) + ", are " +
-                    std::to_string(state.looks.size()),
-                "points.looks");
+/// Errors: kInvalidArgument: more entries than `max_entries`, not ascending, or numbers that are
+/// not within 1 and `most`, naming the list or the entry.
+Result<void> check_ascending(std::span<const PointVote> list,
+                             std::size_t max_entries,
+                             std::uint32_t most,
+                             const std::string& field,
+                             const char* rule) {
+  if (list.size() > max_entries) {
+    return fail(
+        ErrorCode::kInvalidArgument,
+        "must be at most " + std::to_string(max_entries) + ", are " + std::to_string(list.size()),
+        field);
   }
-  for (std::size_t i = 0; i < state.looks.size(); ++i) {
-    const PointVote& look = state.looks[i];
-    const bool ascends = i == 0 || state.looks[i - 1].cell < look.cell;
-    if (ascends && look.votes > 0 && look.votes < state.num_observations) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                "blocks must ascend, looks be above 0 and fewer than num_observations",
-                "points.looks[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const bool ascends = i == 0 || list[i - 1].cell < list[i].cell;
+    if (ascends && list[i].votes > 0 && list[i].votes <= most) continue;
+    return fail(ErrorCode::kInvalidArgument, rule, field + "[" + std::to_string(i) + "]");
   }
   return {};
 }
@@ -144,21 +147,17 @@ Result<OccupancyVotes> OccupancyVotes::from_state(const OccupancyVotesOptions& o
     return fail(ErrorCode::kInvalidArgument, "is too large or no number", "points.edge_m");
   }
   HYPERMAP_TRY(check_edge(state.edge_m, options.edge_m));
-  if (state.votes.size() > options.max_cells) {
-    return fail(ErrorCode::kInvalidArgument,
-                "must be at most " + std::to_string(options.max_cells) + ", are " +
-                    std::to_string(state.votes.size()),
-                "points.votes");
-  }
-  for (std::size_t i = 0; i < state.votes.size(); ++i) {
-    const PointVote& vote = state.votes[i];
-    const bool ascends = i == 0 || state.votes[i - 1].cell < vote.cell;
-    if (ascends && vote.votes > 0 && vote.votes <= state.num_observations) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                "cells must ascend, votes be in 1..num_observations",
-                "points.votes[" + std::to_string(i) + "]");
-  }
-  HYPERMAP_TRY(check_looks(state, options));
+  HYPERMAP_TRY(check_ascending(state.votes,
+                               options.max_cells,
+                               state.num_observations,
+                               "points.votes",
+                               "cells must ascend, votes be in 1..num_observations"));
+  const std::uint32_t most_looks = state.num_observations - std::min(state.num_observations, 1U);
+  HYPERMAP_TRY(check_ascending(state.looks,
+                               options.max_cells,
+                               most_looks,
+                               "points.looks",
+                               "blocks must ascend, looks be in 1..num_observations - 1"));
   OccupancyVotes evidence(options);
   evidence.adopt(std::move(state));
   return evidence;
