@@ -59,7 +59,7 @@ constexpr OptionRow kForegroundRows[] = {
     option::number<&Foreground::part_max_outside>(
         "part_max_outside",
         {0, 1},
-        {.effect = "A surface with more of it outside the box is no part."}),
+        {.effect = "A surface with more of it outside the box is no part, and background."}),
     option::number<&Foreground::point_spacing_m>(
         "point_spacing_m",
         option::zero_or(kFinestLeafM, 10),

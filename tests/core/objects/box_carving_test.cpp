@@ -165,6 +165,62 @@ TEST(BoxCarving, OutsideTheImageAndBehindTheCameraNothingIsSeen) {
   EXPECT_EQ(SeenBoard({{-20, 40, -5, 60}}).carve(frame), 0U) << "u from 5.2 to 54.1: all outside";
 }
 
+/// Background on all columns of the image from that one on.
+BackgroundCells background_from(int u_px) {
+  BackgroundCells cells{
+      .rect = {0, 0, 101, 101}, .block_px = 1, .is_background = MaskImage(101, 101)};
+  for (int v = 0; v < 101; ++v) {
+    for (int u = u_px; u < 101; ++u) cells.is_background.at(u, v) = 1;
+  }
+  return cells;
+}
+
+// Columns 45 to 49 are seen at u = 70.2, 71.2, 72.2, 73.2 and 74.2, their pixels are 70 to 74.
+TEST(BoxCarving, WhatIsSeenAmidTheBackgroundLosesAVote) {
+  SeenBoard seen({kWhole});
+  seen.observations[0].segment.background = background_from(72);
+  EXPECT_EQ(seen.carve(frame_before_board()), 2U * kNumRows) << "pixel 72 is beside what is none";
+  EXPECT_EQ(seen.cells_by_votes(), (std::map<std::uint32_t, int>{{2, 20}, {3, 480}}));
+  seen.options.carving.rule = BoxCarvingRule::kBoxes;
+  EXPECT_EQ(seen.carve(frame_before_board()), 0U);
+}
+
+TEST(BoxCarving, AFrameTakesOneVoteOfACell) {
+  SeenBoard seen({kNarrow});                                      // columns 46 to 49
+  seen.observations[0].segment.background = background_from(69);  // columns 45 to 49
+  EXPECT_EQ(seen.carve(frame_before_board()), 5U * kNumRows);
+  EXPECT_EQ(seen.cells_by_votes(), (std::map<std::uint32_t, int>{{2, 50}, {3, 450}}));
+}
+
+TEST(BoxCarving, BackgroundSpeaksAgainstAnyShare) {
+  SeenBoard seen({kPart});  // leaves out too much to count itself
+  seen.observations[0].segment.background = background_from(50);
+  EXPECT_EQ(seen.carve(frame_before_board()), 24U * kNumRows) << "from u = 51.2 on";
+}
+
+TEST(BoxCarving, BackgroundThatHidesOrIsHiddenSaysNothing) {
+  for (const float depth_m : {1.9F, 2.2F, 0.0F}) {
+    SeenBoard seen({kWhole});
+    seen.observations[0].segment.background = background_from(71);
+    RgbdFrame frame = frame_before_board();
+    frame.depth_m = DepthImage(101, 101, depth_m);
+    EXPECT_EQ(seen.carve(frame), 0U) << depth_m;
+  }
+}
+
+TEST(BoxCarving, StraysAloneAreLeftInTheBackground) {
+  SeenBoard seen({kWhole});
+  const ObjectId id = seen.association.matched[0];
+  seen.objects.modify(id, [](Object& object) {
+    const std::vector<Eigen::Vector3f> board = points_of_board();
+    for (int i = 0; i < 40; ++i) object.points.observe(board);
+    // One more, far beside it, once.
+    object.points.observe(std::vector<Eigen::Vector3f>{{2.005F, -0.905F, 0.005F}});
+  });
+  seen.observations[0].segment.background = background_from(90);
+  EXPECT_EQ(seen.carve(frame_before_board()), 0U);
+}
+
 TEST(BoxCarving, TwoDetectionsOfOneObjectMayShowPartsOfIt) {
   EXPECT_EQ(SeenBoard({kNarrow, kNarrow}).carve(frame_before_board()), 0U);
 }

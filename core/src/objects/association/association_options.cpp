@@ -66,13 +66,14 @@ constexpr OptionRow kAssignmentRows[] = {
         {.effect = "A cell goes to the object that agrees on it so many times more."}),
 };
 
-constexpr std::string_view kCarvingNames[] = {"none", "boxes"};
+constexpr std::string_view kCarvingNames[] = {"none", "boxes", "boxes_and_background"};
 
 constexpr OptionRow kCarvingRows[] = {
     option::choice<&Carving::rule>(
         "rule",
         kCarvingNames,
-        {.effect = "Whether what is seen outside a detection's box is no part of the object.",
+        {.effect =
+             "What of an object is denied: seen outside its box, or on what runs on beyond it.",
          .smap = BoxCarvingRule::kNone,
          .hypermap = BoxCarvingRule::kNone}),
     option::number<&Carving::margin_share>(

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,17 +33,20 @@ class CellsInFrame {
 
   /// Positions of the cells that are shown outside the box.
   [[nodiscard]] std::vector<std::size_t> shown_outside(const PixelBox& box) const {
-    std::vector<std::size_t> outside;
-    for (std::size_t i = 0; i < points_.state().votes.size(); ++i) {
-      const PointInCamera cell = in_camera(i);
-      const auto at = frame_.camera.project(cell);
-      // Most lie in the box: depth is not asked for then.
-      if (at && !is_in(box, *at) && is_shown(cell, *at)) outside.push_back(i);
-    }
-    return outside;
+    return shown_where([&box](const PixelPoint& at) { return !is_in(box, at); });
+  }
+  /// Positions of the cells that are shown amid the background.
+  [[nodiscard]] std::vector<std::size_t> shown_on(const BackgroundCells& background) const {
+    return shown_where([&background](const PixelPoint& at) {
+      const Eigen::Vector2i pixel = pixel_of(at);
+      return background.surrounds(pixel.x(), pixel.y());
+    });
   }
   [[nodiscard]] bool is_agreed(std::size_t position) const {
     return points_.standings()[position] == CellStanding::kAgreed;
+  }
+  [[nodiscard]] bool is_stray(std::size_t position) const {
+    return points_.standings()[position] == CellStanding::kStray;
   }
   [[nodiscard]] std::size_t num_agreed_shown() const {
     std::size_t count = 0;
@@ -56,6 +60,18 @@ class CellsInFrame {
   }
 
  private:
+  /// Positions of the cells that are shown at places in the image of which `is_asked_for` holds.
+  template <class IsAskedFor>
+  [[nodiscard]] std::vector<std::size_t> shown_where(const IsAskedFor& is_asked_for) const {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < points_.state().votes.size(); ++i) {
+      const PointInCamera cell = in_camera(i);
+      const auto at = frame_.camera.project(cell);
+      // Of most it does not: depth is not asked for then.
+      if (at && is_asked_for(*at) && is_shown(cell, *at)) shown.push_back(i);
+    }
+    return shown;
+  }
   [[nodiscard]] PointInCamera in_camera(std::size_t position) const {
     const OccupancyVotesState& state = points_.state();
     return camera_from_map_ * PointInMap{centre_of(state.votes[position].cell, state.edge_m)};
@@ -89,6 +105,35 @@ std::vector<std::size_t> cells_outside(const CellsInFrame& cells,
   return outside;
 }
 
+/// Positions of the cells that are shown on surfaces which run on beyond the box; none where all of
+/// them are strays, which change nothing that anybody asks for.
+std::vector<std::size_t> cells_on(const CellsInFrame& cells, const BackgroundCells& background) {
+  if (background.is_background.empty()) return {};
+  std::vector<std::size_t> on = cells.shown_on(background);
+  if (std::ranges::all_of(on, [&](std::size_t position) { return cells.is_stray(position); }))
+    on.clear();
+  return on;
+}
+
+/// The positions that either has; both ascend.
+std::vector<std::size_t> united(const std::vector<std::size_t>& a,
+                                const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> both;
+  both.reserve(a.size() + b.size());
+  std::ranges::set_union(a, b, std::back_inserter(both));
+  return both;
+}
+
+/// Positions of the cells that the frame shows to be something else than the observation.
+std::vector<std::size_t> denied_cells(const CellsInFrame& cells,
+                                      const Observation& observation,
+                                      const BoxCarvingOptions& carving) {
+  const PixelBox box = widened(observation.box_px, carving.margin_share);
+  std::vector<std::size_t> outside = cells_outside(cells, box, carving.max_share);
+  if (carving.rule != BoxCarvingRule::kBoxesAndBackground) return outside;
+  return united(outside, cells_on(cells, observation.segment.background));
+}
+
 }  // namespace
 
 std::size_t carve_by_boxes(ObjectMap& objects,
@@ -102,15 +147,14 @@ std::size_t carve_by_boxes(ObjectMap& objects,
   for (const ObjectId id : association.matched) {
     const auto observation = only_observation_of(id, association);
     if (!observation) continue;
-    const PixelBox box = widened(observations[*observation].box_px, carving.margin_share);
-    const auto outside =
-        cells_outside(CellsInFrame(frame, objects.at(id).points), box, carving.max_share);
-    if (outside.empty()) continue;
+    const auto denied = denied_cells(
+        CellsInFrame(frame, objects.at(id).points), observations[*observation], carving);
+    if (denied.empty()) continue;
     objects.modify(id, [&](Object& object) {
-      object.points.deny(outside);
+      object.points.deny(denied);
       follow_points(object, options);
     });
-    num_denied += outside.size();
+    num_denied += denied.size();
   }
   return num_denied;
 }

@@ -7,6 +7,12 @@
 #include <cmath>
 
 namespace hypermap {
+namespace {
+
+/// Farther outside than any image reaches, and still a number of a pixel.
+constexpr double kFarPx = 1e9;
+
+}  // namespace
 
 std::optional<std::size_t> only_observation_of(ObjectId id, const AssociationReport& association) {
   const auto& ids = association.object_of_observation;
@@ -14,14 +20,17 @@ std::optional<std::size_t> only_observation_of(ObjectId id, const AssociationRep
   return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
 }
 
+Eigen::Vector2i pixel_of(const PixelPoint& at) {
+  const auto nearest = [](double px) {
+    return static_cast<int>(std::clamp(std::floor(px + 0.5), -kFarPx, kFarPx));
+  };
+  return {nearest(at.u_px), nearest(at.v_px)};
+}
+
 std::optional<double> measured_depth_m(const RgbdFrame& frame, const PixelPoint& at) {
-  const double u_px = std::floor(at.u_px + 0.5);
-  const double v_px = std::floor(at.v_px + 0.5);
-  const bool is_inside = u_px >= 0.0 && v_px >= 0.0 && u_px < frame.depth_m.width_px() &&
-                         v_px < frame.depth_m.height_px();
-  if (!is_inside) return std::nullopt;
-  const auto depth_m =
-      static_cast<double>(frame.depth_m.at(static_cast<int>(u_px), static_cast<int>(v_px)));
+  const Eigen::Vector2i pixel = pixel_of(at);
+  if (!frame.depth_m.contains(pixel.x(), pixel.y())) return std::nullopt;
+  const auto depth_m = static_cast<double>(frame.depth_m.at(pixel.x(), pixel.y()));
   return std::isfinite(depth_m) ? std::optional(depth_m) : std::nullopt;
 }
 

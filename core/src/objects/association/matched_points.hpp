@@ -7,6 +7,8 @@
 #include "hypermap/core/objects/object.hpp"
 #include "hypermap/core/segmentation/rgbd_frame.hpp"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <optional>
 
@@ -15,6 +17,9 @@ namespace hypermap {
 /// The position of the only observation of the object in the frame; none when there are more.
 [[nodiscard]] std::optional<std::size_t> only_observation_of(ObjectId id,
                                                              const AssociationReport& association);
+
+/// The pixel that the point falls on; may lie outside the image.
+[[nodiscard]] Eigen::Vector2i pixel_of(const PixelPoint& at);
 
 /// The depth at the pixel that the point falls on; none outside the image and where none is
 /// measured.

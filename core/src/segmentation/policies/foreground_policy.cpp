@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Our segmentation: what continues outside the box is background, and a mask shows the object.
+#include "background_surfaces.hpp"
 #include "flat_top.hpp"
 #include "masked_surfaces.hpp"
 #include "pixel_shares.hpp"
@@ -264,6 +265,8 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
   FoundObject found = find_object(window, planes, kind, gravity_aligned_from_camera, foreground);
+  BackgroundCells background =
+      background_surfaces(window, found.surfaces, found.is_object, foreground);
   const auto grown = grown_planes(window, planes, kind, found.is_object, foreground);
   if (grown != kind)
     found = find_object(window, planes, grown, gravity_aligned_from_camera, foreground);
@@ -284,10 +287,12 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   std::vector<std::uint32_t> pixels = pixels_of(frame, detection, window, is_object);
   if (pixels.size() < static_cast<std::size_t>(foreground.min_pixels))
     return nothing_left("object");
-  return describe(frame,
-                  std::move(pixels),
-                  points_of(window, is_object, gravity_aligned_from_camera, foreground),
-                  options);
+  Segment segment = describe(frame,
+                             std::move(pixels),
+                             points_of(window, is_object, gravity_aligned_from_camera, foreground),
+                             options);
+  segment.background = std::move(background);
+  return segment;
 }
 
 }  // namespace hypermap

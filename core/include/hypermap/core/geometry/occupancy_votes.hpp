@@ -54,7 +54,7 @@ struct OccupancyVotesOptions {
   /// one cell twice, so that its cells alone cannot tell a single segment's error. Where a cell of
   /// the block has three votes, and min_vote_share of the observations that had the block in view,
   /// as much is asked as from so many observations. 0 counts all.
-  double min_block_share = 0.1;
+  double min_block_share = 0.075;
   friend bool operator==(const OccupancyVotesOptions&, const OccupancyVotesOptions&) = default;
 };
 

@@ -118,13 +118,14 @@ struct AssignmentOptions {
 [[nodiscard]] const OptionTable& option_table(const AssignmentOptions& options);
 
 enum class BoxCarvingRule : std::uint8_t {
-  kNone,   ///< Boxes only tell where to look for points.
-  kBoxes,  ///< A cell that is seen outside the box loses a vote.
+  kNone,               ///< Boxes only tell where to look for points.
+  kBoxes,              ///< A cell that is seen outside the box loses a vote.
+  kBoxesAndBackground  ///< And one that is seen on a surface which runs on beyond the box.
 };
 
-/// What a frame shows outside a detection's box: `carve_by_boxes`, box_carving.hpp.
+/// What a frame shows beside what a detection means: `carve_by_boxes`, box_carving.hpp.
 struct BoxCarvingOptions {
-  BoxCarvingRule rule = BoxCarvingRule::kBoxes;
+  BoxCarvingRule rule = BoxCarvingRule::kBoxesAndBackground;
   /// A box reaches farther by this share of its width or height on each side: detectors' boxes are
   /// not exact.
   double margin_share = 0.1;

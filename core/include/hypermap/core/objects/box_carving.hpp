@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a frame shows outside a detection's box and mask is not part of what was detected.
+/// What a frame shows outside a detection's box and mask, or on surfaces that run on beyond them,
+/// is not part of what was detected.
 #pragma once
 
 #include "hypermap/core/objects/association.hpp"
@@ -13,7 +14,8 @@
 namespace hypermap {
 
 /// Takes a vote from each cell of a matched object that `frame` shows outside the box of the
-/// object's detection, and returns how many cells lost one. Box and centroid of the object follow.
+/// object's detection, or amid the background of its segment, and returns how many cells lost one.
+/// Box and centroid of the object follow.
 ///
 /// A cell is shown where its centre falls on a pixel whose depth is that of the cell, within one
 /// and a half edges and three standard deviations of the sensor's noise (axial_noise_m). Objects

@@ -61,7 +61,8 @@ struct ForegroundOptions {
   double part_gap_m = 0.08;
   /// And this near in height: the seat of a chair and its feet. Unit: metre.
   double part_height_gap_m = 0.4;
-  /// A surface with more than this share of its pixels outside the box is not a part.
+  /// A surface with more than this share of its pixels outside the box is not a part, and what the
+  /// map holds for the object there is not the object's.
   double part_max_outside = 0.12;
   /// Spacing of the points of small objects; larger objects get coarser ones. Unit: metre.
   double point_spacing_m = 0.006;

@@ -7,6 +7,7 @@
 
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/geometry/box.hpp"
+#include "hypermap/core/segmentation/background_cells.hpp"
 
 #include <Eigen/Core>
 
@@ -23,6 +24,9 @@ struct Segment {
   std::vector<Eigen::Vector3f> points_in_map;
   /// The depth pixels that lie on the object, row-major positions in the image, ascending.
   std::vector<std::uint32_t> pixel_indices;
+  /// Where the detection's box shows something else. Empty with the sources' policies, which do not
+  /// look beyond a box.
+  BackgroundCells background;
   Box box;  ///< Of `points_in_map`.
   /// Middle of the box. Source: [smap] pseudocode 3.2, (min + max) / 2.
   Eigen::Vector3d centroid_in_map = Eigen::Vector3d::Zero();
