@@ -11,11 +11,15 @@
 
 namespace hypermap {
 
-/// The sums of the votes of all cells in a block.
+/// How often the cells of each block were voted for.
 struct BlockVotes {
-  std::vector<std::uint32_t> sums;  ///< By the number of the block.
+  /// By the number of the block: the sum of its cells' votes. Of a block with more cells than the
+  /// block of a typical cell has, that share of it: where faces meet, or errors lie thick, a block
+  /// has more cells, not more observations.
+  std::vector<std::uint32_t> sums;
   std::vector<std::uint32_t> best;  ///< The most votes of a cell, by the number of its block.
-  /// Of the block of a typical vote: half of all votes lie in blocks with more. 1 without votes.
+  /// The sum of the block of a typical vote: half of all sums lie in blocks with more. 1 without
+  /// votes.
   std::uint32_t typical = 1;
 };
 

@@ -104,7 +104,7 @@ TEST(OccupancyVotes, OfALargeSurfaceTheBlocksTellWhatTwoSegmentsTookIn) {
 }
 
 TEST(OccupancyVotes, SupportedAreTheCellsOfASurfaceThatOnlyOneSaw) {
-  const OccupancyVotes plane = observed_plane({.max_cells = 65536, .min_block_share = 0.1});
+  const OccupancyVotes plane = observed_plane({.max_cells = 65536});
   const auto supported = plane.supported_points();
   EXPECT_GT(2 * supported.size(), 3 * plane.agreed_points().size());
   EXPECT_TRUE(std::ranges::none_of(supported, [](const auto& p) { return p.x() > 2.01; }));
@@ -206,10 +206,10 @@ TEST(OccupancyVotes, WhatIsSeenLastOfALargeThingIsOfItToo) {
 }
 
 TEST(OccupancyVotes, StraysSideBySideDoNotAgreeWhenCellsWiden) {
-  // One observation in thirty is twice as long; the cells are doubled on the way.
+  // One observation in twenty is twice as long; the cells are doubled on the way.
   OccupancyVotes points;
   for (int i = 0; i < 60; ++i) {
-    const double length = i % 30 == 3 ? 4.0 : 2.0;
+    const double length = i % 20 == 3 ? 4.0 : 2.0;
     points.observe(surface_of(box_at({0, 0, 0.5}, {length, 1.0, 1.0}), 0.015));
   }
   EXPECT_GT(points.state().edge_m, points.options().edge_m);

@@ -50,11 +50,12 @@ struct OccupancyVotesOptions {
   /// counts all: the hull of all errors.
   double min_vote_share = 0.25;
   /// A cell counts when, besides, the block of 4 x 4 x 4 cells that it lies in has at least this
-  /// share of the votes that a typical vote's block has. Points of a large surface rarely fall into
-  /// one cell twice, so that its cells alone cannot tell a single segment's error. Where a cell of
+  /// share of the votes that a typical vote's block has, each for as many cells as a block usually
+  /// has. Points of a large surface rarely fall into one cell twice, so that its cells alone cannot
+  /// tell a single segment's error. Where a cell of
   /// the block has three votes, and min_vote_share of the observations that had the block in view,
   /// as much is asked as from so many observations. 0 counts all.
-  double min_block_share = 0.075;
+  double min_block_share = 0.1;
   friend bool operator==(const OccupancyVotesOptions&, const OccupancyVotesOptions&) = default;
 };
 
