@@ -91,12 +91,33 @@ class Rates(unittest.TestCase):
             self.assertLessEqual(thing["found"], 2)
         same = self.report([self.maps[0]] * 3)
         self.assertAlmostEqual(same["over_runs"]["rmse_m"]["std"], 0)
+        self.assertEqual(same["over_runs"]["precision"]["interval_95"], [report["runs"][0]["precision"]] * 2)
         each = self.report(self.maps, truths=[self.truth, self.truth])
         self.assertEqual(each["all"], report["all"])
         text = self.evaluated(self.maps)
         self.assertEqual(text.returncode, 0, text.stderr)
-        for word in ("TPr", "AP IoU .50", "fine.hmap", "mean", "std", "error x m", "RMSE", "classes of what is real"):
+        for word in ("TPr", "AP IoU .50", "fine.hmap", "mean", "std", "95 % +-", "over the runs", "label recall", "error x m", "RMSE", "classes of what is real"):
             self.assertIn(word, text.stdout)
+
+    def test_means_over_maps_have_intervals(self):
+        report = self.report(self.maps)
+        usual = [json.loads(self.evaluated([one], "--json").stdout) for one in self.maps]
+        labels = [one["voxels"] for one in usual]
+        for key, values in (("f1", [one["one_to_one"]["f1"] for one in usual]),
+                            ("jaccard_in_place", [one["one_to_one"]["jaccard_in_place"] for one in usual]),
+                            ("label_precision", [one["precision"] for one in labels]),
+                            ("label_recall", [one["recall"] for one in labels])):
+            with self.subTest(key):
+                over_runs = report["over_runs"][key]
+                mean = sum(values) / 2
+                self.assertAlmostEqual(over_runs["mean"], mean)
+                # t = 12.7062 of one degree of freedom; two values deviate from their mean by s / sqrt 2.
+                half = 12.7062 * abs(values[0] - mean)
+                self.assertAlmostEqual(over_runs["interval_95"][0], mean - half, delta=1e-5)
+                self.assertAlmostEqual(over_runs["interval_95"][1], mean + half, delta=1e-5)
+        alone = self.report(self.maps[:1])["over_runs"]["f1"]
+        self.assertEqual((alone["n"], alone["std"], alone["interval_95"]), (1, None, None))
+        self.assertNotIn("95 %", self.evaluated(self.maps[:1], "--rates").stdout)
 
     def test_tables_for_spreadsheets(self):
         tables = self.folder / "tables"
@@ -119,6 +140,10 @@ class Rates(unittest.TestCase):
         self.assertEqual([(row["object"], row["class"], float(row["x_m"])) for row in false],
                          [(str(one["object"]), one["class"], one["position"][0])
                           for run in report["runs"] for one in run["false"]])
+        figures = {row["figure"]: row for row in rows("over_runs.csv")}
+        self.assertEqual(figures.keys(), report["over_runs"].keys())
+        self.assertEqual([float(figures["f1"][key]) for key in ("mean", "low_95", "high_95")],
+                         [report["over_runs"]["f1"]["mean"], *report["over_runs"]["f1"]["interval_95"]])
         before = (tables / "runs.csv").read_bytes()
         self.assertEqual(self.evaluated(self.maps, "--csv", tables).returncode, 0)
         self.assertEqual((tables / "runs.csv").read_bytes(), before)

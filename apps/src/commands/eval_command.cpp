@@ -148,7 +148,8 @@ void add_eval_command(CLI::App& program, Action& action) {
       .add_flag("--rates",
                 arguments->rates,
                 "tables of classes, runs and things instead: true and false positives and "
-                "negatives with their rates, average precision, overlap of boxes, position errors")
+                "negatives with their rates, average precision, overlap of boxes, position errors; "
+                "of several maps also means with their 95 % intervals")
       ->excludes(against)
       ->excludes(also)
       ->excludes(reliability)
@@ -157,7 +158,7 @@ void add_eval_command(CLI::App& program, Action& action) {
       .add_option("--csv",
                   arguments->csv,
                   "folder for these tables as classes.csv, runs.csv, things.csv, positions.csv, "
-                  "false.csv; of a cloud voxels.csv")
+                  "false.csv, over_runs.csv; of a cloud voxels.csv")
       ->excludes(against)
       ->excludes(also)
       ->excludes(reliability)

@@ -57,6 +57,22 @@ std::string runs_csv(const RunTables& tables, const std::vector<RunName>& names)
   return csv.text();
 }
 
+/// A row for each figure that has a mean over runs.
+std::string over_runs_csv(const RunTables& tables) {
+  CsvText csv({"figure", "n", "mean", "std", "low_95", "high_95"});
+  for (const RunFigure& figure : tables.figures) {
+    const OverRuns& over_runs = figure.over_runs;
+    csv.add(figure.key);
+    csv.add(over_runs.n);
+    csv.add(over_runs.mean);
+    csv.add(over_runs.std);
+    csv.add(over_runs.low_95());
+    csv.add(over_runs.high_95());
+    csv.end_line();
+  }
+  return csv.text();
+}
+
 std::string instances_csv(const RunTables& tables) {
   CsvText csv({"thing",
                "class",
@@ -138,7 +154,8 @@ std::vector<CsvFile> csv_files_of(const RatesOutcome& outcome, const std::vector
           {.name = kCsvNames[1], .text = runs_csv(outcome.tables, names)},
           {.name = kCsvNames[2], .text = instances_csv(outcome.tables)},
           {.name = kCsvNames[3], .text = positions_csv(outcome, names)},
-          {.name = kCsvNames[4], .text = false_csv(outcome, names)}};
+          {.name = kCsvNames[4], .text = false_csv(outcome, names)},
+          {.name = kCsvNames[5], .text = over_runs_csv(outcome.tables)}};
 }
 
 }  // namespace hypermap::app

@@ -48,6 +48,7 @@ RatesJson json_of(const RateRow& row, const char* precision_key) {
           {"fnr", known(counts.false_negative_rate())},
           {"accuracy", known(counts.accuracy())},
           {"precision", known(counts.precision())},
+          {"f1", known(counts.f1())},
           {precision_key, std::move(precisions)},
           {"box_iou", known(row.box_iou)},
           {"position", json_of(row.position)}};
@@ -94,6 +95,21 @@ RatesJson json_of(const std::vector<PrecisionRecallPoint>& curve) {
   return points;
 }
 
+RatesJson json_of(const RunFit& fit) {
+  return {{"jaccard_in_place", known(fit.jaccard_in_place)},
+          {"label_precision", known(fit.label_precision)},
+          {"label_recall", known(fit.label_recall)}};
+}
+
+RatesJson json_of(const OverRuns& over_runs) {
+  RatesJson interval = nullptr;
+  if (over_runs.half_width_95) interval = {*over_runs.low_95(), *over_runs.high_95()};
+  return {{"n", over_runs.n},
+          {"mean", known(over_runs.mean)},
+          {"std", known(over_runs.std)},
+          {"interval_95", std::move(interval)}};
+}
+
 }  // namespace
 
 std::vector<RunName> run_names(const RatesJob& job) {
@@ -124,6 +140,7 @@ std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>
     RatesJson run{{"map", names[i].map}, {"truth", names[i].truth}};
     run.update(json_of(tables.runs[i], "mean_ap"));
     run["classification"] = json_of(tables.run_classifications[i]);
+    run["fit"] = json_of(tables.run_fits[i]);
     run["things_found"] = RatesJson::array();
     for (const TruthRun& instance : outcome.runs[i].truths)
       run["things_found"].push_back(json_of(instance));
@@ -133,9 +150,7 @@ std::string json_text_of(const RatesOutcome& outcome, const std::vector<RunName>
     json["runs"].push_back(std::move(run));
   }
   for (const RunFigure& figure : tables.figures)
-    json["over_runs"][figure.key] = {{"n", figure.over_runs.n},
-                                     {"mean", known(figure.over_runs.mean)},
-                                     {"std", known(figure.over_runs.std)}};
+    json["over_runs"][figure.key] = json_of(figure.over_runs);
   for (const ObjectRow& row : tables.objects) json["things"].push_back(json_of(row));
   return json.dump(2, ' ', false, RatesJson::error_handler_t::replace) + "\n";
 }

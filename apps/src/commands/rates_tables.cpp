@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hypermap::app {
@@ -60,6 +62,14 @@ std::string class_text(const RunTables& tables) {
   return table.text();
 }
 
+/// Requires: a key of run_tables.
+const OverRuns& figure_called(const RunTables& tables, std::string_view key) {
+  return std::find_if(tables.figures.begin(),
+                      tables.figures.end(),
+                      [key](const RunFigure& one) { return one.key == key; })
+      ->over_runs;
+}
+
 /// Below the runs: `cell` of each figure that has a mean over them.
 std::vector<std::string> over_runs_row(const std::string& name,
                                        const RunTables& tables,
@@ -79,13 +89,33 @@ std::vector<std::string> over_runs_row(const std::string& name,
                                    "rmse_z_m",
                                    "rmse_m"};
   std::vector<std::string> cells{name, "", "", "", "", ""};
-  for (const char* key : kKeys) {
-    const auto figure = std::find_if(tables.figures.begin(),
-                                     tables.figures.end(),
-                                     [key](const RunFigure& one) { return one.key == key; });
-    cells.push_back(fixed(figure->over_runs.*cell, kRateDigits));
-  }
+  for (const char* key : kKeys)
+    cells.push_back(fixed(figure_called(tables, key).*cell, kRateDigits));
   return cells;
+}
+
+/// Means of the figures by which ways of mapping are compared, with their confidence intervals.
+std::string mean_text(const RunTables& tables) {
+  constexpr std::pair<const char*, const char*> kFigures[] = {
+      {"precision", "precision"},
+      {"recall", "tpr"},
+      {"F1", "f1"},
+      {"Jaccard in place", "jaccard_in_place"},
+      {"distance of centres m", "distance_m"},
+      {"3D IoU", "box_iou"},
+      {"classes right", "class_accuracy"},
+      {"label precision", "label_precision"},
+      {"label recall", "label_recall"}};
+  Table table({"over the runs", "runs", "mean", "95 % from", "to"});
+  for (const auto& [name, key] : kFigures) {
+    const OverRuns& figure = figure_called(tables, key);
+    table.add({name,
+               std::to_string(figure.n),
+               fixed(figure.mean, kRateDigits),
+               fixed(figure.low_95(), kRateDigits),
+               fixed(figure.high_95(), kRateDigits)});
+  }
+  return "\n" + table.text();
 }
 
 std::string run_text(const RunTables& tables, const std::vector<RunName>& names) {
@@ -95,7 +125,8 @@ std::string run_text(const RunTables& tables, const std::vector<RunName>& names)
     table.add(rate_row(printable(names[i].map), tables.runs[i]));
   table.add(over_runs_row("mean", tables, &OverRuns::mean));
   table.add(over_runs_row("std", tables, &OverRuns::std));
-  return "\n" + table.text();
+  table.add(over_runs_row("95 % +-", tables, &OverRuns::half_width_95));
+  return "\n" + table.text() + mean_text(tables);
 }
 
 std::vector<std::string> object_cells(const std::string& name,

@@ -26,10 +26,10 @@ struct RunName {
 [[nodiscard]] std::string json_text_of(const RatesOutcome& outcome,
                                        const std::vector<RunName>& names);
 
-/// Names of `csv_files_of`: a row each for classes, runs, things over all runs, things by run, and
-/// objects that are no thing, by run.
-inline constexpr std::array<const char*, 5> kCsvNames{
-    "classes.csv", "runs.csv", "things.csv", "positions.csv", "false.csv"};
+/// Names of `csv_files_of`: a row each for classes, runs, things over all runs, things by run,
+/// objects that are no thing, by run, and figures over all runs.
+inline constexpr std::array<const char*, 6> kCsvNames{
+    "classes.csv", "runs.csv", "things.csv", "positions.csv", "false.csv", "over_runs.csv"};
 
 [[nodiscard]] std::vector<CsvFile> csv_files_of(const RatesOutcome& outcome,
                                                 const std::vector<RunName>& names);

@@ -38,6 +38,10 @@ std::optional<double> BinaryCounts::precision() const {
   return share(true_positives, false_positives);
 }
 
+std::optional<double> BinaryCounts::f1() const {
+  return share(2 * true_positives, false_positives + false_negatives);
+}
+
 BinaryCounts& BinaryCounts::operator+=(const BinaryCounts& other) {
   true_positives += other.true_positives;
   false_positives += other.false_positives;

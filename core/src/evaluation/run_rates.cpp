@@ -134,7 +134,9 @@ std::string_view key_of(MatchCriterion criterion) {
 }
 
 RunRates run_rates(const RatedRun& run) {
-  RunRates rates{.classifications = run.classifications, .has_confidences = can_be_ranked(run)};
+  RunRates rates{.classifications = run.classifications,
+                 .has_confidences = can_be_ranked(run),
+                 .fit = run.fit};
   const std::vector<bool> is_found = found_objects(run);
   rates.truths.reserve(run.truths.size());
   for (const RatedTruth& truth : run.truths) rates.truths.push_back(truth_run(run, truth));

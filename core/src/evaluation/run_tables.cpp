@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/evaluation/run_tables.hpp"
 
+#include "hypermap/core/evaluation/student_interval.hpp"
 #include "running_mean.hpp"
 
 #include <algorithm>
@@ -66,12 +67,13 @@ OverRuns over_runs(std::span<const std::optional<double>> values) {
     if (value) squares += (*value - *result.mean) * (*value - *result.mean);
   }
   result.std = std::sqrt(squares / static_cast<double>(result.n - 1));
+  result.half_width_95 = student_half_width_95(*result.std, result.n);
   return result;
 }
 
 /// The figures of one run that have a mean over runs, in the order of output.
 std::vector<std::pair<std::string, std::optional<double>>> figures_of(
-    const RateRow& row, const Classifications& classifications) {
+    const RateRow& row, const Classifications& classifications, const RunFit& fit) {
   std::vector<std::pair<std::string, std::optional<double>>> figures{
       {"tpr", row.counts.true_positive_rate()},
       {"tnr", row.counts.true_negative_rate()},
@@ -79,7 +81,11 @@ std::vector<std::pair<std::string, std::optional<double>>> figures_of(
       {"fnr", row.counts.false_negative_rate()},
       {"accuracy", row.counts.accuracy()},
       {"precision", row.counts.precision()},
-      {"class_accuracy", classifications.accuracy()}};
+      {"f1", row.counts.f1()},
+      {"class_accuracy", classifications.accuracy()},
+      {"jaccard_in_place", fit.jaccard_in_place},
+      {"label_precision", fit.label_precision},
+      {"label_recall", fit.label_recall}};
   for (const MatchCriterion criterion : kMatchCriteria)
     figures.emplace_back("map_" + std::string(key_of(criterion)),
                          row.average_precision[static_cast<std::size_t>(criterion)]);
@@ -97,7 +103,8 @@ std::vector<RunFigure> figures_over_runs(const RunTables& tables) {
   std::vector<std::string> keys;
   std::vector<std::vector<std::optional<double>>> values;
   for (std::size_t r = 0; r < tables.runs.size(); ++r) {
-    const auto of_run = figures_of(tables.runs[r], tables.run_classifications[r]);
+    const auto of_run =
+        figures_of(tables.runs[r], tables.run_classifications[r], tables.run_fits[r]);
     values.resize(of_run.size());
     keys.resize(of_run.size());
     for (std::size_t i = 0; i < of_run.size(); ++i) {
@@ -141,6 +148,14 @@ void list_objects(std::span<const RunRates> runs, RunTables& tables) {
 
 }  // namespace
 
+std::optional<double> OverRuns::low_95() const {
+  return half_width_95 ? std::optional(*mean - *half_width_95) : std::nullopt;
+}
+
+std::optional<double> OverRuns::high_95() const {
+  return half_width_95 ? std::optional(*mean + *half_width_95) : std::nullopt;
+}
+
 RunTables run_tables(std::span<const RunRates> runs) {
   RunTables tables;
   std::map<std::string, ClassRun> together;
@@ -153,6 +168,7 @@ RunTables run_tables(std::span<const RunRates> runs) {
     }
     tables.runs.push_back(row_of_classes(run.classes, run.has_confidences));
     tables.run_classifications.push_back(run.classifications);
+    tables.run_fits.push_back(run.fit);
     tables.classifications += run.classifications;
   }
   for (const auto& [name, run] : together) {

@@ -166,7 +166,8 @@ RatedRun rated_run(const EvaluatedArchive& map,
   RatedRun run{.objects = confirmed_objects_of(map, beliefs),
                .truths = rated_truths(truth, options),
                .classifications = classified(predictions.best_class),
-               .has_tentative = keeps_tentative(map)};
+               .has_tentative = keeps_tentative(map),
+               .fit = {.jaccard_in_place = report.all.one_to_one.jaccard_in_place}};
   for (const TruthResult& result : report.truths) {
     run.truths[result.truth_index].object = result.matched_map_index;
     if (result.matched_map_index) run.objects[*result.matched_map_index].is_apart = false;

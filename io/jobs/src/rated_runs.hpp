@@ -9,7 +9,8 @@
 
 namespace hypermap {
 
-/// A map against a truth that is an archive: found is what the one-to-one metric matches.
+/// A map against a truth that is an archive: found is what the one-to-one metric matches, and
+/// fits as it says; of voxels nothing is told.
 /// Requires: validate(options).
 [[nodiscard]] RatedRun rated_run(const EvaluatedArchive& map,
                                  const EvaluatedArchive& truth,

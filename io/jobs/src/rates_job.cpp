@@ -2,6 +2,7 @@
 #include "hypermap/io/jobs/rates_job.hpp"
 
 #include "evaluated_archive.hpp"
+#include "evaluated_voxels.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/archive/listed_instances_file.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
@@ -91,7 +92,14 @@ Result<RatedRun> rated(const std::filesystem::path& map_path,
   understand(understood_truth, vocabulary);
   HYPERMAP_ASSIGN_OR_RETURN(const EvaluationOptions options,
                             understood_options(job.options, map, understood_truth));
-  return rated_run(map, understood_truth, options);
+  RatedRun run = rated_run(map, understood_truth, options);
+  if (why_no_voxels(map.archive, understood_truth.archive).empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(const VoxelOutcome voxels,
+                              evaluated_voxels(map, understood_truth, job.stop));
+    run.fit.label_precision = voxels.labels.all.precision();
+    run.fit.label_recall = voxels.labels.all.recall();
+  }
+  return run;
 }
 
 /// What one run cannot tell.

@@ -29,6 +29,13 @@ TEST(BinaryCounts, PrecisionOfTheChairsOfTheText) {
   EXPECT_NEAR(chairs.precision().value(), 0.577, 5e-4);
 }
 
+// Precision 15/26 and recall 15/19 of 19 chairs: F1 = 30/45.
+TEST(BinaryCounts, F1IsTheHarmonicMeanOfPrecisionAndRecall) {
+  const BinaryCounts chairs{.true_positives = 15, .false_positives = 11, .false_negatives = 4};
+  EXPECT_DOUBLE_EQ(chairs.f1().value(), 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(BinaryCounts{.false_positives = 1}.f1().value(), 0.0);
+}
+
 TEST(BinaryCounts, WhatWouldDivideByZeroIsNone) {
   const BinaryCounts nothing;
   EXPECT_FALSE(nothing.true_positive_rate());
@@ -37,6 +44,7 @@ TEST(BinaryCounts, WhatWouldDivideByZeroIsNone) {
   EXPECT_FALSE(nothing.false_negative_rate());
   EXPECT_FALSE(nothing.accuracy());
   EXPECT_FALSE(nothing.precision());
+  EXPECT_FALSE(nothing.f1());
 }
 
 TEST(BinaryCounts, RatesThatNeedUncountedNegativesAreNone) {

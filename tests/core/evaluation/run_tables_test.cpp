@@ -75,7 +75,34 @@ TEST(RunTables, FiguresHaveMeanAndDeviationOverRuns) {
   EXPECT_EQ(tables.all.counts.true_positives, 2U);
   EXPECT_EQ(tables.all.counts.false_positives, 1U);
   EXPECT_DOUBLE_EQ(*tables.all.average_precision[0], 1.0);
-  EXPECT_FALSE(figure_of(run_tables(std::span(runs).first(1)), "precision").over_runs.std);
+  const OverRuns alone = figure_of(run_tables(std::span(runs).first(1)), "precision").over_runs;
+  EXPECT_EQ(alone.mean, 1.0);
+  EXPECT_FALSE(alone.std);
+  EXPECT_FALSE(alone.half_width_95);
+  EXPECT_FALSE(alone.low_95());
+  EXPECT_FALSE(alone.high_95());
+}
+
+TEST(RunTables, AMeanHasItsIntervalOverTheRunsThatHaveTheFigure) {
+  // Indices 0.5 and 1: t = 12.7062 of one degree of freedom, times 0.25. F1 of them 1 and 2/3.
+  std::vector<RunRates> runs{tv_run({tabled_truth("1", Eigen::Vector3d::Zero())}),
+                             tv_run({tabled_truth("1", Eigen::Vector3d::Zero())}, 1),
+                             tv_run({})};
+  runs[0].fit = {.jaccard_in_place = 0.5, .label_precision = 0.9};
+  runs[1].fit = {.jaccard_in_place = 1.0};
+  const RunTables tables = run_tables(runs);
+  const OverRuns jaccard = figure_of(tables, "jaccard_in_place").over_runs;
+  EXPECT_EQ(jaccard.n, 2U);
+  EXPECT_DOUBLE_EQ(*jaccard.mean, 0.75);
+  EXPECT_NEAR(*jaccard.half_width_95, 3.17655, 1e-5);
+  EXPECT_NEAR(*jaccard.low_95(), -2.42655, 1e-5);
+  EXPECT_NEAR(*jaccard.high_95(), 3.92655, 1e-5);
+  EXPECT_DOUBLE_EQ(*figure_of(tables, "f1").over_runs.mean, 5.0 / 6.0);
+  const OverRuns labels = figure_of(tables, "label_precision").over_runs;
+  EXPECT_EQ(labels.n, 1U);
+  EXPECT_FALSE(labels.half_width_95);
+  EXPECT_EQ(figure_of(tables, "label_recall").over_runs.n, 0U);
+  EXPECT_EQ(tables.run_fits[1], runs[1].fit);
 }
 
 // [smap] Eq. (B.9): AP 1 and 1/2; a class without truths has none.

@@ -147,6 +147,11 @@ TEST_F(RatesJobTest, SeveralRunsAgainstOneTruth) {
       outcome.tables.objects[0].position.mean_m->isApprox(Eigen::Vector3d(-0.2, 0.0, -0.05), 1e-9));
   EXPECT_EQ(outcome.tables.objects[1].num_found, 1U);
   EXPECT_EQ(outcome.tables.objects[1].num_counting, 2U);
+  // Footprints moved by 0.1 of their 0.5 m have 0.4 of 0.6 in common, by 0.3 a quarter of the
+  // union; what is missed has nothing. Without surfaces nothing is known of voxels.
+  EXPECT_NEAR(*outcome.runs[0].fit.jaccard_in_place, (2.0 / 3.0 + 1.0) / 2.0, 1e-9);
+  EXPECT_NEAR(*outcome.runs[1].fit.jaccard_in_place, 0.125, 1e-9);
+  EXPECT_FALSE(outcome.runs[0].fit.label_precision);
   const auto truth_each = saved_truth("other.hmap", {0, 2});
   EXPECT_EQ(
       run_rates_job({.maps = {near, far}, .truths = {truth, truth_each}}).value().tables.all.counts,
@@ -166,6 +171,7 @@ TEST_F(RatesJobTest, AMapAgainstAList) {
   EXPECT_EQ(outcome->tables.objects[0].reference, "turned");
   const double common = 2.0 * (std::numbers::sqrt2 - 1.0);
   EXPECT_NEAR(*outcome->runs[0].truths[0].overlap, common / (2.0 - common), 1e-6);
+  EXPECT_FALSE(outcome->runs[0].fit.jaccard_in_place);
   EXPECT_THAT(outcome->unknown, ElementsAre(HasSubstr("rarely seen")));
 }
 

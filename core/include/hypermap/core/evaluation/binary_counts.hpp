@@ -30,6 +30,8 @@ struct BinaryCounts {
   [[nodiscard]] std::optional<double> accuracy() const;
   /// PRE: of what was said to be there, the share that is. Source: [smap] Eq. (B.6).
   [[nodiscard]] std::optional<double> precision() const;
+  /// F1, the harmonic mean of precision and recall: 2 TP / (2 TP + FP + FN).
+  [[nodiscard]] std::optional<double> f1() const;
 
   /// True negatives of a sum are known where those of both are.
   BinaryCounts& operator+=(const BinaryCounts& other);

@@ -58,11 +58,21 @@ struct Classifications {
   friend bool operator==(const Classifications&, const Classifications&) = default;
 };
 
+/// How well shapes and voxels of a map fit, told by whoever compares them; none: not known.
+struct RunFit {
+  /// Mean over the footprints that count, 0 where nothing is found.
+  std::optional<double> jaccard_in_place = std::nullopt;
+  std::optional<double> label_precision = std::nullopt;  ///< Of the labelled voxels.
+  std::optional<double> label_recall = std::nullopt;     ///< Of the voxels at what has a class.
+  friend bool operator==(const RunFit&, const RunFit&) = default;
+};
+
 struct RatedRun {
   std::vector<RatedObject> objects = {};
   std::vector<RatedTruth> truths = {};
   Classifications classifications = {};
   bool has_tentative = true;  ///< The map keeps what it rejects, so true negatives can be counted.
+  RunFit fit = {};
 };
 
 /// When an object may be a truth of its class in a ranking.
@@ -116,6 +126,7 @@ struct RunRates {
   std::vector<FalseObject> false_objects = {};   ///< In the order of the run's objects.
   Classifications classifications = {};
   bool has_confidences = true;  ///< Of all objects, so that they can be ranked.
+  RunFit fit = {};              ///< As the run has it.
 };
 
 /// Positives are the truths that count, negatives all objects of the map that are none: a confirmed

@@ -39,6 +39,12 @@ struct OverRuns {
   std::size_t n = 0;  ///< Runs that have it.
   std::optional<double> mean = std::nullopt;
   std::optional<double> std = std::nullopt;  ///< Over n - 1; none of fewer than two.
+  /// How far the mean's 95 % interval reaches to either side (student_interval.hpp); likewise.
+  std::optional<double> half_width_95 = std::nullopt;
+
+  /// Ends of that interval.
+  [[nodiscard]] std::optional<double> low_95() const;
+  [[nodiscard]] std::optional<double> high_95() const;
 };
 
 /// A figure of a run that has a mean over runs.
@@ -62,6 +68,7 @@ struct RunTables {
   Classifications classifications = {};
   std::vector<RateRow> runs = {};                         ///< In the order of the runs.
   std::vector<Classifications> run_classifications = {};  ///< Likewise.
+  std::vector<RunFit> run_fits = {};                      ///< Likewise.
   std::vector<RunFigure> figures = {};
   std::vector<ObjectRow> objects = {};  ///< In the order in which runs first have them.
   /// Of each object's mean error over its runs, an object an error. Source: [smap] table 5.2.

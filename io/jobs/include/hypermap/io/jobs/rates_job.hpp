@@ -44,7 +44,8 @@ struct RatesOutcome {
 
 /// Errors: kInvalidArgument when there is no map or the truths are neither one nor as many as the
 /// maps, when there are frames without a list that all maps share, or classes with a list; those
-/// of run_evaluation and run_listed_evaluation, but for those of voxels.
+/// of run_evaluation and run_listed_evaluation. Boundary: against a list, or a truth without
+/// surfaces, no fit of voxels is known; against a list none of shapes either.
 [[nodiscard]] Result<RatesOutcome> run_rates_job(const RatesJob& job);
 
 }  // namespace hypermap
