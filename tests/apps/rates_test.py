@@ -148,6 +148,23 @@ class Rates(unittest.TestCase):
         self.assertEqual(self.evaluated(self.maps, "--csv", tables).returncode, 0)
         self.assertEqual((tables / "runs.csv").read_bytes(), before)
 
+    def test_tables_and_images_come_at_once(self):
+        plain = self.evaluated(self.maps[:1], "--rates")
+        plan, plot, tables = (self.folder / name for name in ("both.png", "both_reliability.png", "both"))
+        both = self.evaluated(self.maps[:1], "--csv", tables, "--image", plan, "--reliability", plot)
+        self.assertEqual((both.returncode, both.stdout), (0, plain.stdout), both.stderr)
+        alone = [self.folder / name for name in ("alone.png", "alone_reliability.png")]
+        self.evaluated(self.maps[:1], "--image", alone[0], "--reliability", alone[1])
+        self.assertEqual([path.read_bytes() for path in (plan, plot)], [path.read_bytes() for path in alone])
+        self.assertTrue((tables / "runs.csv").exists())
+        self.assertEqual(self.evaluated(self.maps[:1], "--rates", "--image", self.maps[0]).returncode, 4)
+
+    def list_of_one(self):
+        path = self.folder / "one.yaml"
+        path.write_text("format: hypermap-sequence-truth\nversion: 1\nsequence: room\nup: [0, 0, 1]\nthings:\n"
+                        "- {name: a, class: chair, centre: [0, 0, 0.5], size: [1, 1, 1], first_frame: 0, marks: []}\n")
+        return path
+
     def test_a_truth_has_all_of_itself(self):
         report = self.report([self.truth])
         self.assertEqual((report["all"]["tpr"], report["all"]["precision"]), (1, 1))
@@ -177,7 +194,6 @@ class Rates(unittest.TestCase):
 
     def test_what_does_not_fit_is_refused(self):
         for arguments in (("--rates", "--against", self.maps[1]), ("--rates", "--also", self.maps[1], self.truth),
-                          ("--csv", self.folder / "t", "--reliability", self.folder / "p.png"),
                           ("--csv", self.dataset)):
             result = self.evaluated(self.maps[:1], *arguments)
             self.assertEqual(result.returncode, 4, result.stderr)
@@ -185,6 +201,9 @@ class Rates(unittest.TestCase):
                 (self.maps, [self.truth], ("--against", self.maps[1]), "--against: needs a single map"),
                 (self.maps * 2, [self.truth] * 3, (), "--truth: must be one, or one for each of 4 maps; are 3"),
                 (self.maps[:1], [self.truth] * 2, (), "--truth: must be one, or one for each of 1 map; are 2"),
+                (self.maps, [self.truth], ("--image", self.folder / "p.png"), "--image: needs a single map"),
+                (self.maps[:1], [self.list_of_one()], ("--csv", self.folder / "t", "--image", self.folder / "p.png"),
+                 "--image: needs an archive as truth"),
                 (self.maps, [self.truth], ("--input", self.dataset), "--input: needs one list of things"),
                 (self.maps, [self.truth], ("--classes", "chiar"), """--classes: neither""")):
             result = self.evaluated(maps, *arguments, truths=truths)

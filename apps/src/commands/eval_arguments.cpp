@@ -67,6 +67,7 @@ Result<RatesJob> rates_job_of(const EvalArguments& arguments) {
 }
 
 Result<void> check_options_of_runs(const EvalArguments& arguments) {
+  if (arguments.maps.size() == 1 && arguments.truths.size() == 1) return {};
   for (const auto& [is_given, option] :
        {std::pair(arguments.against.has_value(), "--against"),
         std::pair(!arguments.also.empty(), "--also"),

@@ -39,8 +39,26 @@ Error in_flags(Error error) {
   return error;
 }
 
+EvaluationImages images_of(const EvalArguments& arguments, const EvaluationJob& job) {
+  return {.reliability = arguments.reliability,
+          .plan = arguments.image,
+          .title = job.map.filename().string() + " over " + job.truth.filename().string()};
+}
+
+/// The images that were asked for beside the tables: those of the usual report.
+Result<void> draw_beside_rates(const EvalArguments& arguments) {
+  if (!arguments.image && !arguments.reliability) return {};
+  const FileKind truth = find_file_kind(arguments.truths.front()).value_or(FileKind::kArchive);
+  HYPERMAP_TRY(check_options_of(arguments, truth));
+  HYPERMAP_ASSIGN_OR_RETURN(const EvaluationJob job, job_of(arguments));
+  HYPERMAP_ASSIGN_OR_RETURN(const EvaluationOutcome outcome, run_evaluation(job));
+  return write_images(outcome, images_of(arguments, job));
+}
+
 ExitCode run_rates(const EvalArguments& arguments) {
   if (const auto fits = check_options_of_runs(arguments); !fits) return report(fits.error());
+  if (const auto drawn = draw_beside_rates(arguments); !drawn)
+    return report(in_flags(drawn.error()));
   const auto job = rates_job_of(arguments);
   if (!job) return report(job.error());
   const auto outcome = run_rates_job(*job);
@@ -89,11 +107,8 @@ ExitCode run_eval(const EvalArguments& arguments) {
   if (!job) return report(job.error());
   const auto outcome = run_evaluation(*job);
   if (!outcome) return report(in_flags(outcome.error()));
-  const EvaluationImages images{
-      .reliability = arguments.reliability,
-      .plan = arguments.image,
-      .title = job->map.filename().string() + " over " + job->truth.filename().string()};
-  if (const auto written = write_images(*outcome, images); !written) return report(written.error());
+  if (const auto written = write_images(*outcome, images_of(arguments, *job)); !written)
+    return report(written.error());
   const std::string text = arguments.json ? json_text_of(*outcome) : table_text_of(*outcome);
   std::printf("%s", text.c_str());
   return ExitCode::kDone;
@@ -129,9 +144,9 @@ void add_eval_command(CLI::App& program, Action& action) {
                   arguments->classes,
                   "only these, as query --string takes them, separated by commas")
       ->delimiter(',');
-  auto* reliability = command.add_option(
+  command.add_option(
       "--reliability", arguments->reliability, "PNG to write: P(best class) left, P(real) right");
-  auto* image = command.add_option(
+  command.add_option(
       "--image", arguments->image, "PNG to write: map and truth over each other, from above");
   auto* input =
       command.add_option("--input",
@@ -151,18 +166,14 @@ void add_eval_command(CLI::App& program, Action& action) {
                 "negatives with their rates, average precision, overlap of boxes, position errors; "
                 "of several maps also means with their 95 % intervals")
       ->excludes(against)
-      ->excludes(also)
-      ->excludes(reliability)
-      ->excludes(image);
+      ->excludes(also);
   command
       .add_option("--csv",
                   arguments->csv,
                   "folder for these tables as classes.csv, runs.csv, things.csv, positions.csv, "
                   "false.csv, over_runs.csv; of a cloud voxels.csv")
       ->excludes(against)
-      ->excludes(also)
-      ->excludes(reliability)
-      ->excludes(image);
+      ->excludes(also);
   arguments->cloud.add_to(command);
   arguments->class_names.add_to(command);
   arguments->load.add_to(command);
