@@ -45,6 +45,18 @@ Result<FileSummary> check_by_kind(const std::filesystem::path& path,
       return check_embedding(path);
     case FileKind::kCloud:
       return check_cloud(path);
+    case FileKind::kSequences:
+      return check_sequences(path);
+    case FileKind::kUpdate:
+      return check_update(path, options);
+    case FileKind::kZones:
+      return check_zones(path);
+    case FileKind::kVocabulary:
+      return check_vocabulary(path);
+    case FileKind::kPlaces:
+      return check_places(path);
+    case FileKind::kTileSet:
+      return check_tile_set(path);
     default:
       break;
   }

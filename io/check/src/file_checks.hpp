@@ -50,5 +50,15 @@ struct FileSummary {
 [[nodiscard]] Result<FileSummary> check_tile(const std::filesystem::path& path);
 [[nodiscard]] Result<FileSummary> check_embedding(const std::filesystem::path& path);
 [[nodiscard]] Result<FileSummary> check_cloud(const std::filesystem::path& path);
+/// Files and folders that it names and that are absent are findings.
+[[nodiscard]] Result<FileSummary> check_sequences(const std::filesystem::path& path);
+/// The changes by themselves: whether they fit a layer, that layer tells.
+[[nodiscard]] Result<FileSummary> check_update(const std::filesystem::path& path,
+                                               const FileCheckOptions& options);
+[[nodiscard]] Result<FileSummary> check_zones(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_vocabulary(const std::filesystem::path& path);
+[[nodiscard]] Result<FileSummary> check_places(const std::filesystem::path& path);
+/// The index alone; tiles that it names and that are absent are findings.
+[[nodiscard]] Result<FileSummary> check_tile_set(const std::filesystem::path& path);
 
 }  // namespace hypermap

@@ -18,21 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 15> kFileKindNames{"archive",
-                                                          "octree",
-                                                          "map",
-                                                          "image",
-                                                          "depth",
-                                                          "semantic",
-                                                          "trajectory",
-                                                          "intrinsics",
-                                                          "detections",
-                                                          "config",
-                                                          "dataset",
-                                                          "truth",
-                                                          "tile",
-                                                          "embedding",
-                                                          "cloud"};
+constexpr std::array<std::string_view, 21> kFileKindNames{
+    "archive",    "octree",     "map",    "image",   "depth",      "semantic", "trajectory",
+    "intrinsics", "detections", "config", "dataset", "truth",      "tile",     "embedding",
+    "cloud",      "sequences",  "update", "zones",   "vocabulary", "places",   "tile-set"};
 
 struct Hint {
   std::string_view text;
@@ -52,17 +41,18 @@ constexpr std::array<Hint, 20> kExtensions{
      {".ply", FileKind::kCloud},       {".zip", FileKind::kArchive}}};
 
 /// First hint whose text the content holds.
-constexpr std::array<Hint, 8> kJsonHints{{{"\"detections\"", FileKind::kDetections},
+constexpr std::array<Hint, 9> kJsonHints{{{"\"detections\"", FileKind::kDetections},
                                           {"\"bbox\"", FileKind::kDetections},
                                           {"\"annotations\"", FileKind::kDetections},
                                           {"\"image_id\"", FileKind::kDetections},
                                           {"\"fx\"", FileKind::kIntrinsics},
                                           {"\"intrinsic_matrix\"", FileKind::kIntrinsics},
                                           {"\"depth_scale\"", FileKind::kIntrinsics},
-                                          {"\"vector\"", FileKind::kEmbedding}}};
+                                          {"\"vector\"", FileKind::kEmbedding},
+                                          {"\"tile_m\"", FileKind::kTileSet}}};
 
 /// First hint with which a line begins.
-constexpr std::array<Hint, 16> kYamlHints{{{"format: hypermap-sequence-truth", FileKind::kTruth},
+constexpr std::array<Hint, 28> kYamlHints{{{"format: hypermap-sequence-truth", FileKind::kTruth},
                                            {"layers:", FileKind::kConfig},
                                            {"extensions:", FileKind::kConfig},
                                            {"image:", FileKind::kMap},
@@ -77,7 +67,19 @@ constexpr std::array<Hint, 16> kYamlHints{{{"format: hypermap-sequence-truth", F
                                            {"- shape:", FileKind::kSemantic},
                                            {"- {name:", FileKind::kSemantic},
                                            {"- {shape:", FileKind::kSemantic},
-                                           {"- tags:", FileKind::kSemantic}}};
+                                           {"- tags:", FileKind::kSemantic},
+                                           {"sequences:", FileKind::kSequences},
+                                           {"add:", FileKind::kUpdate},
+                                           {"modify:", FileKind::kUpdate},
+                                           {"delete:", FileKind::kUpdate},
+                                           {"zones:", FileKind::kZones},
+                                           {"robot_height_m:", FileKind::kZones},
+                                           {"aliases:", FileKind::kVocabulary},
+                                           {"super_classes:", FileKind::kVocabulary},
+                                           {"belongings:", FileKind::kPlaces},
+                                           {"tempering:", FileKind::kPlaces},
+                                           {"min_probability:", FileKind::kPlaces},
+                                           {"metre_costs:", FileKind::kPlaces}}};
 
 /// Tiles of [sogm]'s public implementation have no header: their names tell what they are.
 bool is_headerless_tile(const fs::path& path) {

@@ -25,10 +25,16 @@ enum class FileKind : std::uint8_t {
   kDetections,
   kConfig,  ///< A bare map configuration, or a file of options.
   kDataset,
-  kTruth,      ///< A list of what stands in a recorded sequence.
-  kTile,       ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
-  kEmbedding,  ///< One vector, to be compared with those of objects: `.npy`, or JSON.
-  kCloud,      ///< Points, PCD or PLY.
+  kTruth,       ///< A list of what stands in a recorded sequence.
+  kTile,        ///< Of a semantic occupancy grid: `.tile`, or `.bin` with its format in its name.
+  kEmbedding,   ///< One vector, to be compared with those of objects: `.npy`, or JSON.
+  kCloud,       ///< Points, PCD or PLY.
+  kSequences,   ///< A list of sequences that are mapped together.
+  kUpdate,      ///< Changes to a semantic layer.
+  kZones,       ///< Where robots keep out or go slowly.
+  kVocabulary,  ///< Aliases and super-classes of classes.
+  kPlaces,      ///< What belongs in which places.
+  kTileSet,     ///< The index of a map in tiles (`tiles.json`).
 };
 
 /// The names of the command line, in the order of the enumerators.
