@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "load_arguments.hpp"
 
+#include "hypermap/io/codec/archive_size.hpp"
 #include "interruption.hpp"
 #include "number_lists.hpp"
 
 #include <cstdint>
 
 namespace hypermap::app {
-namespace {
-
-constexpr std::uint64_t kLargeArchiveBytes = std::uint64_t{64} << 30U;
-
-}  // namespace
-
 void LoadArguments::add_to(CLI::App& command) {
   BudgetLimits& sums = limits.sums;
   const auto add = [&command](const char* flag, std::uint64_t& limit, const char* what) {

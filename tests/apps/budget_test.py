@@ -124,6 +124,23 @@ class BudgetLimits(Case):
             result = run_measured("info", self.archive, "--max-octree-nodes", limit)
             self.assertEqual(result.returncode, status, result.stderr)
 
+    def test_more_than_4_gib_need_large(self):
+        with open(self.archive, "wb") as file:  # a hole behind its first bytes: it takes no room
+            file.write(b"PK\x03\x04")
+            file.truncate((4 << 30) + 1)
+        for arguments in (("check", self.archive), ("info", self.archive),
+                          ("repair", self.archive, "--output", self.outputs / "b.hmap")):
+            with self.subTest(arguments[0]):
+                refused = run_measured(*arguments)
+                self.assertEqual(refused.returncode, 2)
+                self.assertIn("a.hmap: archive of 4294967297 bytes, the limit is 4294967296; --large allows 68719476736",
+                              refused.stdout + refused.stderr)
+        allowed = run_measured("check", self.archive, "--large")
+        self.assertEqual(allowed.returncode, 2)
+        self.assertNotIn("the limit is", allowed.stdout)  # it is read: there is no directory in it
+        self.assertIn("a.hmap: ", allowed.stdout)
+        self.assertEqual(list(self.outputs.iterdir()), [])
+
     def test_what_is_no_number_is_a_wrong_command_line(self):
         for value in ("-1", "many", "1.5"):
             self.assertEqual(run_measured("info", self.archive, "--max-pixels", value).returncode, 4, value)

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -22,6 +23,8 @@ namespace hypermap {
 namespace {
 
 constexpr std::uint64_t kSignatureBytes = 4;
+/// Whoever reads what is in a file knows how large that may be.
+constexpr std::uint64_t kAnySize = std::numeric_limits<std::uint64_t>::max();
 
 /// A bare configuration may name files anywhere; in the archive that the map is saved to, such a
 /// file bears the layer's name.
@@ -216,8 +219,7 @@ Result<void> expect_configuration(const std::filesystem::path& path) {
 Result<Loaded<PartialMap>> read_map_file(const std::filesystem::path& path,
                                          const Reading& reading) {
   return guarded_read([&]() -> Result<Loaded<PartialMap>> {
-    HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source,
-                              open_file(path, reading.limits.zip.max_archive_bytes));
+    HYPERMAP_ASSIGN_OR_RETURN(std::shared_ptr<const ByteSource> source, open_file(path, kAnySize));
     HYPERMAP_ASSIGN_OR_RETURN(const bool is_zip, looks_like_zip(*source, path));
     if (is_zip) return read_zip(std::move(source), path.string(), reading);
     HYPERMAP_TRY(expect_configuration(path));

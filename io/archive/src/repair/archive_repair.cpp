@@ -5,6 +5,7 @@
 #include "archive_extensions.hpp"
 #include "guessed_config.hpp"
 #include "hypermap/core/base/caught.hpp"
+#include "hypermap/io/codec/archive_size.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/zip_salvage.hpp"
 #include "layers/layer_files.hpp"
@@ -14,6 +15,7 @@
 #include "reserved_names.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -243,7 +245,9 @@ Result<RepairedArchive> repair(const std::filesystem::path& path,
                                const LayerRegistry& layers,
                                const StopCheck& stop) {
   HYPERMAP_ASSIGN_OR_RETURN(const std::shared_ptr<const ByteSource> source,
-                            open_file(path, limits.zip.max_archive_bytes));
+                            open_file(path, std::numeric_limits<std::uint64_t>::max()));
+  if (auto allowed = check_archive_size(source->size(), limits.zip); !allowed)
+    return Unexpected(with_source(std::move(allowed).error(), {.file = path.string()}));
   std::vector<RepairNote> notes;
   if (const auto sound = ZipReader::create(source, limits.zip); !sound) {
     notes.push_back({"directory", RepairOutcome::kRebuilt, text_of(sound.error())});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "zip_directory.hpp"
 
+#include "hypermap/io/codec/archive_size.hpp"
 #include "zip64.hpp"
 #include "zip_extra_fields.hpp"
 #include "zip_format.hpp"
@@ -185,10 +186,7 @@ Result<void> check_flags(std::uint16_t flags) {
 }
 
 Result<EndRecord> read_end_record(const ByteSource& source, const ZipLimits& limits) {
-  if (source.size() > limits.max_archive_bytes)
-    return fail(ErrorCode::kLimit,
-                "archive of " + std::to_string(source.size()) + " bytes, the limit is " +
-                    std::to_string(limits.max_archive_bytes));
+  HYPERMAP_TRY(check_archive_size(source.size(), limits));
   const std::uint64_t tail_bytes =
       std::min<std::uint64_t>(source.size(), kEndBytes + kMaxZipCommentBytes);
   HYPERMAP_ASSIGN_OR_RETURN(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/codec/zip_salvage.hpp"
 
+#include "hypermap/io/codec/archive_size.hpp"
 #include "zip_content.hpp"
 #include "zip_directory.hpp"
 #include "zip_extra_fields.hpp"
@@ -236,11 +237,7 @@ class ZipSalvager {
 Result<ZipSalvage> salvage_zip(const ByteSource& source,
                                const ZipLimits& limits,
                                const LoadBudget& budget) {
-  if (source.size() > limits.max_archive_bytes) {
-    return fail(ErrorCode::kLimit,
-                "archive of " + std::to_string(source.size()) + " bytes, the limit is " +
-                    std::to_string(limits.max_archive_bytes));
-  }
+  HYPERMAP_TRY(check_archive_size(source.size(), limits));
   return ZipSalvager(source, limits, budget).run();
 }
 

@@ -3,6 +3,7 @@
 
 #include "deflate.hpp"
 #include "hypermap/core/base/caught.hpp"
+#include "hypermap/io/codec/archive_size.hpp"
 #include "hypermap/io/codec/checksum.hpp"
 #include "zip_directory.hpp"
 #include "zip_format.hpp"
@@ -83,10 +84,7 @@ Result<std::string> ZipWriter::finish() try {
   members_.clear();
   total_bytes_ = 0;
   std::string archive = std::exchange(archive_, {});
-  if (archive.size() > limits_.max_archive_bytes)
-    return fail(ErrorCode::kLimit,
-                "archive of " + std::to_string(archive.size()) + " bytes, the limit is " +
-                    std::to_string(limits_.max_archive_bytes));
+  HYPERMAP_TRY(check_archive_size(archive.size(), limits_));
   return archive;
 } catch (const std::exception& exception) {
   return caught(exception, ErrorCode::kInvalidArgument, "the archive");
