@@ -8,10 +8,11 @@ import json
 import pathlib
 import re
 import shutil
+import subprocess
 import tempfile
 import unittest
 
-from program import digest, run
+from program import PROGRAM, digest, run
 
 SEMANTIC = """- {name: chair, shape: "POLYGON((0 0,1 0,1 1,0 1,0 0))", tags: [wood], confidence: [0.5]}
 - {name: table, shape: "POLYGON((2 0,4 0,4 1,2 1,2 0))"}
@@ -31,6 +32,17 @@ CONFIG = """layers:
 - {class: SemanticLayer, name: fixed, frame_id: map, load_file: true, file: fixed, enable_update: false}
 transforms:
 - {frame_id: map, child_frame_id: lab, transform_pose: [1, 0, 1.5707963267948966]}
+"""
+
+
+FLAGS = """layers:
+- {class: SemanticLayer, name: fed, frame_id: map, load_file: true, file: shapes, subscribe_mode: true}
+- {class: SemanticLayer, name: fixed, frame_id: lab, load_file: true, file: fixed, enable_update: false}
+- {class: SemanticLayer, name: empty, frame_id: desk, load_file: false, file: shapes, subscribe_mode: true, enable_update: true}
+- {class: SemanticLayer, name: shut, frame_id: map, load_file: false, subscribe_mode: false, enable_update: false}
+transforms:
+- {frame_id: map, child_frame_id: lab, transform_pose: [1, 0, 1.5707963267948966]}
+- {frame_id: lab, child_frame_id: desk, transform_pose: [0, 2, 0]}
 """
 
 
@@ -101,6 +113,42 @@ class Updates(unittest.TestCase):
                  for layer in json.loads(self.done("info", self.map, "--json"))["layers"]}
         self.assertEqual(flags, {"occupancy": [True, False, True], "semantic": [True, False, True],
                                  "fixed": [True, False, False]})
+
+    def test_transforms_and_flags_stay_through_load_and_save_and_act(self):
+        config = self.write("flags.yaml", FLAGS)
+        saved, again = self.folder / "saved.hmap", self.folder / "again.hmap"
+        self.done("classes", config, "--clear", "--output", saved)
+        self.done("classes", saved, "--clear", "--output", again)
+        self.assertEqual(digest(saved), digest(again))
+        said, said_again = ({key: json.loads(self.done("info", path, "--json"))[key] for key in ("layers", "transforms")}
+                            for path in (config, saved))
+        self.assertEqual(said, said_again)
+        self.assertEqual([(one["frame_id"], one["child_frame_id"]) for one in said["transforms"]],
+                         [("map", "lab"), ("lab", "desk")])
+        flags = {one["name"]: (one["load_file"], one["subscribe_mode"], one["enable_update"]) for one in said["layers"]}
+        self.assertEqual(flags, {"fed": (True, True, True), "fixed": (True, False, False), "empty": (False, True, True),
+                                 "shut": (False, False, False)})
+        # load_file: what is not loaded starts empty, though a file of its name lies there.
+        self.assertEqual([len(self.names(saved, name)) for name in ("fed", "fixed", "empty", "shut")], [3, 3, 0, 0])
+        # enable_update: a layer that is closed stays as it is.
+        batch = self.write("batch.yaml", "delete: [2]\n")
+        before = digest(saved)
+        for name in ("fixed", "shut"):
+            error = self.done("update", saved, "--layer", name, "--batch", batch, status=2)
+            self.assertIn(f"{name} takes no updates, as its enable_update says", error)
+        self.assertEqual(digest(saved), before)
+        self.done("update", saved, "--layer", "fed", "--batch", batch)
+        self.assertEqual(self.names(saved, "fed"), {0: "chair", 1: "table"})
+        # subscribe_mode: told to programs that serve the map.
+        told = subprocess.run([str(PROGRAM), "shell", str(saved)], input="republish\n", capture_output=True, text=True,
+                              check=True).stdout
+        self.assertRegex(told, r"(?m)^fed +SemanticLayer +map +\d+ +yes +yes ")
+        self.assertRegex(told, r"(?m)^fixed +SemanticLayer +lab +\d+ +no +no ")
+        # The transform acts: x of `desk` is y of `lab`, which lies at (1, 0) of `map`, turned by 90 degrees.
+        where = ("query", saved, "--layer", "fed", "--json", "--at")
+        found = [json.loads(self.done(*where, *at))["results"] for at in (("0.5,0.5", "--frame", "map"),
+                                                                          ("0.5,-1.5", "--frame", "desk"))]
+        self.assertEqual([[one["id"] for one in results] for results in found], [[0], [0]])
 
     def test_a_layer_that_is_not_loaded_cannot_keep_an_update_and_it_is_said_how_it_can(self):
         config = self.folder / "empty.yaml"
