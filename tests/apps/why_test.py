@@ -24,21 +24,61 @@ class Why(SmallLaboratoryCase):
             entries = next(one for one in lines if one.get("id") == thing)["belief"]["classes"]
         return max(entries, key=lambda entry: entry[1])[0], min(entries, key=lambda entry: entry[1])[0]
 
-    def told(self, thing, prior):
-        """The JSON and the lines of the map in which the object has that prior."""
+    def told_of(self, thing, change):
+        """The JSON and the lines of the map in which the object's line of JSON is changed."""
         changed = self.folder / "changed.hmap"
         with zipfile.ZipFile(self.map) as old, zipfile.ZipFile(changed, "w", zipfile.ZIP_DEFLATED) as new:
             for name in old.namelist():
                 content = old.read(name)
                 if name == "objects.jsonl":
                     lines = [json.loads(line) for line in content.decode().splitlines()]
-                    next(one for one in lines if one.get("id") == thing)["prior"] = prior
+                    change(next(one for one in lines if isinstance(one, dict) and one.get("id") == thing))
                     content = "".join(json.dumps(line) + "\n" for line in lines).encode()
                 new.writestr(name, content)
         answer = run("query", changed, "--why", thing, "--json")
         self.assertEqual(answer.returncode, 0, answer.stderr)
         lines = run("query", changed, "--why", thing).stdout.splitlines()
-        return json.loads(answer.stdout), [line for line in lines if line.startswith("  prior ")]
+        return json.loads(answer.stdout), lines
+
+    def told(self, thing, prior):
+        """The JSON of the map in which the object has that prior, and the lines about it."""
+        why, lines = self.told_of(thing, lambda one: one.update(prior=prior))
+        return why, [line for line in lines if line.startswith("  prior ")]
+
+    def test_an_observation_tells_what_it_changed(self):
+        """The newest entry is made a detection of a class, with changes that are known."""
+        thing = self.objects()[0]["id"]
+
+        def change(one):
+            entry = one["ledger"]["newest"][-1]
+            entry[2:] = [0, 1, 0, 3, 0.5, 0.0, 2.0, 0.75, 1.234, [[5, -0.413], [1, 0.2]]]
+
+        names = json.loads(run("info", self.map, "--json").stdout)["classes"]
+        why, lines = self.told_of(thing, change)
+        newest = why["log"][-1]
+        self.assertEqual(newest["class"], names[3])
+        self.assertAlmostEqual(newest["belief_change"], 1.234, places=6)
+        self.assertEqual([one["class"] for one in newest["other_changes"]], [names[5], names[1]])
+        for one, by in zip(newest["other_changes"], (-0.413, 0.2), strict=True):
+            self.assertAlmostEqual(one["belief_change"], by, places=6)
+        at = next(i for i, line in enumerate(lines) if line.startswith("  last seen"))
+        self.assertEqual(lines[at + 1].strip(), f"in log-odds: existence 0.75 more, {names[3]} 1.23 more, "
+                                                f"and {names[5]} 0.41 less, {names[1]} 0.20 more")
+
+    def test_wrong_changes_are_refused_by_member_and_path(self):
+        changed = self.folder / "wrong.hmap"
+        with zipfile.ZipFile(self.map) as old, zipfile.ZipFile(changed, "w", zipfile.ZIP_DEFLATED) as new:
+            for name in old.namelist():
+                content = old.read(name).decode("latin-1")
+                if name == "objects.jsonl":
+                    lines = content.splitlines()
+                    one = json.loads(lines[1])
+                    one["ledger"]["first"][11:] = [[[5, "much"]]]
+                    content = "\n".join([lines[0], json.dumps(one), *lines[2:]]) + "\n"
+                new.writestr(name, content.encode("latin-1"))
+        refused = run("query", changed, "--why", 1)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("objects.jsonl:2: $.ledger.first[11][0][1]", refused.stderr)
 
     def test_outside_knowledge_is_told_where_there_is_any(self):
         """[smap] Eq. (3.17): the class times e^-2, another one times e^2, so e^4 against it."""

@@ -7,6 +7,7 @@
 #include "hypermap/io/archive/place_explanation.hpp"
 #include "shown_rules.hpp"
 #include "tables.hpp"
+#include "why_effect.hpp"
 #include "why_json.hpp"
 #include "why_removal.hpp"
 
@@ -165,16 +166,24 @@ void print_prior(const Explanation& why, const ClassRegistry& classes) {
                                                     : " as detections alone"));
 }
 
+/// Below its moment, what an observation changed; nothing where two digits would say 0.00.
+void print_effect(const ObservationLogEntry& entry, const ClassRegistry& classes) {
+  const std::string text = effect_text(entry, classes);
+  if (!text.empty()) print_line("", text);
+}
+
 /// When it was detected first and last, and when a newer frame that should have shown it did not.
 void print_moments(const Explanation& why, const MapArchive& archive) {
   if (why.first) print_line("first seen", moment_text(*why.first, archive));
   if (why.last_seen) {
     print_line("last seen", moment_text(*why.last_seen, archive));
+    print_effect(*why.last_seen, archive.classes);
   } else if (const auto& frame = why.last_seen_frame) {
     print_line("last seen", "in frame " + std::to_string(*frame) + session_text(archive, *frame));
   }
   if (why.newest && why.newest->kind != ObservationKind::kDetection) {
     print_line("looked for", "last " + moment_text(*why.newest, archive) + ", not detected there");
+    print_effect(*why.newest, archive.classes);
   }
 }
 

@@ -70,6 +70,20 @@ Json name_of(DetectorId id, const DetectorRegistry& detectors) {
   return detectors.contains(id) ? Json(detectors.description(id).name) : Json(nullptr);
 }
 
+/// Null for a class that the map has no name of.
+Json name_of(ClassId id, const ClassRegistry& classes) {
+  return classes.contains(id) ? Json(classes.name(id)) : Json(nullptr);
+}
+
+Json json_of(const BeliefChanges& changes, const ClassRegistry& classes) {
+  Json all = Json::array();
+  for (const BeliefChange& change : changes.entries()) {
+    all.push_back(
+        {{"class", name_of(change.class_id, classes)}, {"belief_change", change.log_odds}});
+  }
+  return all;
+}
+
 /// What the newest observations, of those that are kept one by one, did to the object.
 Json log_json(const Explanation& why, const MapArchive& archive) {
   Json log = Json::array();
@@ -82,10 +96,10 @@ Json log_json(const Explanation& why, const MapArchive& archive) {
     } else {
       one["visible_share"] = entry.score;
     }
-    const bool is_named = archive.classes.contains(entry.class_id);
-    one["class"] = is_named ? Json(archive.classes.name(entry.class_id)) : Json(nullptr);
+    one["class"] = name_of(entry.class_id, archive.classes);
     one["existence_change"] = entry.effect;
     one["belief_change"] = entry.belief_change;
+    one["other_changes"] = json_of(entry.other_changes, archive.classes);
     log.push_back(std::move(one));
   }
   return log;

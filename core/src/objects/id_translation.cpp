@@ -47,9 +47,21 @@ Result<void> translate_detection(Entry& entry, const IdTranslation& translation)
   return {};
 }
 
+Result<BeliefChanges> translated_changes(const BeliefChanges& changes,
+                                         const IdTranslation& translation) {
+  std::vector<BeliefChange> out(changes.entries().begin(), changes.entries().end());
+  for (BeliefChange& change : out) {
+    HYPERMAP_ASSIGN_OR_RETURN(
+        change.class_id, translated_id<ClassId>(change.class_id, translation.classes, "class"));
+  }
+  return BeliefChanges::from_entries(out);
+}
+
 Result<void> translate(ObservationLogEntry& entry, const IdTranslation& translation) {
   HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index,
                             later_index(entry.frame_index, translation.frame_offset));
+  HYPERMAP_ASSIGN_OR_RETURN(entry.other_changes,
+                            translated_changes(entry.other_changes, translation));
   return translate_detection(entry, translation);
 }
 

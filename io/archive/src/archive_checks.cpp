@@ -15,14 +15,20 @@ Result<void> check_class(const ClassRegistry& classes, ClassId id, const std::st
               where);
 }
 
+template <class Visit>
+void for_each_class(const ObservationLogEntry& entry, const Visit& visit) {
+  visit(entry.class_id);
+  for (const BeliefChange& change : entry.other_changes.entries()) visit(change.class_id);
+}
+
 /// Calls `visit(id)` for each class that an object speaks of, with repetitions.
 template <class Visit>
 void for_each_class(const Object& object, const Visit& visit) {
   for (const ClassLogOdds& entry : object.belief.entries()) visit(entry.id);
   for (const ClassLogOdds& entry : object.prior.log_factors()) visit(entry.id);
   const ObservationLogState& observation_log = object.observation_log.state();
-  if (observation_log.first) visit(observation_log.first->class_id);
-  for (const ObservationLogEntry& entry : observation_log.newest) visit(entry.class_id);
+  if (observation_log.first) for_each_class(*observation_log.first, visit);
+  for (const ObservationLogEntry& entry : observation_log.newest) for_each_class(entry, visit);
   for (const ObservationLogSummary& summary : observation_log.summaries) visit(summary.class_id);
 }
 

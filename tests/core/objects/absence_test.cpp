@@ -115,6 +115,17 @@ TEST(Absences, WhatShowsAgainFromFarAwayIsNoLongerLookedThrough) {
   EXPECT_EQ(map.at(ObjectId{1}).observation_log.state().newest.size(), entries);
 }
 
+TEST(Absences, TheLogTellsWhatALookTookFromEachClass) {
+  ObjectMap map = map_of_one();
+  (void)apply_absences(map, std::array{result_of(Visibility::kAbsent)}, {});
+  const ObservationLogEntry entry = map.at(ObjectId{1}).observation_log.state().newest.back();
+  EXPECT_FLOAT_EQ(entry.belief_change, -0.5F);
+  EXPECT_FALSE(entry.other_changes.contains(kCup));
+  ASSERT_FALSE(entry.other_changes.entries().empty());
+  for (const BeliefChange& change : entry.other_changes.entries())
+    EXPECT_FLOAT_EQ(change.log_odds, -0.5F);
+}
+
 TEST(Absences, WhatNobodyBelievesInIsRemoved) {
   ObjectMap map = map_of_one(1);
   std::vector<ObjectId> removed;

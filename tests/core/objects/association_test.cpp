@@ -64,6 +64,25 @@ TEST(Learning, ExistenceIsCapped) {
   EXPECT_DOUBLE_EQ(object.existence.value(), 20.0);
 }
 
+TEST(UpdateObject, TheLogTellsWhatAnObservationTookFromTheOtherClasses) {
+  // Of ten classes: 0.2 / 9 for each other one is logit(0.0222) - logit(0.1) = -3.784 + 2.197.
+  constexpr float kTaken = -1.587F;
+  const auto changed = [](ClassId id) { return BeliefChange{.class_id = id, .log_odds = kTaken}; };
+  const auto others_of_newest = [](const Object& object) {
+    const auto entries = object.observation_log.state().newest.back().other_changes.entries();
+    return std::vector<BeliefChange>(entries.begin(), entries.end());
+  };
+  Object object = make_object(seen(kChairBox, kCupClass), {});
+  EXPECT_EQ(
+      others_of_newest(object),
+      (std::vector{changed(kChairClass), changed(kOvenClass), changed(kFridge), changed(kTv)}));
+  update_object(object, seen(kChairBox, kFridge, 1), {});
+  EXPECT_EQ(
+      others_of_newest(object),
+      (std::vector{changed(kCupClass), changed(kChairClass), changed(kOvenClass), changed(kTv)}))
+      << "the cup, which was believed most, comes first";
+}
+
 TEST(UpdateObject, TheClassesThatAVectorLeavesOutCount) {
   // [smap] Eq. (3.18), N = 10 of the combined set: logit(p) - logit(1/10), so that what is named
   // with 0.15 is likelier than what is not named at all. By the vector's own length, 3, it is not.

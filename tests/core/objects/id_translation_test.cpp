@@ -52,6 +52,13 @@ TEST(IdTranslation, BeliefPriorAndLogTakeTheOtherIds) {
   EXPECT_EQ(entries[0].frame_index, 100U);
   EXPECT_EQ(entries[1].detector, DetectorId{2});
   EXPECT_EQ(entries[1].class_id, ClassId{19});
+  const auto others = entries[1].other_changes.entries();
+  const auto others_before = was.observation_log.state().newest[1].other_changes.entries();
+  ASSERT_EQ(others.size(), 4U);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    EXPECT_EQ(others[i].class_id.value, 20 - others_before[i].class_id.value);
+    EXPECT_EQ(others[i].log_odds, others_before[i].log_odds);
+  }
   EXPECT_EQ(is.observation_log.num_detections(ClassId{20}),
             was.observation_log.num_detections(kChairClass));
   EXPECT_EQ(is.points, was.points);

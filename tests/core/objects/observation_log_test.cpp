@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -43,6 +44,32 @@ TEST(ObservationLog, TheFirstIsTheNewestAsLongAsItIsAlone) {
   EXPECT_FLOAT_EQ(log.state().newest[0].belief_change, 0.235F);
   EXPECT_FLOAT_EQ(log.state().summaries[0].effect_sum, 0.75F);
   EXPECT_EQ(log.state().first, log.state().newest[0]);
+}
+
+TEST(ObservationLog, ChangesOfOtherClassesStayAndAddUp) {
+  ObservationLog log;
+  ObservationLogEntry entry = seen(3);
+  const std::vector first{BeliefChange{ClassId{4}, -0.4F}, BeliefChange{ClassId{2}, 0.3F}};
+  const std::vector more{BeliefChange{ClassId{4}, -0.25F}};
+  const std::vector sum{BeliefChange{ClassId{4}, -0.65F}, BeliefChange{ClassId{2}, 0.3F}};
+  entry.other_changes = BeliefChanges::from_entries(first).value();
+  log.add(entry);
+  EXPECT_EQ(log.state().newest[0].other_changes, entry.other_changes);
+  log.add_to_newest(LogOdds(-0.25), LogOdds(-1.0), BeliefChanges::from_entries(more).value());
+  EXPECT_EQ(log.state().newest[0].other_changes, BeliefChanges::from_entries(sum).value());
+  EXPECT_EQ(log.state().first, log.state().newest[0]);
+}
+
+TEST(ObservationLog, AnEntryWhoseOtherChangesAreOfItsOwnClassIsRefused) {
+  ObservationLog log;
+  log.add(seen(3));
+  ObservationLogState state = log.state();
+  const std::vector own{BeliefChange{ClassId{1}, -0.4F}};
+  state.newest[0].other_changes = BeliefChanges::from_entries(own).value();
+  const auto result = ObservationLog::from_state(state);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().field, "ledger");
+  EXPECT_EQ(result.error().what, "has an entry whose other changes are of its own class");
 }
 
 TEST(ObservationLog, SumsAreKeptPerClassAndDirection) {

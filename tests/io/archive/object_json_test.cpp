@@ -21,6 +21,11 @@ Polygon square(double x, double y, double edge) {
   return {.outer = {{x, y}, {x + edge, y}, {x + edge, y + edge}, {x, y + edge}}, .holes = {}};
 }
 
+BeliefChanges changes_of_two_classes() {
+  const std::vector<BeliefChange> changes{{ClassId{7}, -0.413F}, {ClassId{0}, 0.1F}};
+  return BeliefChanges::from_entries(changes).value();
+}
+
 /// An object in which every part holds numbers that no short decimal gives.
 Object random_object(std::mt19937& engine) {
   std::uniform_real_distribution<double> real(-3.0, 3.0);
@@ -48,7 +53,9 @@ Object random_object(std::mt19937& engine) {
          .score = 0.1F,
          .bearing_rad = static_cast<float>(real(engine)),
          .distance_m = 2.7182817F,
-         .effect = -0.3F});
+         .effect = -0.3F,
+         .belief_change = 1.25F,
+         .other_changes = i % 2 == 0 ? changes_of_two_classes() : BeliefChanges{}});
   object.first_seen = {1400000000123456789};
   object.last_seen = {-5};
   object.num_observations = 4000000000U;

@@ -50,7 +50,14 @@ void update_geometry(Object& object, const Segment& segment, const AssociationOp
   }
 }
 
-void record(Object& object, const Observation& observation, LogOdds effect, LogOdds belief_change) {
+/// Of an object by one observation.
+struct Effect {
+  LogOdds existence;
+  LogOdds named_class;
+  BeliefChanges other_classes;
+};
+
+void record(Object& object, const Observation& observation, const Effect& effect) {
   object.observation_log.add({.frame_index = observation.frame_index,
                               .stamp = observation.stamp,
                               .kind = ObservationKind::kDetection,
@@ -60,8 +67,9 @@ void record(Object& object, const Observation& observation, LogOdds effect, LogO
                               .score = static_cast<float>(observation.score.value()),
                               .bearing_rad = static_cast<float>(observation.bearing_rad),
                               .distance_m = static_cast<float>(observation.distance_m),
-                              .effect = static_cast<float>(effect.value()),
-                              .belief_change = static_cast<float>(belief_change.value())});
+                              .effect = static_cast<float>(effect.existence.value()),
+                              .belief_change = static_cast<float>(effect.named_class.value()),
+                              .other_changes = effect.other_classes});
 }
 
 }  // namespace
@@ -70,16 +78,20 @@ void update_object(Object& object,
                    const Observation& observation,
                    const AssociationOptions& options) {
   const ClassId named = named_class(observation);
-  const LogOdds belief_before = object.belief.log_odds(named);
+  const ClassBelief before = object.belief;
   update_belief(object, observation);
-  const LogOdds belief_change = object.belief.log_odds(named) - belief_before;
   object.prior = observation.prior;
   object.histogram.observe(observation.bearing_rad, observation.distance_m);
   update_geometry(object, observation.segment, options);
   object.embeddings.observe(observation.embeddings);
-  const LogOdds before = object.existence;
+  const LogOdds existed = object.existence;
   object.existence = std::min(object.existence + options.seen_existence, options.max_existence);
-  record(object, observation, object.existence - before, belief_change);
+  record(
+      object,
+      observation,
+      {.existence = object.existence - existed,
+       .named_class = object.belief.log_odds(named) - before.log_odds(named),
+       .other_classes = BeliefChanges::between(before.entries(), object.belief.entries(), named)});
   object.last_seen = std::max(object.last_seen, observation.stamp);
   object.farthest_detection_m = std::max(object.farthest_detection_m, observation.distance_m);
   ++object.num_observations;

@@ -77,16 +77,17 @@ void weaken(Object& object,
   object.histogram.weaken(result.bearing_rad, result.distance_m, decay.absence);
 }
 
-/// Of a belief, by one observation.
-struct ClassChange {
-  ClassId class_id;
-  LogOdds log_odds;
+/// Of an object's belief, by one observation.
+struct ChangedClasses {
+  ClassId class_id;  ///< That the entry of the log is of.
+  LogOdds of_class;
+  BeliefChanges of_others;
 };
 
 void record(Object& object,
             const VisibilityResult& result,
             const Decay& decay,
-            const ClassChange& change,
+            const ChangedClasses& change,
             std::uint64_t frame_index,
             Stamp stamp) {
   object.observation_log.add({.frame_index = frame_index,
@@ -99,7 +100,8 @@ void record(Object& object,
                               .bearing_rad = static_cast<float>(result.bearing_rad),
                               .distance_m = static_cast<float>(result.distance_m),
                               .effect = static_cast<float>(-decay.existence.value()),
-                              .belief_change = static_cast<float>(change.log_odds.value())});
+                              .belief_change = static_cast<float>(change.of_class.value()),
+                              .other_changes = change.of_others});
 }
 
 /// The newest entry if that is a detection in the frame, else null.
@@ -130,13 +132,17 @@ void decay_object(Object& object,
   const ObservationLogEntry* detection =
       newest_detection_in(object.observation_log, frame_index, stamp);
   const ClassId class_id = class_of_entry(object, detection);
-  const LogOdds before = object.belief.log_odds(class_id);
+  const ClassBelief before = object.belief;
   weaken(object, result, decay, options);
-  const LogOdds belief_change = object.belief.log_odds(class_id) - before;
+  const ChangedClasses change{
+      .class_id = class_id,
+      .of_class = object.belief.log_odds(class_id) - before.log_odds(class_id),
+      .of_others = BeliefChanges::between(before.entries(), object.belief.entries(), class_id)};
   if (detection != nullptr) {
-    object.observation_log.add_to_newest(LogOdds{} - decay.existence, belief_change);
+    object.observation_log.add_to_newest(
+        LogOdds{} - decay.existence, change.of_class, change.of_others);
   } else {
-    record(object, result, decay, {class_id, belief_change}, frame_index, stamp);
+    record(object, result, decay, change, frame_index, stamp);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "hypermap/core/objects/observation_log.hpp"
 
 #include "objects/evidence/gone_run.hpp"
+#include "objects/evidence/in_thousandths.hpp"
 
 #include <algorithm>
 #include <bitset>
@@ -29,6 +30,10 @@ bool is_finite(const ObservationLogEntry& e) {
          std::isfinite(e.effect) && std::isfinite(e.belief_change);
 }
 
+bool tells_its_class_twice(const ObservationLogEntry& e) {
+  return e.other_changes.contains(e.class_id);
+}
+
 bool is_sound(const ObservationLogSummary& s) {
   return s.bearing_bin < ObservationLog::kNumBearingBins && s.count > 0 &&
          std::isfinite(s.score_sum) && std::isfinite(s.effect_sum);
@@ -43,11 +48,6 @@ ObservationLogSummary summary_of(const ObservationLogEntry& e) {
           .score_sum = e.score,
           .effect_sum = e.effect,
           .last_frame_index = e.frame_index};
-}
-
-/// As a float of few digits: archives keep it for many frames of many objects.
-float in_thousandths(double value) {
-  return static_cast<float>(std::round(1000.0 * value) / 1000.0);
 }
 
 bool is_older(const ObservationLogEntry& a, const ObservationLogEntry& b) {
@@ -102,6 +102,9 @@ Result<ObservationLog> ObservationLog::from_state(ObservationLogState state) {
                       std::all_of(state.newest.begin(), state.newest.end(), is_finite) &&
                       std::all_of(state.summaries.begin(), state.summaries.end(), is_sound);
   if (!finite) return refuse("has a number that is not finite, a count of 0 or a bin beyond 17");
+  const bool is_told_twice = (state.first && tells_its_class_twice(*state.first)) ||
+                             std::ranges::any_of(state.newest, tells_its_class_twice);
+  if (is_told_twice) return refuse("has an entry whose other changes are of its own class");
   const auto not_ascending = [](const ObservationLogSummary& a, const ObservationLogSummary& b) {
     return !precedes(a, b);
   };
@@ -123,7 +126,9 @@ void ObservationLog::add(const ObservationLogEntry& entry) {
   summarise(summary_of(kept));
 }
 
-void ObservationLog::add_to_newest(LogOdds existence_change, LogOdds belief_change) {
+void ObservationLog::add_to_newest(LogOdds existence_change,
+                                   LogOdds belief_change,
+                                   const BeliefChanges& other_changes) {
   ObservationLogEntry& newest = state_.newest.back();
   const bool is_first = state_.first == newest;
   const auto key = key_of(summary_of(newest));
@@ -131,6 +136,7 @@ void ObservationLog::add_to_newest(LogOdds existence_change, LogOdds belief_chan
   newest.effect += effect;
   newest.belief_change =
       in_thousandths(static_cast<double>(newest.belief_change) + belief_change.value());
+  newest.other_changes.add(other_changes);
   if (is_first) state_.first = newest;
   const auto sum = std::ranges::find(state_.summaries, key, &key_of);
   if (sum != state_.summaries.end()) sum->effect_sum += effect;

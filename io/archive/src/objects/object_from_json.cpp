@@ -3,6 +3,7 @@
 
 #include "hypermap/io/codec/json_fields.hpp"
 #include "hypermap/io/codec/value_limits.hpp"
+#include "observation_log_from_json.hpp"
 #include "voted_points_from_json.hpp"
 
 #include <cmath>
@@ -13,8 +14,6 @@
 
 namespace hypermap {
 namespace {
-
-constexpr int kNumVisibilities = 5;
 
 Result<LogOdds> log_odds_at(const JsonNode& object, std::string_view key) {
   HYPERMAP_ASSIGN_OR_RETURN(const double value, number_at(object, key));
@@ -106,61 +105,6 @@ Result<Box> parse_box(const JsonNode& node) {
   return box;
 }
 
-/// Kind and visibility are stored as their numbers.
-template <class Enum>
-Result<Enum> enum_of(const JsonNode& node, int num_values) {
-  HYPERMAP_ASSIGN_OR_RETURN(const std::int64_t value, node.integer(0, num_values - 1));
-  return static_cast<Enum>(value);
-}
-
-Result<ObservationLogEntry> parse_log_entry(const JsonNode& node) {
-  const bool has_belief_change = node.size() == 11;  // older archives have none
-  HYPERMAP_TRY(expect_array(node, has_belief_change ? 11 : 10));
-  ObservationLogEntry entry;
-  HYPERMAP_ASSIGN_OR_RETURN(entry.frame_index, integer_of<std::uint64_t>(node.at(0)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.stamp.ns, integer_of<std::int64_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.kind, enum_of<ObservationKind>(node.at(2), 2));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.visibility, enum_of<Visibility>(node.at(3), kNumVisibilities));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.detector.value, integer_of<std::uint32_t>(node.at(4)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.class_id.value, integer_of<std::uint32_t>(node.at(5)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.score, float_of(node.at(6)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.bearing_rad, float_of(node.at(7)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.distance_m, float_of(node.at(8)));
-  HYPERMAP_ASSIGN_OR_RETURN(entry.effect, float_of(node.at(9)));
-  if (has_belief_change) {
-    HYPERMAP_ASSIGN_OR_RETURN(entry.belief_change, float_of(node.at(10)));
-  }
-  return entry;
-}
-
-Result<ObservationLogSummary> parse_log_summary(const JsonNode& node) {
-  HYPERMAP_TRY(expect_array(node, 8));
-  ObservationLogSummary summary;
-  HYPERMAP_ASSIGN_OR_RETURN(summary.kind, enum_of<ObservationKind>(node.at(0), 2));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.detector.value, integer_of<std::uint32_t>(node.at(1)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.class_id.value, integer_of<std::uint32_t>(node.at(2)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.bearing_bin, integer_of<std::uint8_t>(node.at(3)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.count, integer_of<std::uint32_t>(node.at(4)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.score_sum, float_of(node.at(5)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.effect_sum, float_of(node.at(6)));
-  HYPERMAP_ASSIGN_OR_RETURN(summary.last_frame_index, integer_of<std::uint64_t>(node.at(7)));
-  return summary;
-}
-
-Result<ObservationLog> parse_observation_log(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"first", "newest", "summaries", "num_unsummarised"}));
-  ObservationLogState state;
-  HYPERMAP_ASSIGN_OR_RETURN(const JsonNode first, node.require("first"));
-  if (!first.is(JsonKind::kNull)) {
-    HYPERMAP_ASSIGN_OR_RETURN(state.first, parse_log_entry(first));
-  }
-  HYPERMAP_ASSIGN_OR_RETURN(state.newest, list_at(node, "newest", parse_log_entry));
-  HYPERMAP_ASSIGN_OR_RETURN(state.summaries, list_at(node, "summaries", parse_log_summary));
-  HYPERMAP_ASSIGN_OR_RETURN(state.num_unsummarised,
-                            integer_at<std::uint64_t>(node, "num_unsummarised"));
-  return validated(node, ObservationLog::from_state(std::move(state)));
-}
-
 /// Reads objects; knows the limit on vertices.
 class ObjectReader {
  public:
@@ -201,7 +145,8 @@ class ObjectReader {
     HYPERMAP_ASSIGN_OR_RETURN(object.points, part(node, "points", [this](const JsonNode& points) {
                                 return voted_points_from_json(points, cells_);
                               }));
-    HYPERMAP_ASSIGN_OR_RETURN(object.observation_log, part(node, "ledger", parse_observation_log));
+    HYPERMAP_ASSIGN_OR_RETURN(object.observation_log,
+                              part(node, "ledger", observation_log_from_json));
     HYPERMAP_ASSIGN_OR_RETURN(object.first_seen.ns,
                               integer_at<std::int64_t>(node, "first_seen_ns"));
     HYPERMAP_ASSIGN_OR_RETURN(object.last_seen.ns, integer_at<std::int64_t>(node, "last_seen_ns"));

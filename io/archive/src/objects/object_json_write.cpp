@@ -162,14 +162,22 @@ class ObjectWriter {
     return first + second.substr(1);
   }
 
-  /// Kind, visibility and the rest in the order of ObservationLogEntry's fields.
+  std::string json_of(const BeliefChanges& changes) {
+    return json_array(changes.entries(), [this](const BeliefChange& change) {
+      return "[" + count(change.class_id.value) + "," + number(change.log_odds) + "]";
+    });
+  }
+  /// Kind, visibility and the rest in the order of ObservationLogEntry's fields; the changes of
+  /// other classes where there are any.
   std::string json_of(const ObservationLogEntry& entry) {
+    const bool has_others = !entry.other_changes.entries().empty();
     return "[" + count(entry.frame_index) + "," + std::to_string(entry.stamp.ns) + "," +
            std::to_string(static_cast<int>(entry.kind)) + "," +
            std::to_string(static_cast<int>(entry.visibility)) + "," + count(entry.detector.value) +
            "," + count(entry.class_id.value) + "," + number(entry.score) + "," +
            number(entry.bearing_rad) + "," + number(entry.distance_m) + "," + number(entry.effect) +
-           "," + number(entry.belief_change) + "]";
+           "," + number(entry.belief_change) +
+           (has_others ? "," + json_of(entry.other_changes) : "") + "]";
   }
   /// In the order of ObservationLogSummary's fields.
   std::string json_of(const ObservationLogSummary& summary) {

@@ -9,6 +9,7 @@
 #include "hypermap/core/base/ids.hpp"
 #include "hypermap/core/base/log_odds.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/objects/belief_changes.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,7 @@ struct ObservationLogEntry {
   float distance_m = 0.0F;
   float effect = 0.0F;         ///< Change of the existence in log-odds.
   float belief_change = 0.0F;  ///< Of the log-odds of `class_id`, to 0.001; 0 in older archives.
+  BeliefChanges other_changes = {};  ///< Of classes beside `class_id`; none in older archives.
   friend bool operator==(const ObservationLogEntry&, const ObservationLogEntry&) = default;
 };
 
@@ -84,13 +86,16 @@ class ObservationLog {
 
   ObservationLog() = default;
   /// Errors: kInvalidArgument: more entries or summaries than are kept, summaries not ascending, a
-  /// bin beyond the last, a number that is not finite, newest entries without a first one.
+  /// bin beyond the last, a number that is not finite, an entry whose other changes are of its own
+  /// class, newest entries without a first one.
   [[nodiscard]] static Result<ObservationLog> from_state(ObservationLogState state);
 
   void add(const ObservationLogEntry& entry);
-  /// The frame of the newest entry changed more: so much of the existence and of the log-odds of
-  /// the entry's class. Requires: an entry.
-  void add_to_newest(LogOdds existence_change, LogOdds belief_change);
+  /// The frame of the newest entry changed more: so much of the existence, of the log-odds of the
+  /// entry's class and of those of other ones. Requires: an entry.
+  void add_to_newest(LogOdds existence_change,
+                     LogOdds belief_change,
+                     const BeliefChanges& other_changes = {});
   /// Joins the log of a duplicate: newest by frame, then as here. A frame that one of them was
   /// detected in and the other one was not shows the thing: the missed detection is taken back, as
   /// far as both are kept one by one.
