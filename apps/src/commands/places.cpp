@@ -60,10 +60,10 @@ Result<std::vector<const SemanticObject*>> objects_named(const MapArchive& archi
 
 /// "cup 12 is in the kitchen (room 2), on diningtable 3".
 std::string place_sentence(const MapArchive& archive,
-                           const MapPlaces& places,
+                           const AskedPlaces& places,
                            const RelationGraph& graph,
                            const SemanticObject& object) {
-  const std::string place = "in " + room_name(places, places.room_of.at(object.id));
+  const std::string place = "in " + place_name(places.rooms, places.vertices, object.id);
   const ObjectId id{static_cast<std::uint32_t>(object.id)};
   if (!support_of(graph, id)) return name_of(object) + " is " + place;
   const auto naming = [&](ObjectId other) { return called(archive, other); };
@@ -153,8 +153,20 @@ void print_rooms(const MapArchive& archive, const AskedPlaces& asked) {
               count_text(places.plan.doorways.size(), "doorway").c_str());
 }
 
+/// The room of an object, what kind of place it is in, and the vertex that tells it where the room
+/// does not.
+Json json_of_place(const AskedPlaces& places, std::uint64_t object) {
+  const RoomNumber room = places.rooms.room_of.at(object);
+  const auto vertex = telling_vertex(places.rooms, places.vertices, object);
+  auto place = vertex ? places.vertices[vertex->value].place : std::nullopt;
+  if (!vertex && room != kNoRoom) place = places.rooms.rooms[room - 1].place;
+  return {{"in", json_of_room(places.rooms, room)},
+          {"place", place ? Json(*place) : Json(nullptr)},
+          {"vertex", vertex ? Json(vertex->value) : Json(nullptr)}};
+}
+
 Result<void> print_place(const MapArchive& archive,
-                         const MapPlaces& places,
+                         const AskedPlaces& places,
                          const RelationGraph& graph,
                          const std::string& name,
                          bool json) {
@@ -163,10 +175,10 @@ Result<void> print_place(const MapArchive& archive,
   for (const SemanticObject* object : objects) {
     const std::string sentence = place_sentence(archive, places, graph, *object);
     if (!json) std::printf("%s\n", printable(sentence, 500).c_str());
-    document["results"].push_back({{"id", object->id},
-                                   {"name", object->name},
-                                   {"in", json_of_room(places, places.room_of.at(object->id))},
-                                   {"sentence", sentence}});
+    Json one{{"id", object->id}, {"name", object->name}};
+    one.update(json_of_place(places, object->id));
+    one["sentence"] = sentence;
+    document["results"].push_back(std::move(one));
   }
   if (json) print_document(document);
   return {};
@@ -220,7 +232,7 @@ Result<void> print_places(const MapArchive& archive,
   if (arguments.route) {
     return print_route(archive, places, rules.metre_costs, *arguments.route, json);
   }
-  if (arguments.place) return print_place(archive, places.rooms, graph, *arguments.place, json);
+  if (arguments.place) return print_place(archive, places, graph, *arguments.place, json);
   json ? print_rooms_json(archive, places) : print_rooms(archive, places);
   return {};
 }

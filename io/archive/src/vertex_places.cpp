@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 #include "place_amounts.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -77,6 +78,28 @@ std::vector<VertexPlace> vertex_places(const MapArchive& archive,
     vertex.place = classifier.decide(vertex.belief);
   }
   return vertices;
+}
+
+std::optional<VertexId> telling_vertex(const MapPlaces& places,
+                                       const std::vector<VertexPlace>& vertices,
+                                       std::uint64_t object) {
+  const RoomNumber room = places.room_of.at(object);
+  if (room != kNoRoom && places.rooms[room - 1].place) return std::nullopt;
+  const auto own = std::ranges::find_if(vertices, [object](const VertexPlace& vertex) {
+    return std::ranges::binary_search(vertex.objects, object);
+  });
+  if (own == vertices.end() || own->room != room || !own->place) return std::nullopt;
+  return VertexId{static_cast<std::uint32_t>(own - vertices.begin())};
+}
+
+std::string place_name(const MapPlaces& places,
+                       const std::vector<VertexPlace>& vertices,
+                       std::uint64_t object) {
+  const RoomNumber room = places.room_of.at(object);
+  const auto vertex = telling_vertex(places, vertices, object);
+  if (!vertex) return room_name(places, room);
+  const std::string place = "the " + *vertices[vertex->value].place;
+  return room == kNoRoom ? place : place + " of " + room_name(places, room);
 }
 
 Result<TopologicalRoute> find_vertex_route(const MapArchive& archive,

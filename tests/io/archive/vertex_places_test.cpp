@@ -50,7 +50,8 @@ TEST(VertexPlaces, AVertexIsOfTheRoomBelowItAndHasTheObjectsNearestToIt) {
   EXPECT_THAT(vertices[1].objects, IsEmpty());
 }
 
-TEST(VertexPlaces, OneInNoRoomIsWhatTheObjectsAroundItMakeOfIt) {
+/// A tree outside of all rooms, and vertices 0 to 5 that lead away from it.
+MapArchive walked_garden() {
   MapArchive archive = test::small_flat();
   const ClassId tree = archive.classes.add("tree").value();
   Object object;
@@ -63,16 +64,65 @@ TEST(VertexPlaces, OneInNoRoomIsWhatTheObjectsAroundItMakeOfIt) {
   archive.topological_map.emplace();
   archive.topological_map->observe({9, 6.5, 1});
   archive.topological_map->observe({9, 6.5 + 5 * 0.95, 1});
+  return archive;
+}
+
+BelongingsClassifier gardens() {
   PlaceRules rules;
   rules.places = {"garden", "kitchen"};
   rules.belongings = {{"tree", {{"garden", 50}}}};
-  const auto classifier = BelongingsClassifier::create(rules).value();
-  const std::vector<VertexPlace> vertices = places_of(archive, classifier);
+  return BelongingsClassifier::create(rules).value();
+}
+
+TEST(VertexPlaces, OneInNoRoomIsWhatTheObjectsAroundItMakeOfIt) {
+  const std::vector<VertexPlace> vertices = places_of(walked_garden(), gardens());
   ASSERT_THAT(vertices, SizeIs(6));
   EXPECT_EQ(vertices[0].room, kNoRoom);
   EXPECT_EQ(vertices[0].place, "garden");
   EXPECT_EQ(vertices[3].place, "garden") << "three edges away";
   EXPECT_EQ(vertices[4].place, std::nullopt) << "four edges away";
+}
+
+TEST(PlaceName, OfAnObjectInNoRoomIsItsVertexs) {
+  const MapArchive archive = walked_garden();
+  const MapPlaces places = map_places(archive, gardens()).value();
+  const auto vertices = vertex_places(archive, places, gardens());
+  EXPECT_EQ(telling_vertex(places, vertices, 11), VertexId{0});
+  EXPECT_EQ(place_name(places, vertices, 11), "the garden");
+  EXPECT_EQ(place_name(places, {}, 11), "no room") << "without a topological map";
+  EXPECT_EQ(place_name(places, vertices, 3), "room 1") << "the map has no such object";
+}
+
+TEST(PlaceName, OfARoomWithAClassIsTheRooms) {
+  const MapArchive archive = walked_flat();
+  const MapPlaces places = map_places(archive, test::home()).value();
+  const auto vertices = vertex_places(archive, places, test::home());
+  EXPECT_EQ(vertices[0].place, "kitchen");
+  EXPECT_EQ(telling_vertex(places, vertices, 3), std::nullopt);
+  EXPECT_EQ(place_name(places, vertices, 3), "the kitchen (room 1)");
+}
+
+// An oven, a bed and a desk say 17 : 9 : 9, so that none is 0.5 probable; at the vertices, which
+// know of the oven alone, it is 17 : 1 : 1.
+TEST(PlaceName, InARoomWithoutAClassIsItsVertexs) {
+  MapArchive archive = walked_flat();
+  archive.objects.modify(ObjectId{3}, [](Object& oven) { oven.existence = LogOdds(10); });
+  const SemanticUpdate more{.to_add = {test::shape(13, "bed", {{1, 0}, {2, 1}}),
+                                       test::shape(15, "desk", {{2.2, 0}, {3.2, 1}})}};
+  ASSERT_TRUE(archive.hypermap.update("semantic", more));
+  PlaceRules rules;
+  rules.places = {"bedroom", "kitchen", "office"};
+  rules.belongings = {
+      {"oven", {{"kitchen", 17}}}, {"bed", {{"bedroom", 9}}}, {"desk", {{"office", 9}}}};
+  const auto classifier = BelongingsClassifier::create(rules).value();
+  const MapPlaces places = map_places(archive, classifier).value();
+  EXPECT_EQ(room_name(places, 1), "room 1");
+  auto vertices = vertex_places(archive, places, classifier);
+  EXPECT_EQ(telling_vertex(places, vertices, 3), VertexId{0});
+  EXPECT_EQ(place_name(places, vertices, 3), "the kitchen of room 1");
+  EXPECT_EQ(place_name(places, vertices, 13), "room 1") << "no vertex has it";
+  vertices[0].room = 2;
+  EXPECT_EQ(place_name(places, vertices, 3), "room 1") << "a wall parts it from its vertex";
 }
 
 // [smap] 3.5.1: traversability cost of a class of places. Edges of 0.95 m: three in the kitchen,

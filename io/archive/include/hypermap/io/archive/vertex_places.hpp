@@ -44,6 +44,21 @@ inline constexpr int kPlaceLayers = 3;
                                                      const MapPlaces& places,
                                                      const PlaceClassifier& classifier);
 
+/// The vertex whose class says what kind of place an object is in where its room's does not: the
+/// one that it is nearest to. None: its room has a class, or the vertex has none or is in another
+/// room, or the map has no vertex of it. Requires: `places` and `vertices` are of one map, which
+/// has the object in its layer `semantic`. Cost: linear in the vertices.
+[[nodiscard]] std::optional<VertexId> telling_vertex(const MapPlaces& places,
+                                                     const std::vector<VertexPlace>& vertices,
+                                                     std::uint64_t object);
+
+/// In which place an object is: "the kitchen (room 2)"; by its vertex "the kitchen of room 2", and
+/// "the garden" where it is in no room; else "room 3" or "no room".
+/// Requires, cost: as telling_vertex.
+[[nodiscard]] std::string place_name(const MapPlaces& places,
+                                     const std::vector<VertexPlace>& vertices,
+                                     std::uint64_t object);
+
 /// The cheapest way along edges between the vertices nearest to two ends: where the sensor went, or
 /// could have gone to an object. A metre costs what it does in the vertices' places.
 /// Errors: kNotFound when the map has no topological map, or its edges do not join the two.
