@@ -53,7 +53,7 @@ class Why(SmallLaboratoryCase):
             entry = one["ledger"]["newest"][-1]
             entry[2:] = [0, 1, 0, 3, 0.5, 0.0, 2.0, 0.75, 1.234, [[5, -0.413], [1, 0.2]]]
 
-        names = json.loads(run("info", self.map, "--json").stdout)["classes"]
+        names = [one["name"] for one in json.loads(run("info", self.map, "--json").stdout)["classes"]]
         why, lines = self.told_of(thing, change)
         newest = why["log"][-1]
         self.assertEqual(newest["class"], names[3])
