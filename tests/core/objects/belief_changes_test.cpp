@@ -21,6 +21,7 @@ BeliefChange changed(std::uint32_t id, float log_odds) {
 /// Beliefs in the classes 1, 2, ...
 std::vector<ClassLogOdds> beliefs(const std::vector<double>& log_odds) {
   std::vector<ClassLogOdds> out;
+  out.reserve(log_odds.size());
   for (const double l : log_odds)
     out.push_back({ClassId{static_cast<std::uint32_t>(out.size() + 1)}, LogOdds(l)});
   return out;
