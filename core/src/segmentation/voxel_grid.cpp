@@ -3,6 +3,9 @@
 
 #include "geometry/floor_of.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +13,8 @@ namespace hypermap {
 namespace {
 
 constexpr std::uint32_t kFree = 0xFFFFFFFFU;
+constexpr std::size_t kFewestSlots = 16;
+constexpr std::size_t kMostSlotsAtFirst = 4096;
 
 /// Three 21-bit cell numbers in one word.
 std::uint64_t key_of(const Eigen::Vector3f& point, double inverse_leaf) {
@@ -28,6 +33,10 @@ std::uint64_t key_of(const Eigen::Vector3f& point, double inverse_leaf) {
 /// most. Neighbouring points mostly share a voxel, so the last key is tried first.
 class KeyNumbering {
  public:
+  /// For about so many keys or fewer: a table of few is cheap to clear.
+  explicit KeyNumbering(std::size_t num_keys)
+      : slots_(std::bit_ceil(std::clamp(2 * num_keys, kFewestSlots, kMostSlotsAtFirst))) {}
+
   std::uint32_t number_of(std::uint64_t key) {
     if (count_ > 0 && key == last_.key) return last_.number;
     if (std::size_t{2} * (count_ + 1) > slots_.size()) grow();
@@ -59,7 +68,7 @@ class KeyNumbering {
     }
   }
 
-  std::vector<Slot> slots_ = std::vector<Slot>(4096);
+  std::vector<Slot> slots_;
   Slot last_;
   std::uint32_t count_ = 0;
 };
@@ -74,7 +83,7 @@ ThinnedCloud voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_siz
     std::iota(grid.voxel_of_point.begin(), grid.voxel_of_point.end(), 0U);
     return grid;
   }
-  KeyNumbering numbering;
+  KeyNumbering numbering(points.size());
   std::vector<Eigen::Vector3d> sums;
   std::vector<std::uint32_t> counts;
   const double inverse_leaf = 1.0 / leaf_size_m;
@@ -97,7 +106,7 @@ ThinnedCloud voxel_grid(std::span<const Eigen::Vector3f> points, double leaf_siz
 
 std::size_t count_voxels(std::span<const Eigen::Vector3f> points, double leaf_size_m) {
   if (leaf_size_m <= 0.0) return points.size();
-  KeyNumbering numbering;
+  KeyNumbering numbering(points.size());
   const double inverse_leaf = 1.0 / leaf_size_m;
   for (const Eigen::Vector3f& point : points) numbering.number_of(key_of(point, inverse_leaf));
   return numbering.size();

@@ -80,6 +80,8 @@ const PanelMatches::Place& PanelMatches::nearest(const Eigen::Vector3d& corner_i
   const Place* best = nullptr;
   double best_rad = std::numeric_limits<double>::infinity();
   for (const Place& place : places_) {
+    // Of angles of elevation the difference alone is no less than what both are apart.
+    if (std::abs(corner.elevation_rad - place.angles.elevation_rad) >= best_rad) continue;
     const double apart_rad = angular_distance_rad(corner, place.angles);
     if (!(apart_rad < best_rad)) continue;
     best = &place;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/absence.hpp"
 #include "hypermap/core/objects/association.hpp"
+#include "objects/scope_query.hpp"
 #include "panel_matches.hpp"
 
 #include <algorithm>
@@ -67,8 +68,8 @@ std::vector<VisibilityResult> evaluate_visibility_by_panels(const ObjectMap& obj
                                                             const ObjectScope& scope) {
   const PanelMatches panels(depth);
   std::vector<VisibilityResult> results;
-  for (const Object& object : objects.objects()) {
-    if (!scope.contains(object.centroid_in_map)) continue;  // steps 1 and C.1
+  for (const ObjectId id : objects_in(objects, scope)) {  // steps 1 and C.1
+    const Object& object = objects.at(id);
     const PanelCounts counts = panels.count(object.box, options.panel_tolerance_m);
     if (counts.all() == 0) continue;
     VisibilityResult result = visibility_result_of(object, depth.camera_centre().xyz);
