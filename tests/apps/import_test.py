@@ -100,6 +100,13 @@ class Import(unittest.TestCase):
         self.assertEqual(set(both), set(self.layers(flat)) | set(self.layers(self.lab)))
         query = ("--layer", "objects", "--string", "chair", "--json")
         self.assertEqual(run("query", self.output, *query).stdout, run("query", self.lab, *query).stdout)
+        said, before = (json.loads(run("info", path, "--json").stdout) for path in (self.output, self.lab))
+        self.assertEqual(said["sessions"], before["sessions"])
+        self.assertEqual([one["input"] for one in said["provenance"] if "import" in one["options"]],
+                         [self.lab.name, "flat.hmap", "floor.yaml", "things.yaml"])
+        self.assertNotIn("session", run("query", self.output, "--why", "1").stdout)
+        merged = run("merge", self.output, self.lab, "--output", self.folder / "merged.hmap", "--json")
+        self.assertEqual(json.loads(merged.stdout)["sessions"], 2, merged.stderr)
         self.imported(flat, f"other={flat}", "--frame", "other=yard")
         self.assertEqual({name: layer["frame_id"] for name, layer in self.layers().items()},
                          {"floor": "map", "things": "map", "other_floor": "yard", "other_things": "yard"})

@@ -10,6 +10,7 @@
 #include "hypermap/io/check/file_info.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "load_arguments.hpp"
+#include "provenance_text.hpp"
 #include "sizes_text.hpp"
 #include "tables.hpp"
 #include "time_arguments.hpp"
@@ -182,10 +183,7 @@ void print(const ArchiveInfo& info) {
                 transform.yaw_rad * 180.0 / std::numbers::pi);
   }
   for (const Provenance& run : info.provenance) {
-    std::printf("made by %s from %s (%s)\n",
-                printable(run.tool).c_str(),
-                printable(run.input).c_str(),
-                printable(run.input_hash).c_str());
+    std::printf("%s\n", provenance_text(run).c_str());
   }
   for (const MapSession& session : sessions_of(info.provenance)) {
     std::printf("session %s\n", session_text(session).c_str());

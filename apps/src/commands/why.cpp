@@ -84,8 +84,9 @@ std::string withheld_text(const std::vector<MissedCondition>& missed) {
 
 /// ", session morning" in a map of several.
 std::string session_text(const MapArchive& archive, std::uint64_t frame_index) {
-  if (archive.provenance.size() < 2) return "";
-  const auto session = session_of_frame(sessions_of(archive.provenance), frame_index);
+  const std::vector<MapSession> sessions = sessions_of(archive.provenance);
+  if (sessions.size() < 2) return "";
+  const auto session = session_of_frame(sessions, frame_index);
   return session ? ", session " + printable(name_of(*session)) : "";
 }
 

@@ -10,14 +10,24 @@
 namespace hypermap {
 namespace {
 
+using Runs = std::vector<const Provenance*>;
+
+Runs runs_alone(std::span<const Provenance> all) {
+  Runs runs;
+  for (const Provenance& one : all) {
+    if (!is_import(one)) runs.push_back(&one);
+  }
+  return runs;
+}
+
 /// Runs of before frames were counted on do not say where they end.
-std::optional<std::uint64_t> end_of(std::span<const Provenance> runs, std::size_t i) {
+std::optional<std::uint64_t> end_of(const Runs& runs, std::size_t i) {
   if (i + 1 == runs.size()) return FrameRange{}.end;
-  const std::uint64_t next = runs[i].next_frame_index;
+  const std::uint64_t next = runs[i]->next_frame_index;
   return next > 0 ? std::optional(next) : std::nullopt;
 }
 
-std::optional<FrameRange> frames_of(std::span<const Provenance> runs, std::size_t i) {
+std::optional<FrameRange> frames_of(const Runs& runs, std::size_t i) {
   const auto first = i == 0 ? std::optional<std::uint64_t>(0) : end_of(runs, i - 1);
   const auto end = end_of(runs, i);
   if (!first || !end) return std::nullopt;
@@ -26,15 +36,21 @@ std::optional<FrameRange> frames_of(std::span<const Provenance> runs, std::size_
 
 }  // namespace
 
-std::vector<MapSession> sessions_of(std::span<const Provenance> runs) {
+bool is_import(const Provenance& provenance) {
+  const ValueTree* import = provenance.options.find("import");
+  return import != nullptr && import->kind == ValueKind::kMap;
+}
+
+std::vector<MapSession> sessions_of(std::span<const Provenance> provenance) {
+  const Runs runs = runs_alone(provenance);
   std::vector<MapSession> sessions;
   sessions.reserve(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     sessions.push_back({.number = i + 1,
-                        .name = runs[i].session,
-                        .input = runs[i].input,
-                        .first = runs[i].first_stamp,
-                        .last = runs[i].last_stamp,
+                        .name = runs[i]->session,
+                        .input = runs[i]->input,
+                        .first = runs[i]->first_stamp,
+                        .last = runs[i]->last_stamp,
                         .frames = frames_of(runs, i)});
   }
   return sessions;

@@ -4,9 +4,9 @@
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/archive/semantic_yaml.hpp"
-#include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
+#include "import_provenance.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,30 +25,6 @@ Unexpected unsupported(const ImportedFile& file, const std::string& what) {
 
 std::string layer_name_of(const ImportedFile& file) {
   return file.name.empty() ? file.path.stem().string() : file.name;
-}
-
-/// All files that were read for one: a map of map_server has an image.
-Result<std::vector<std::filesystem::path>> files_of(const ImportedFile& file, FileKind kind) {
-  std::vector<std::filesystem::path> paths{file.path};
-  if (kind != FileKind::kMap) return paths;
-  HYPERMAP_ASSIGN_OR_RETURN(const std::string yaml, read_file(file.path, YamlLimits{}.max_bytes));
-  HYPERMAP_ASSIGN_OR_RETURN(const auto metadata,
-                            parse_map_metadata(yaml, {.file = file.path.string()}));
-  paths.push_back(file.path.parent_path() / metadata.value.image);
-  return paths;
-}
-
-Result<Provenance> provenance_of(const ImportedFile& file, FileKind kind, std::uint64_t max_bytes) {
-  HYPERMAP_ASSIGN_OR_RETURN(const auto paths, files_of(file, kind));
-  InputHash hash;
-  for (const std::filesystem::path& path : paths) {
-    HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, read_file(path, max_bytes));
-    hash.add(bytes);
-  }
-  return Provenance{.tool = std::string("hypermap ") + HYPERMAP_VERSION,
-                    .input = file.path.filename().string(),
-                    .input_hash = hash.text(),
-                    .map_from_input = {}};
 }
 
 /// An archive of one layer.
@@ -184,11 +160,16 @@ Result<Loaded<MapArchive>> import_file(const ImportedFile& file,
                                        const ImportJob& job,
                                        const LoadBudget& budget) {
   HYPERMAP_ASSIGN_OR_RETURN(const FileKind kind, find_file_kind(file.path));
-  if (kind == FileKind::kArchive || kind == FileKind::kConfig) return import_archive(file, job);
-  HYPERMAP_ASSIGN_OR_RETURN(auto imported, import_layer(kind, file, job, budget));
+  const bool is_archive = kind == FileKind::kArchive || kind == FileKind::kConfig;
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto imported,
+      is_archive ? import_archive(file, job) : import_layer(kind, file, job, budget));
+  std::vector<Provenance>& runs = imported.value.provenance;
+  const bool is_the_map = kind == FileKind::kArchive && job.files.size() == 1;
+  if (is_the_map || runs.size() >= kMaxRuns) return imported;
   HYPERMAP_ASSIGN_OR_RETURN(Provenance from,
-                            provenance_of(file, kind, job.limits.max_octree_bytes));
-  imported.value.provenance.push_back(std::move(from));
+                            import_provenance(file, kind, imported.value, job.limits));
+  runs.insert(runs.begin(), std::move(from));
   return imported;
 }
 

@@ -4,6 +4,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/evaluation/instance_sightings.hpp"
 #include "hypermap/io/archive/listed_instances_file.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 #include "listed_evaluation.hpp"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ Result<MapFromInput> place_of_sequence(const MapArchive& map,
                                        const ListedEvaluationJob& job,
                                        ListedEvaluation& outcome) {
   const std::string& sequence = outcome.listed.sequence;
-  const auto& runs = map.provenance;
+  std::vector<Provenance> runs = map.provenance;
+  std::erase_if(runs, is_import);
   const auto run = std::find_if(
       runs.rbegin(), runs.rend(), [&](const Provenance& one) { return one.input == sequence; });
   if (run != runs.rend()) return run->map_from_input;

@@ -164,7 +164,7 @@ Result<MergeResult> finished(Sum sum, LayerOptions layers, const MergeJob& job) 
   report.num_objects =
       confirmed_objects(sum.map.objects, job.options.mapper.objects.confirmation).size();
   report.num_tentative = sum.map.objects.size() - report.num_objects;
-  report.num_sessions = sum.map.provenance.size();
+  report.num_sessions = sessions_of(sum.map.provenance).size();
   return MergeResult{.map = std::move(sum.map), .report = std::move(sum.report)};
 }
 

@@ -4,6 +4,7 @@
 #include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
+#include "hypermap/io/archive/map_sessions.hpp"
 
 #include <algorithm>
 #include <map>
@@ -58,7 +59,7 @@ Result<LookedThrough> look_through(const MergedFile& file, const MergeJob& job) 
                    ErrorCode::kUnsupported,
                    "has no octree: import makes one archive of maps without voxels");
   }
-  LookedThrough out{.plan = {.file = &file, .num_sessions = map.provenance.size()},
+  LookedThrough out{.plan = {.file = &file, .num_sessions = sessions_of(map.provenance).size()},
                     .resolution_m = *loaded->value.octree_resolution_m,
                     .runs = std::move(map.provenance)};
   out.plan.has_stack = map.hypermap.find_as<GridStackLayer>(kStackLayer) != nullptr;

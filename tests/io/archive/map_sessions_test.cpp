@@ -34,6 +34,20 @@ TEST(MapSessions, NamesOfSeveralAreKnown) {
   EXPECT_THAT(names_of_several(sessions_of(runs)), testing::ElementsAre("morning"));
 }
 
+TEST(MapSessions, FilesThatWereImportedAreNone) {
+  auto runs = two_sessions(30);
+  Provenance imported;
+  imported.options = make_map({{"import", make_map({{"layers", make_list({})}})}});
+  EXPECT_TRUE(is_import(imported));
+  EXPECT_FALSE(is_import(runs[0]));
+  runs.insert(runs.begin(), imported);
+  const auto sessions = sessions_of(runs);
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[0].number, 1U);
+  EXPECT_EQ(session_of_frame(sessions, 29)->name, "morning");
+  EXPECT_EQ(session_of_frame(sessions, 30)->number, 2U);
+}
+
 TEST(MapSessions, AFrameIsOfTheSessionThatCountsIt) {
   const auto sessions = sessions_of(two_sessions(30));
   EXPECT_EQ(session_of_frame(sessions, 0)->name, "morning");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/import_job.hpp"
 
+#include "hypermap/io/archive/map_sessions.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 constexpr const char* kGridYaml =
     "image: grid.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
@@ -52,6 +55,19 @@ std::vector<std::string> layer_names(const MapArchive& archive) {
   return names;
 }
 
+/// Of each imported file: its name, the layers that it became, its frame.
+std::vector<std::string> import_texts(const MapArchive& archive) {
+  std::vector<std::string> texts;
+  for (const Provenance& one : archive.provenance) {
+    if (!is_import(one)) continue;
+    const ValueTree& import = *one.options.find("import");
+    std::string text = one.input + ":";
+    for (const ValueTree& layer : import.find("layers")->items) text += " " + layer.text;
+    texts.push_back(text + " in " + import.find("frame")->text);
+  }
+  return texts;
+}
+
 std::string why_refused(const ImportJob& job) {
   const auto imported = run_import(job);
   return imported ? std::string("imported") : to_string(imported.error());
@@ -79,6 +95,55 @@ TEST_F(ImportFiles, OfOneArchiveAreThatArchive) {
   ASSERT_TRUE(save_archive(first.value, folder() / "a.hmap"));
   const auto again = run_import({.files = {file("a.hmap")}}).value();
   EXPECT_TRUE(again.value == load_archive(folder() / "a.hmap").value().value);
+}
+
+TEST_F(ImportFiles, EachTellsWhichLayersItBecame) {
+  const auto flat = run_import({.files = {file("grid.yaml"), file("things.yaml")}}).value();
+  ASSERT_TRUE(save_archive(flat.value, folder() / "a.hmap"));
+  write("bare.yaml",
+        "layers:\n- {class: SemanticLayer, name: chairs, frame_id: map, load_file: true, "
+        "file: things.yaml}\n");
+  MapArchive solid;
+  solid.octree = SemanticOctree::create({}).value();
+  solid.provenance.push_back(
+      {.tool = "hypermap", .input = "kitchen", .input_hash = "x", .map_from_input = {}});
+  ASSERT_TRUE(save_archive(solid, folder() / "solid.hmap"));
+  ImportedFile upper = file("a.hmap");
+  upper.name = "upper";
+  upper.frame_id = "second";
+  const auto all = run_import({.files = {upper, file("bare.yaml"), file("solid.hmap")}}).value();
+  ASSERT_TRUE(save_archive(all.value, folder() / "all.hmap"));
+  const auto loaded = load_archive(folder() / "all.hmap").value().value;
+  EXPECT_THAT(import_texts(loaded),
+              UnorderedElementsAre("a.hmap: upper_grid upper_things in second",
+                                   "grid.yaml: grid in map",
+                                   "things.yaml: things in map",
+                                   "bare.yaml: chairs in map",
+                                   "solid.hmap: octree in map"));
+  EXPECT_EQ(loaded.provenance.back().input, "kitchen") << "runs stay the newest";
+  // The run is the only session, and as before all frames are its own.
+  const auto sessions = sessions_of(loaded.provenance);
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(sessions[0].input, "kitchen");
+  EXPECT_EQ(sessions[0].number, 1U);
+  EXPECT_EQ(sessions[0].frames, FrameRange{});
+}
+
+TEST_F(ImportFiles, OfAConfigurationHaveTheHashOfWhatItNames) {
+  const std::string entry = ", frame_id: map, load_file: true, file: ";
+  write("bare.yaml",
+        "layers:\n- {class: SemanticLayer, name: a" + entry +
+            "things.yaml}\n- {class: OccupancyGridLayer, name: b" + entry + "grid}\n");
+  const auto hash = [] {
+    return run_import({.files = {file("bare.yaml")}}).value().value.provenance.front().input_hash;
+  };
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  write("things.yaml", std::string(kShapesYaml) + "# changed\n");
+  const std::string other_shapes = hash();
+  EXPECT_NE(other_shapes, before);
+  write("grid.pgm", std::string("P5 2 1 255\n") + '\0' + '\0');
+  EXPECT_NE(hash(), other_shapes);
 }
 
 TEST_F(ImportFiles, OfArchivesUnderANameKeepTheirLayersApart) {

@@ -28,9 +28,12 @@ struct MapSession {
   std::optional<FrameRange> frames = std::nullopt;
 };
 
-/// Of all runs, oldest first. Boundary: the frames of a run that was forgotten (`kMaxRuns`) count
-/// to the one after it.
-[[nodiscard]] std::vector<MapSession> sessions_of(std::span<const Provenance> runs);
+/// Whether it tells of a file that was imported, which is no run: its options are a map `import`.
+[[nodiscard]] bool is_import(const Provenance& provenance);
+
+/// Of all runs, oldest first; files that were imported are none. Boundary: the frames of a run that
+/// was forgotten (`kMaxRuns`) count to the one after it.
+[[nodiscard]] std::vector<MapSession> sessions_of(std::span<const Provenance> provenance);
 
 /// By what name it goes: its own, else its number.
 [[nodiscard]] std::string name_of(const MapSession& session);

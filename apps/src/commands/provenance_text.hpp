@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where a map came from, as a line.
+#pragma once
+
+#include "hypermap/io/archive/provenance.hpp"
+
+#include <string>
+
+namespace hypermap::app {
+
+/// "made by hypermap 1.0 from kitchen (hash)"; of a file that was imported also what it became:
+/// "imported by hypermap 1.0 from flat.hmap (hash) as floor, things".
+[[nodiscard]] std::string provenance_text(const Provenance& provenance);
+
+}  // namespace hypermap::app
