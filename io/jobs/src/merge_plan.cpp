@@ -77,7 +77,7 @@ Result<void> refuse_same_runs(std::span<const LookedThrough> maps) {
   std::map<std::string, const MergedFile*> file_of_run;
   for (const LookedThrough& map : maps) {
     for (const Provenance& run : map.runs) {
-      if (run.input_hash.empty()) continue;
+      if (run.input_hash.empty() || is_import(run)) continue;
       const auto [known, is_new] = file_of_run.try_emplace(run.input_hash, map.plan.file);
       if (is_new || known->second == map.plan.file) continue;
       return refused(*map.plan.file,

@@ -130,6 +130,27 @@ TEST_F(MergedFiles, KeepTheirSessionsAndCountFramesOn) {
   EXPECT_EQ(both.report.num_sessions, 2U);
 }
 
+// What both imported is of no frames that would count twice, and no session.
+TEST_F(MergedFiles, MayHaveImportedTheSameFile) {
+  const auto beside_plan = [](MapArchive archive) {
+    archive.provenance.push_back(
+        {.tool = "hypermap",
+         .input = "plan.yaml",
+         .input_hash = "hash of plan",
+         .options = make_map({{"import", make_map({{"frame", make_text("map")}})}}),
+         .map_from_input = {}});
+    return archive;
+  };
+  const auto both = run_merge({.files = {saved(beside_plan(archive_of("a", 0, {847}))),
+                                         saved(beside_plan(archive_of("b", 50, {847})))}});
+  ASSERT_TRUE(both) << to_string(both.error());
+  EXPECT_EQ(both->report.num_sessions, 2U);
+  EXPECT_EQ(both->report.maps[0].num_sessions, 1U);
+  const auto sessions = sessions_of(both->map.provenance);
+  ASSERT_THAT(sessions, SizeIs(2));
+  EXPECT_EQ(sessions[1].frames->first, 10U);
+}
+
 TEST_F(MergedFiles, OfOneWorldThatWasAlignedOtherwiseAreBroughtTogether) {
   MapArchive shifted = archive_of("b", 0, {600}, 3);
   Eigen::Isometry3d map_from_input = Eigen::Isometry3d::Identity();
