@@ -50,6 +50,36 @@ std::vector<std::string> all_places(const PlaceRules& rules) {
   return {places.begin(), places.end()};
 }
 
+using Lines = std::map<std::string, int>;
+
+/// By the names that `validate` has for numbers by place.
+Result<Lines> lines_by_place(const YamlNode& node, const std::string& field) {
+  Lines lines;
+  HYPERMAP_ASSIGN_OR_RETURN(const auto entries, node.as_map());
+  for (const auto& [place, value] : entries) lines.emplace(field + "." + place, value.line());
+  return lines;
+}
+
+/// Of all numbers of the file.
+Result<Lines> lines_of_numbers(const YamlNode& root) {
+  Lines lines;
+  for (const char* field : {"tempering", "min_probability"}) {
+    if (const auto number = root.find(field)) lines.emplace(field, number->line());
+  }
+  if (const auto costs = root.find("metre_costs")) {
+    HYPERMAP_ASSIGN_OR_RETURN(Lines of_costs, lines_by_place(*costs, "metre_costs"));
+    lines.merge(of_costs);
+  }
+  HYPERMAP_ASSIGN_OR_RETURN(const YamlNode belongings, root.at("belongings"));
+  HYPERMAP_ASSIGN_OR_RETURN(const auto classes, belongings.as_map());
+  for (const auto& [name, places] : classes) {
+    const std::string field = "belongings." + printable(canonical_class_name(name));
+    HYPERMAP_ASSIGN_OR_RETURN(Lines of_class, lines_by_place(places, field));
+    lines.merge(of_class);
+  }
+  return lines;
+}
+
 }  // namespace
 
 Result<PlaceRules> read_place_rules(const std::filesystem::path& path) {
@@ -74,6 +104,8 @@ Result<PlaceRules> read_place_rules(const std::filesystem::path& path) {
     Error error = std::move(ok).error();
     error.code = ErrorCode::kMalformedFile;
     error.file = path.string();
+    HYPERMAP_ASSIGN_OR_RETURN(Lines lines, lines_of_numbers(root));
+    error.line = lines[error.field];
     return Unexpected(std::move(error));
   }
   return rules;

@@ -66,6 +66,10 @@ TEST_F(PlaceRulesFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(field("belongings: {cup: {kitchen: 101}}\n"), "belongings.cup.kitchen");
   EXPECT_EQ(field("belongings: {cup: {kitchen: 2}}\ntempering: 0\n"), "tempering");
   EXPECT_EQ(field("belongings: {tv: {a: 2}, tvmonitor: {a: 2}}\n"), "belongings.tvmonitor");
+  const auto line = [&](const std::string& text) { return read(text).error().line; };
+  EXPECT_EQ(line("belongings:\n  Cup:\n    kitchen: 2\n    office: 101\n"), 4);
+  EXPECT_EQ(line("belongings: {cup: {kitchen: 2}}\nmetre_costs:\n  kitchen: -1\n"), 3);
+  EXPECT_EQ(line("belongings: {cup: {kitchen: 2}}\n\ntempering: 0\n"), 3);
   EXPECT_EQ(field("belongings: {}\n"), "places");
   EXPECT_EQ(field("tempering: 0.5\n"), "belongings");
   EXPECT_EQ(read("belongings: [cup]\n").error().code, ErrorCode::kMalformedFile);
