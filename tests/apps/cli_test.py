@@ -562,6 +562,18 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(output.read_bytes()[:4], b"\x89PNG")
 
+    def test_the_topological_map_is_drawn_where_the_overlay_is_asked_for(self):
+        plans = {}
+        for layers in ("occupancy", "occupancy,overlay"):
+            output = self.folder / "plan.png"
+            result = run("snapshot", self.archive, "--output", output, "--view", "top", "--layers", layers)
+            if result.returncode == 3:
+                self.skipTest("no EGL here: " + result.stderr)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            plans[layers] = output.read_bytes()
+        self.assertGreater(json.loads(run("info", self.archive, "--json").stdout)["topological_map"]["edges"], 0)
+        self.assertNotEqual(*plans.values())
+
     def test_without_egl_a_snapshot_ends_with_3_and_says_so(self):
         env = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS="/nonexistent", LIBGL_DRIVERS_PATH="/nonexistent")
         result = run("snapshot", self.archive, "--output", self.folder / "none.png", env=env)

@@ -2,12 +2,14 @@
 #include "class_names.hpp"
 #include "command.hpp"
 #include "hypermap/core/vocabulary/asked_names.hpp"
+#include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/codec/atomic_file.hpp"
 #include "hypermap/io/codec/png_image.hpp"
 #include "hypermap/io/options/palette_file.hpp"
+#include "hypermap/viewer_offscreen/snapshot/layer_scene.hpp"
 #include "hypermap/viewer_offscreen/snapshot/map_scene.hpp"
 #include "hypermap/viewer_offscreen/snapshot/snapshot.hpp"
 #include "load_arguments.hpp"
@@ -20,6 +22,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,6 +73,18 @@ Result<NameSelection> classes_to_show(const MapArchive& archive,
   return asked_of_map(archive, arguments.classes);
 }
 
+/// What the map's layers draw. The topological map lies over all that stands on the floor: it is
+/// drawn where the overlay is asked for by name.
+SnapshotScene scene_of(const MapArchive& archive,
+                       std::span<const Object* const> objects,
+                       const SnapshotOptions& options) {
+  SnapshotScene scene = map_scene(
+      archive.hypermap, archive.classes, objects, shown_leaves(archive), shown_frame_id(archive));
+  const auto ways = archive_layer(archive, kTopologicalMapLayer);
+  if (!ways || !options.layers || !options.layers->overlay) return scene;
+  return with_layer(std::move(scene), *ways, archive.hypermap.frames());
+}
+
 /// Writes the image; gives what of the map it leaves out.
 Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
                                      const SnapshotOptions& options) {
@@ -84,8 +99,7 @@ Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
   HYPERMAP_TRY(arguments.class_names.replace(loaded.value.vocabulary));
   const MapArchive& archive = loaded.value;
   const auto confirmed = confirmed_objects_of(archive);
-  SnapshotScene scene = map_scene(
-      archive.hypermap, archive.classes, confirmed, shown_leaves(archive), shown_frame_id(archive));
+  SnapshotScene scene = scene_of(archive, confirmed, options);
   if (!arguments.classes.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(const NameSelection names, classes_to_show(archive, arguments));
     scene = only_named(std::move(scene), names);
@@ -114,7 +128,8 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       arguments->layers,
       "voxels,objects,occupancy,semantic,trajectory,overlay or all (default: by view); overlay "
       "draws stacks and supercells in the colours of their classes, which the legend leaves out, "
-      "by default where no occupancy grid would lie under them");
+      "by default where no occupancy grid would lie under them, and, where it is asked for, the "
+      "topological map: its edges, path vertices as squares, support vertices as crosses");
   command
       .add_option("--class",
                   arguments->classes,

@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace hypermap {
@@ -49,9 +51,17 @@ TEST(TopologicalMapLayer, AnswersByKindNumberPointAndArea) {
   EXPECT_THAT(ids_of({.area = area}), ElementsAre(2, 3));
 }
 
-TEST(TopologicalMapLayer, ItsEdgesAreDrawn) {
+// Three edges, two squares of path vertices, two crosses of support vertices.
+TEST(TopologicalMapLayer, ItsEdgesAndVerticesAreDrawn) {
   const TopologicalMapLayer layer(two_ways());
-  EXPECT_THAT(layer.draw(), SizeIs(3));
+  const auto drawn = layer.draw();
+  ASSERT_THAT(drawn, SizeIs(3 + 2 + 2 * 2));
+  const auto points_of = [&](std::size_t i) { return std::get<DrawnLine>(drawn[i]).points; };
+  EXPECT_THAT(points_of(0), ElementsAre(Eigen::Vector2d(0, 0), Eigen::Vector2d(0.95, 0)));
+  EXPECT_THAT(points_of(3), SizeIs(5)) << "a closed square";
+  EXPECT_EQ(points_of(4).front(), points_of(4).back());
+  EXPECT_THAT(points_of(5), SizeIs(2));
+  EXPECT_TRUE((0.5 * (points_of(5)[0] + points_of(5)[1])).isApprox(Eigen::Vector2d(0, 0.95)));
   EXPECT_EQ(layer.statistics().num_values, 4U);
   EXPECT_EQ(layer.statistics().bounds->max(), Eigen::Vector3d(0.95, 1.9, 1.25));
 }

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace hypermap {
 namespace {
 
 constexpr Rgb8 kTopologicalEdgeColor{40, 90, 200};
+constexpr double kVertexMarkM = 0.08;  ///< From its middle to its sides.
 
 double distance_to_m(const PlanPoint& point, const Eigen::Vector3d& position) {
   const double height_m = point.z ? *point.z - position.z() : 0.0;
@@ -30,6 +33,20 @@ std::optional<VertexId> vertex_at(const TopologicalMap& map, const PlanPoint& po
     nearest_m = away_m;
   }
   return nearest;
+}
+
+DrawnLine line(std::vector<Eigen::Vector2d> points) {
+  return {.points = std::move(points), .color = kTopologicalEdgeColor};
+}
+
+/// A path vertex is a square, a support vertex a cross.
+std::vector<DrawnLine> mark_of(const TopologicalVertex& vertex) {
+  const Eigen::Vector2d at = vertex.position_in_map.head<2>();
+  const Eigen::Vector2d up(kVertexMarkM, kVertexMarkM);
+  const Eigen::Vector2d down(kVertexMarkM, -kVertexMarkM);
+  if (vertex.kind == VertexKind::kPath)
+    return {line({at - up, at + down, at + up, at - down, at - up})};
+  return {line({at - up, at + up}), line({at - down, at + down})};
 }
 
 }  // namespace
@@ -67,9 +84,11 @@ Result<std::vector<LayerAnswer>> TopologicalMapLayer::query(const LayerQuery& qu
 std::vector<LayerPrimitive> TopologicalMapLayer::draw() const {
   std::vector<LayerPrimitive> drawn;
   for (const auto& [from, to] : map_.edges()) {
-    drawn.emplace_back(DrawnLine{.points = {map_.vertices()[from.value].position_in_map.head<2>(),
-                                            map_.vertices()[to.value].position_in_map.head<2>()},
-                                 .color = kTopologicalEdgeColor});
+    drawn.emplace_back(line({map_.vertices()[from.value].position_in_map.head<2>(),
+                             map_.vertices()[to.value].position_in_map.head<2>()}));
+  }
+  for (const TopologicalVertex& vertex : map_.vertices()) {
+    for (DrawnLine& stroke : mark_of(vertex)) drawn.emplace_back(std::move(stroke));
   }
   return drawn;
 }
