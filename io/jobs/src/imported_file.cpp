@@ -109,14 +109,18 @@ Result<MapArchive> renamed(MapArchive archive, const ImportedFile& file) {
   return archive;
 }
 
+/// Neither a name nor a frame is given to what it has.
+bool stays_as_it_was(const ImportedFile& file) {
+  return file.name.empty() && file.frame_id == kMapFrame;
+}
+
 Result<Loaded<MapArchive>> import_archive(const ImportedFile& file, const ImportJob& job) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded,
                             load_archive(file.path, job.limits, archive_layer_types(), job.stop));
   if (loaded.value.checkpoint.kind != ValueKind::kNull) {
     return unsupported(file, "is a checkpoint: map --resume ends its run first");
   }
-  const bool is_as_it_was = file.name.empty() && file.frame_id == kMapFrame;
-  if (is_as_it_was) return loaded;
+  if (stays_as_it_was(file)) return loaded;
   if (has_3d(loaded.value)) {
     return unsupported(file, "has objects or voxels: it keeps its names and its frame");
   }
@@ -165,7 +169,8 @@ Result<Loaded<MapArchive>> import_file(const ImportedFile& file,
       auto imported,
       is_archive ? import_archive(file, job) : import_layer(kind, file, job, budget));
   std::vector<Provenance>& runs = imported.value.provenance;
-  const bool is_the_map = kind == FileKind::kArchive && job.files.size() == 1;
+  const bool is_the_map =
+      kind == FileKind::kArchive && job.files.size() == 1 && stays_as_it_was(file);
   if (is_the_map || runs.size() >= kMaxRuns) return imported;
   HYPERMAP_ASSIGN_OR_RETURN(Provenance from,
                             import_provenance(file, kind, imported.value, job.limits));

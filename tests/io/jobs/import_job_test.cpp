@@ -111,6 +111,10 @@ TEST_F(ImportFiles, EachTellsWhichLayersItBecame) {
   ImportedFile upper = file("a.hmap");
   upper.name = "upper";
   upper.frame_id = "second";
+  EXPECT_THAT(import_texts(run_import({.files = {upper}}).value().value),
+              UnorderedElementsAre("a.hmap: upper_grid upper_things in second",
+                                   "grid.yaml: grid in map",
+                                   "things.yaml: things in map"));
   const auto all = run_import({.files = {upper, file("bare.yaml"), file("solid.hmap")}}).value();
   ASSERT_TRUE(save_archive(all.value, folder() / "all.hmap"));
   const auto loaded = load_archive(folder() / "all.hmap").value().value;

@@ -42,7 +42,8 @@ struct ImportJob {
 /// first, then those of all files in their order. Each file leaves its name, its hash and the
 /// layers that it became among the provenance (is_import), before the runs that it tells of; of a
 /// bare configuration the hash is that of all files that it names, too. Boundary: an archive that
-/// is the only file stays what it is; a file that tells of `kMaxRuns` leaves these alone.
+/// is the only file, without name and frame, stays what it is; a file that tells of `kMaxRuns`
+/// leaves these alone.
 ///
 /// Findings: those of reading, and what an archive has that only one can bring: its vocabulary,
 /// where another one's is there already, and members that nobody knows.
