@@ -56,7 +56,8 @@ using Lines = std::map<std::string, int>;
 Result<Lines> lines_by_place(const YamlNode& node, const std::string& field) {
   Lines lines;
   HYPERMAP_ASSIGN_OR_RETURN(const auto entries, node.as_map());
-  for (const auto& [place, value] : entries) lines.emplace(field + "." + place, value.line());
+  for (const auto& [place, value] : entries)
+    lines.emplace(std::string(field).append(".").append(place), value.line());
   return lines;
 }
 
