@@ -74,7 +74,7 @@ TEST(WrittenListsCheck, WhatBelongsWhere) {
             "places: where objects of 1 class belong, of 2 places: 0");
   EXPECT_THAT(
       checked_text("tempering: 2\nbelongings:\n  oven: {kitchen: 20}\n"),
-      AllOf(HasSubstr("places: "), HasSubstr("a.yaml: tempering: must be 0.01 .. 1, is 2")));
+      AllOf(HasSubstr("places: "), HasSubstr("a.yaml:1: tempering: must be 0.01 .. 1, is 2")));
 }
 
 TEST(WrittenListsCheck, IndexesOfTiles) {
