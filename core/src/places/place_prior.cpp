@@ -110,16 +110,21 @@ ClassPrior PlacePrior::prior_of(const Observation& observation,
   const auto around = objects_near(places, objects, *vertex, options_.num_layers);
   const auto amounts = expected_classes(observation, objects, around, options_.min_real);
   const PlaceBelief place = classifier_.classify(by_name(amounts, classes));
+  return not_at_home(place, classes);
+}
+
+ClassPrior PlacePrior::not_at_home(const PlaceBelief& place, const ClassRegistry& classes) const {
   const double most = std::log(options_.max_factor);
   std::vector<ClassLogOdds> log_factors;
-  for (const ClassEvidence& one : observation.class_scores) {
-    if (!classes.contains(one.id)) continue;
-    const std::string name = canonical_class_name(classes.name(one.id));
+  for (const auto& [name, weights] : classifier_.rules().belongings) {
+    const auto id = classes.find(name);
+    if (!id) continue;
     const double log_factor = std::log(belonging_factor(classifier_.rules(), name, place));
     // What is at home here is no likelier for that than others.
     if (log_factor > -kLeastLogFactor) continue;
-    log_factors.push_back({one.id, LogOdds(std::max(log_factor, -most))});
+    log_factors.push_back({*id, LogOdds(std::max(log_factor, -most))});
   }
+  std::ranges::sort(log_factors, {}, &ClassLogOdds::id);
   return ClassPrior::create(std::move(log_factors)).value_or(ClassPrior{});
 }
 

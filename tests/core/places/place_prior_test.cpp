@@ -111,19 +111,28 @@ TEST_F(PlacePriorTest, RoundingIsNoKnowledge) {
     rules.places = {"kitchen", "living room", "office"};
     rules.belongings = {{"oven", {{"kitchen", weight}}}};
     const auto prior = PlacePrior::create(rules, {.source = ClassPriorKind::kPlaces}).value();
-    Observation observation = doubtful_at({0.2, 0, 1});
-    observation.class_scores = {{oven, Probability(0.5)}, {sofa, Probability(0.5)}};
+    const Observation observation = doubtful_at({0.2, 0, 1});
     EXPECT_TRUE(prior.prior_of(observation, objects, places, classes).empty()) << weight;
   }
 }
 
 TEST_F(PlacePriorTest, WhatIsAtHomeIsNotMoreProbableForThat) {
   put(sofa, {1.2, 0, 1});
+  const ClassPrior prior = prior_of(doubtful_at({0.2, 0, 1}));
+  EXPECT_LT(prior.factor(oven), 0.2) << "1 of a mean of 15.5 in a living room";
+  EXPECT_EQ(prior.factor(sofa), 1.0);
+  EXPECT_EQ(prior.factor(chair), 1.0);
+}
+
+// [smap] Eq. (3.17): p(x) is of the object, whose earlier observations named other classes than the
+// newest one, which alone would leave them as they are.
+TEST_F(PlacePriorTest, ItIsOfClassesThatTheObservationDoesNotName) {
+  put(oven, {1, 0, 1});
   Observation observation = doubtful_at({0.2, 0, 1});
-  EXPECT_TRUE(prior_of(observation).empty());
-  observation.class_scores = {{oven, Probability(0.5)}, {sofa, Probability(0.5)}};
-  EXPECT_LT(prior_of(observation).factor(oven), 0.2) << "1 of a mean of 15.5 in a living room";
-  EXPECT_EQ(prior_of(observation).factor(sofa), 1.0);
+  const ClassPrior prior = prior_of(observation);
+  observation.class_scores = {{chair, Probability(0.9)}};
+  EXPECT_EQ(prior_of(observation), prior);
+  EXPECT_LT(prior.factor(sofa), 0.2);
 }
 
 TEST_F(PlacePriorTest, AnObjectIsNoEvidenceForItself) {

@@ -85,8 +85,9 @@ class PlacePrior final : public ClassPriorSource {
   [[nodiscard]] static Result<PlacePrior> create(PlaceRules rules,
                                                  const PlacePriorOptions& options);
 
-  /// Of the classes that the observation names, those whose factor is below 1.
-  /// Cost: of the objects around, O(log n + their classes).
+  /// Of the classes that the rules and the registry name, those whose factor is below 1: the object
+  /// may have been called so in other frames, which this observation's names do not tell.
+  /// Cost: of the objects around, O(log n + their classes); of the rules, O(weights).
   [[nodiscard]] ClassPrior prior_of(const Observation& observation,
                                     const ObjectMap& objects,
                                     const TopologicalMap& places,
@@ -95,6 +96,10 @@ class PlacePrior final : public ClassPriorSource {
  private:
   PlacePrior(BelongingsClassifier classifier, const PlacePriorOptions& options)
       : classifier_(std::move(classifier)), options_(options) {}
+
+  /// The factors below 1 in such a place.
+  [[nodiscard]] ClassPrior not_at_home(const PlaceBelief& place,
+                                       const ClassRegistry& classes) const;
 
   BelongingsClassifier classifier_;
   PlacePriorOptions options_;
