@@ -17,8 +17,8 @@
 namespace hypermap {
 namespace {
 
-/// In the order of the enumerators.
-constexpr std::array<std::string_view, 13> kExportFormats{"ros-map",
+/// In the order of the enumerators, then shorter names, after what the files are called.
+constexpr std::array<std::string_view, 15> kExportFormats{"ros-map",
                                                           "class-grids",
                                                           "octomap",
                                                           "color-octomap",
@@ -30,7 +30,12 @@ constexpr std::array<std::string_view, 13> kExportFormats{"ros-map",
                                                           "topological-map",
                                                           "glb",
                                                           "nav2",
-                                                          "geopackage"};
+                                                          "geopackage",
+                                                          "gpkg",
+                                                          "dot"};
+/// What the last of them stand for.
+constexpr std::array kShorterNamesMean{ExportFormat::kGeopackage, ExportFormat::kTopologicalMap};
+constexpr std::size_t kNumFormats = kExportFormats.size() - kShorterNamesMean.size();
 
 std::string flag_of(ExportFormat format) {
   return "--format " + std::string(kExportFormats.at(static_cast<std::size_t>(format)));
@@ -59,9 +64,11 @@ std::span<const std::string_view> export_format_names() {
 Result<ExportFormat> parse_export_format(std::string_view name) {
   const auto found = std::ranges::find_if(
       kExportFormats, [&](std::string_view known) { return is_spelling_of(known, name); });
-  if (found != kExportFormats.end())
-    return static_cast<ExportFormat>(found - kExportFormats.begin());
-  return fail(ErrorCode::kInvalidArgument, not_one_of(name, kExportFormats), "--format");
+  if (found == kExportFormats.end())
+    return fail(ErrorCode::kInvalidArgument, not_one_of(name, kExportFormats), "--format");
+  const auto place = static_cast<std::size_t>(found - kExportFormats.begin());
+  if (place >= kNumFormats) return kShorterNamesMean.at(place - kNumFormats);
+  return static_cast<ExportFormat>(place);
 }
 
 Result<void> validate(const ExportRequest& request) {

@@ -51,6 +51,10 @@ TEST(ImageFile, OtherFormatsAreRefusedByName) {
                                   12)),
               HasSubstr("AVIF"));
   EXPECT_THAT(refused(std::string("..TRUEVISION-XFILE.\0", 20)), HasSubstr("TGA"));
+  const std::string old_tga("\0\0\x02\0\0\0\0\0\0\0\0\0\x01\0\x01\0\x18\0...", 21);  // of one pixel
+  EXPECT_THAT(refused(old_tga), HasSubstr("is no image"));
+  EXPECT_EQ(to_string(decode_image(old_tga, {.file = "map.TGA"}).error()),
+            "map.TGA: format: is a TGA, by its name, expected PNG, PGM, JPEG or BMP");
   EXPECT_THAT(refused("hello"), HasSubstr("is no image"));
   EXPECT_THAT(refused(""), HasSubstr("is empty"));
 }

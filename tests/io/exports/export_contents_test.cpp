@@ -67,6 +67,9 @@ TEST(EmptyExports, AMapWithoutKnownCellsIsNone) {
 
 TEST(ExportNames, AreTakenInAnySpelling) {
   EXPECT_EQ(parse_export_format("ROS_Map").value(), ExportFormat::kRosMap);
+  EXPECT_EQ(parse_export_format("geopackage").value(), ExportFormat::kGeopackage);
+  EXPECT_EQ(parse_export_format("gpkg").value(), ExportFormat::kGeopackage);
+  EXPECT_EQ(parse_export_format("dot").value(), ExportFormat::kTopologicalMap);
   EXPECT_THAT(parse_export_format("ros-mpa").error().what, HasSubstr("did you mean \"ros-map\""));
   const MapArchive archive = test::sample_archive();
   const test::TempDir dir;

@@ -52,7 +52,7 @@ constexpr std::array<Signature, 20> kKnownButNotRead = {{
     {"\xFF\x0A", "a JPEG XL"},
 }};
 
-/// What ends a TGA of version 2; one of version 1 has no mark.
+/// What ends a TGA of version 2; one of version 1 has no mark, only its name tells.
 constexpr std::string_view kTgaEnd{"TRUEVISION-XFILE.\0", 18};
 
 const char* name_of(ImageFormat format) {
@@ -69,13 +69,19 @@ const char* name_of(ImageFormat format) {
   return "image";
 }
 
-/// What the name's extension promises; none for an extension that promises nothing.
-std::optional<ImageFormat> format_by_extension(const SourceName& source) {
+/// In lower case, with its dot.
+std::string extension_of(const SourceName& source) {
   const std::filesystem::path path = source.entry.empty() ? source.file : source.entry;
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
     return static_cast<char>(std::tolower(c));
   });
+  return extension;
+}
+
+/// What the name's extension promises; none for an extension that promises nothing.
+std::optional<ImageFormat> format_by_extension(const SourceName& source) {
+  const std::string extension = extension_of(source);
   if (extension == ".png") return ImageFormat::kPng;
   if (extension == ".pgm") return ImageFormat::kPgm;
   if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::kJpeg;
@@ -84,12 +90,13 @@ std::optional<ImageFormat> format_by_extension(const SourceName& source) {
 }
 
 /// The name of a format that is not read; none for bytes that are no image at all.
-std::optional<std::string> unread_format(std::string_view bytes) {
+std::optional<std::string> unread_format(std::string_view bytes, const SourceName& source) {
   for (const auto& [signature, name] : kKnownButNotRead) {
     if (bytes.starts_with(signature)) return name;
   }
   if (bytes.size() >= 12 && bytes.substr(4, 4) == "ftyp") return "a HEIF, AVIF or other ISO file";
   if (bytes.ends_with(kTgaEnd)) return "a TGA";
+  if (!bytes.empty() && extension_of(source) == ".tga") return "a TGA, by its name";
   return std::nullopt;
 }
 
@@ -98,7 +105,7 @@ Result<ImageFormat> format_of(std::string_view bytes, const SourceName& source) 
     return bytes.starts_with(signature.first);
   });
   if (found == kRead.end()) {
-    if (const auto name = unread_format(bytes)) {
+    if (const auto name = unread_format(bytes, source)) {
       return fail(
           ErrorCode::kUnsupported, "is " + *name + ", expected PNG, PGM, JPEG or BMP", "format");
     }

@@ -45,7 +45,8 @@ enum class ExportFormat {
 };
 
 /// "ros-map", "class-grids", "octomap", "color-octomap", "ply", "geojson", "tiles",
-/// "relations", "views", "topological-map", "glb", "nav2", "geopackage".
+/// "relations", "views", "topological-map", "glb", "nav2", "geopackage"; shorter, "gpkg" for the
+/// last and "dot" for "topological-map".
 [[nodiscard]] std::span<const std::string_view> export_format_names();
 
 /// One of export_format_names(), in any spelling. Errors: kInvalidArgument listing them.
