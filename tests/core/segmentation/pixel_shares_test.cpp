@@ -76,6 +76,52 @@ TEST(PixelShares, WhereBoxesOverlapTheNearerMiddleDecides) {
   EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(27, 44));
 }
 
+/// Columns [begin, end) of the window are `depth_m` away; steps are no edges, so that all is one
+/// surface.
+void place_at(DepthWindow& window, int begin, int end, float depth_m) {
+  for (int y = 0; y < 20; ++y) {
+    for (int x = begin; x < end; ++x) window.depth_m[window.cell(x, y)] = depth_m;
+  }
+  window.step_m.assign(window.size(), 0.5F);
+}
+
+TEST(PixelShares, WhereOneStandsBeforeTheOtherDepthDecides) {
+  // Ours is 10 to 30, theirs 24 to 44. Ours alone is 2 m away and theirs 2.1 m: up to column 29
+  // all is nearer than 2.05 m, so that the border is there and not at 27.
+  DepthWindow window = one_surface();
+  window.competing_boxes = {box_between(24, 44)};
+  place_at(window, 29, 60, 2.1F);
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(29, 44));
+  // The same from the side of the one behind.
+  window.box_px = box_between(24, 44).box_px;
+  window.box = box_between(24, 44).cells;
+  window.competing_boxes = {box_between(10, 30)};
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(10, 29));
+}
+
+TEST(PixelShares, AStepThatIsSmallOrWithinTheSpreadTellsNoOrder) {
+  DepthWindow window = one_surface();
+  window.competing_boxes = {box_between(24, 44)};
+  place_at(window, 29, 60, 2.019F);
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(27, 44)) << "19 mm";
+  // Ours alone is 2 m and 2.4 m away by halves, 2.2 +- 0.2 m; theirs alone 2.29 m: 0.09 m
+  // apart, less than half of the spread.
+  place_at(window, 10, 17, 2.0F);
+  place_at(window, 17, 24, 2.4F);
+  place_at(window, 24, 60, 2.29F);
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(27, 44)) << "spread";
+}
+
+TEST(PixelShares, TooLittleAloneTellsNoOrder) {
+  // Theirs alone is one of 20 columns, a share of 0.05; of half its rows 0.025.
+  DepthWindow window = one_surface();
+  window.competing_boxes = {box_between(11, 31)};
+  place_at(window, 26, 60, 2.1F);
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(26, 31));
+  for (int y = 0; y < 10; ++y) window.depth_m[window.cell(30, y)] = 0.0F;
+  EXPECT_EQ(columns_of_other(window, kinds_of(window), 10), std::pair(21, 31));
+}
+
 TEST(PixelShares, AnInnerBoxHasItsPixelsAndAnOuterOneThoseOutside) {
   DepthWindow window = one_surface();
   window.competing_boxes = {box_between(14, 20, 5, 15)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pixel_shares.hpp"
 
+#include "depth_order.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,25 +50,33 @@ Precedence precedence(const PixelBox& ours, const PixelBox& theirs) {
   return Precedence::kNearerMiddle;
 }
 
-/// Calls `visit(cell, is_in_our_box)` for the measured cells of the window that belong to the other
-/// box.
+/// Calls `visit(cell, component, is_in_our_box)` for the measured cells of the window that belong
+/// to the other box.
 template <class Visit>
-void for_each_cell_of_other(const DepthWindow& window, const CompetingBox& other, Visit visit) {
+void for_each_cell_of_other(const DepthWindow& window,
+                            const DepthComponents& labelled,
+                            const CompetingBox& other,
+                            const DepthOrders& orders,
+                            Visit visit) {
   const Precedence in_both = precedence(window.box_px, other.box_px);
   for (int y = other.cells.v_begin; y < other.cells.v_end; ++y) {
     const double v_px = window.pixel_v(y) + 0.5;
     const double our_rows = rows_from_middle(window.box_px, v_px);
     const double their_rows = rows_from_middle(other.box_px, v_px);
-    const auto is_theirs_in_both = [&](int x) {
+    const auto is_theirs_in_both = [&](int x, std::size_t cell, std::uint32_t id) {
       if (in_both != Precedence::kNearerMiddle) return in_both == Precedence::kTheirs;
+      if (orders[id]) return orders[id]->is_theirs(window.depth_m[cell]);
       const double u_px = window.pixel_u(x) + 0.5;
       return std::max(columns_from_middle(other.box_px, u_px), their_rows) <
              std::max(columns_from_middle(window.box_px, u_px), our_rows);
     };
     for (int x = other.cells.u_begin; x < other.cells.u_end; ++x) {
+      const std::size_t cell = window.cell(x, y);
+      const std::uint32_t id = labelled.of_cell[cell];
+      if (id == kNoComponent) continue;
       const bool is_in_our_box = window.box.contains(x, y);
-      if (is_in_our_box && !is_theirs_in_both(x)) continue;
-      visit(window.cell(x, y), is_in_our_box);
+      if (is_in_our_box && !is_theirs_in_both(x, cell, id)) continue;
+      visit(cell, id, is_in_our_box);
     }
   }
 }
@@ -80,12 +90,15 @@ std::vector<CellCounts> count_cells_of_other(const DepthWindow& window,
                                              const DepthComponents& labelled,
                                              const CompetingBox& other) {
   std::vector<CellCounts> counts(labelled.components.size());
-  for_each_cell_of_other(window, other, [&](std::size_t cell, bool is_in_our_box) {
-    const std::uint32_t id = labelled.of_cell[cell];
-    if (id == kNoComponent) return;
-    ++counts[id].theirs;
-    counts[id].theirs_in_our_box += is_in_our_box ? 1U : 0U;
-  });
+  const DepthOrders by_middle(labelled.components.size());
+  for_each_cell_of_other(window,
+                         labelled,
+                         other,
+                         by_middle,
+                         [&](std::size_t /*cell*/, std::uint32_t id, bool is_in_our_box) {
+                           ++counts[id].theirs;
+                           counts[id].theirs_in_our_box += is_in_our_box ? 1U : 0U;
+                         });
   return counts;
 }
 
@@ -118,10 +131,13 @@ std::vector<std::uint8_t> shared_out(const DepthWindow& window,
   for (const CompetingBox& other : window.competing_boxes) {
     const std::vector<bool> is_shared = shared_components(window, labelled, other);
     if (std::find(is_shared.begin(), is_shared.end(), true) == is_shared.end()) continue;
-    for_each_cell_of_other(window, other, [&](std::size_t cell, bool /*is_in_our_box*/) {
-      const std::uint32_t id = labelled.of_cell[cell];
-      if (id != kNoComponent && is_shared[id]) kind_of_cell[cell] = kOthersKind;
-    });
+    for_each_cell_of_other(window,
+                           labelled,
+                           other,
+                           depth_orders(window, labelled, other),
+                           [&](std::size_t cell, std::uint32_t id, bool /*is_in_our_box*/) {
+                             if (is_shared[id]) kind_of_cell[cell] = kOthersKind;
+                           });
   }
   return kind_of_cell;
 }

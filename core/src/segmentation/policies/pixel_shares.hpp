@@ -14,8 +14,10 @@ namespace hypermap {
 /// the two: the other's cells are kOthersKind. A refrigerator beside an oven is one surface, and so
 /// are two chairs that touch.
 ///
-/// A cell in both boxes is the inner one's where one box lies in the other, else it belongs to the
-/// box whose middle it is nearer to, in half sides of the box. Planes of the background stay.
+/// A cell in both boxes is the inner one's where one box lies in the other. Else, where what each
+/// box has alone tells that one thing stands before the other (see depth_orders), it belongs to the
+/// thing whose depth is nearer to its own; without that to the box whose middle it is nearer to, in
+/// half sides of the box. Planes of the background stay.
 /// Boundary: a window without competing boxes, or of a mask, has its kinds as given.
 [[nodiscard]] std::vector<std::uint8_t> shared_out(const DepthWindow& window,
                                                    const DepthComponents& labelled,
