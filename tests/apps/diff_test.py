@@ -120,7 +120,7 @@ class Changes(unittest.TestCase):
     def test_what_cannot_be_compared_is_refused(self):
         cases = ((["diff", self.before], 4, "after"),
                  (["diff", self.before, self.folder / "none.hmap"], 3, "none.hmap"),
-                 (["diff", self.data / "truth.hmap", self.before], 2, "truth.hmap: has no octree"),
+                 (["diff", self.data / "truth.hmap", self.before], 2, "truth.hmap: has no semantic octree"),
                  (["diff", self.before, self.after, "--transform", "1,2"], 4, "--transform"),
                  (["diff", self.before, self.after, "--max-move", -1], 4, "--max-move"),
                  (["diff", self.before, self.after, "--output", self.before], 4, "--output"),

@@ -141,8 +141,9 @@ class Merge(unittest.TestCase):
                  ([self.first, self.both], 2, "frames would count twice"),
                  ([self.first, fine], 2, "resolution_m: must be that of"),
                  ([self.first, self.folder / "absent.hmap"], 3, "absent.hmap"),
-                 ([self.first, self.data / "truth.hmap"], 2, "has no octree"),
+                 ([self.first, self.data / "truth.hmap"], 2, "has no semantic octree"),
                  ([self.first, self.turned, "--transform", "turned=1,2"], 4, "--transform"),
+                 ([self.first, self.turned, *2 * ["--transform", "turned=1,2,0,0"]], 4, "places 'turned' twice"),
                  ([self.first, self.turned, "--transform", "nobody=1,2,0,0"], 4, "with one of the maps"),
                  ([self.first, self.turned, "--transform", "first=1,2,0,0"], 4, "is of the first map"))
         for arguments, status, told in cases:

@@ -49,6 +49,11 @@ Result<void> place_file(std::vector<MergedFile>& files, const std::string& text)
                 "is of the first map, in whose frame the others are placed",
                 "--transform");
   }
+  if (file->placement) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must place each map once, places '" + printable(name) + "' twice",
+                "--transform");
+  }
   HYPERMAP_ASSIGN_OR_RETURN(file->placement, placement_of(text.substr(equals + 1)));
   return {};
 }

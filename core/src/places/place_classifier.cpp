@@ -45,6 +45,20 @@ Result<void> check_by_place(const PlaceRules& rules,
   return {};
 }
 
+/// Two names of one place would be two places, each with a share of its probability.
+Result<void> refuse_second_spellings(const std::vector<std::string>& places) {
+  std::map<std::string, std::string> first_of;
+  for (const std::string& place : places) {
+    const auto [first, is_new] = first_of.emplace(canonical_class_name(place), place);
+    if (is_new) continue;
+    return fail(
+        ErrorCode::kInvalidArgument,
+        "\"" + printable(place) + "\" is another spelling of \"" + printable(first->second) + "\"",
+        "places");
+  }
+  return {};
+}
+
 }  // namespace
 
 ClassAmounts class_amounts(std::span<const ObjectBeliefs> objects, const ClassRegistry& classes) {
@@ -63,6 +77,7 @@ Result<void> validate(const PlaceRules& rules) {
   if (unordered != rules.places.end() || rules.places.empty()) {
     return fail(ErrorCode::kInvalidArgument, "must be names in ascending order", "places");
   }
+  HYPERMAP_TRY(refuse_second_spellings(rules.places));
   HYPERMAP_TRY(check_number("tempering", rules.tempering, kTempering));
   HYPERMAP_TRY(check_number("min_probability", rules.min_probability, kProbabilities));
   HYPERMAP_TRY(check_by_place(rules, "metre_costs", rules.metre_costs, kMetreCosts));

@@ -14,8 +14,9 @@ namespace {
 
 Result<void> check_compared(const MapArchive& archive, const char* field) {
   if (!archive.octree) {
-    return fail(
-        ErrorCode::kUnsupported, "has no octree, so that nobody can say where it looked", field);
+    return fail(ErrorCode::kUnsupported,
+                "has no semantic octree, so that nobody can say where it looked",
+                field);
   }
   if (archive.objects.size() == 0 && !archive.hypermap.find(kSemanticLayer)) {
     return fail(ErrorCode::kUnsupported, "has no 3D objects", field);

@@ -177,7 +177,7 @@ PartRecipe ManyParts::recipe_of_node(const ManyPlan& plan, const MergeNode& node
   InputHash input;
   for (std::size_t i = node.begin; i < node.end; ++i) {
     input.add(plan.contents[i]);
-    input.add(motion_text(plan.maps[i].first_from_map));
+    input.add(motion_text(plan.maps[i].sum_from_map));
   }
   return {.program = program_text(), .input = input.text(), .settings = settings_text()};
 }

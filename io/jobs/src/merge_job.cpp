@@ -35,12 +35,12 @@ Error explained(Error error, const PlannedMap& map) {
   return error;
 }
 
-/// The map in the frame of the first one.
+/// The map in the frame in which maps are added.
 Result<Loaded<MapArchive>> load_placed(const PlannedMap& map, const MergeJob& job) {
   auto loaded = load_archive(map.file->path, job.limits, archive_layer_types(), job.stop);
   if (!loaded) return about_map(*map.file, loaded.error());
-  if (!map.first_from_map) return loaded;
-  auto moved = transformed(loaded->value, *map.first_from_map);
+  if (!map.sum_from_map) return loaded;
+  auto moved = transformed(loaded->value, *map.sum_from_map);
   if (!moved) return about_map(*map.file, explained(moved.error(), map));
   loaded->value = std::move(*moved);
   return loaded;
@@ -79,7 +79,7 @@ Result<void> register_all(std::vector<PlannedMap>& plan, const MergeJob& job) {
                    " is not sure: " + error.what + "; --transform says it";
       return about_map(*map.file, std::move(error));
     }
-    map.first_from_map = MapFromOldMap(isometry_of(found->placement));
+    map.sum_from_map = MapFromOldMap(isometry_of(found->placement));
     map.found = *found;
   }
   return {};
@@ -172,20 +172,31 @@ Result<MergeResult> merge_or_throw(const MergeJob& job, const JobProgress& progr
   HYPERMAP_TRY(validate(job.options));
   HYPERMAP_ASSIGN_OR_RETURN(std::vector<PlannedMap> plan, plan_merge(job));
   if (job.registers) HYPERMAP_TRY(register_all(plan, job));
-  return merge_planned(plan, job, progress);
+  std::vector<PlannedMap> in_oldest = plan;
+  const auto result_from_oldest = place_in_oldest(in_oldest);
+  if (!result_from_oldest) return merge_planned(plan, job, progress);
+  auto result = merge_planned(in_oldest, job, progress, result_from_oldest);
+  const bool cannot_be_moved = !result && result.error().code == ErrorCode::kUnsupported;
+  return cannot_be_moved ? merge_planned(plan, job, progress) : std::move(result);
 }
 
 }  // namespace
 
 Result<MergeResult> merge_planned(std::span<const PlannedMap> plan,
                                   const MergeJob& job,
-                                  const JobProgress& progress) {
+                                  const JobProgress& progress,
+                                  const std::optional<MapFromOldMap>& result_from_sum) {
   LayerOptions layers = job.options.layers;
   Sum sum{.map = {.hypermap = {}}, .report = {}};
   for (const PlannedMap& map : plan) {
     layers.class_stack = layers.class_stack || map.has_stack;
     HYPERMAP_TRY(add_map(sum, map, job));
     if (progress && !progress(sum.report.maps.size(), plan.size())) return interrupted();
+  }
+  if (result_from_sum) {
+    auto moved = transformed(sum.map, *result_from_sum);
+    if (!moved) return about_map(job.files.front(), moved.error());
+    sum.map = std::move(*moved);
   }
   return finished(std::move(sum), layers, job);
 }

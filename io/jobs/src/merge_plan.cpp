@@ -19,6 +19,8 @@ namespace {
 /// Two alignments of one world that differ by less are one.
 constexpr double kSameShiftM = 1e-6;
 constexpr double kSameTurnRad = 1e-6;
+/// Cosine of a tilt that is refused (transformed_map.hpp).
+constexpr double kLeastUpright = 1.0 - 5e-13;
 
 /// A map with what its archive says without voxels and objects.
 struct LookedThrough {
@@ -57,7 +59,7 @@ Result<LookedThrough> look_through(const MergedFile& file, const MergeJob& job) 
   if (!loaded->value.octree_resolution_m) {
     return refused(file,
                    ErrorCode::kUnsupported,
-                   "has no octree: import makes one archive of maps without voxels");
+                   "has no semantic octree: import makes one archive of maps without one");
   }
   LookedThrough out{.plan = {.file = &file, .num_sessions = sessions_of(map.provenance).size()},
                     .resolution_m = *loaded->value.octree_resolution_m,
@@ -132,9 +134,9 @@ std::optional<MapFromOldMap> placed_by_world(const LookedThrough& map, const Loo
 void place(std::vector<LookedThrough>& maps, const MergeJob& job) {
   for (LookedThrough& map : maps) {
     if (map.plan.file->placement) {
-      map.plan.first_from_map = MapFromOldMap(isometry_of(*map.plan.file->placement));
+      map.plan.sum_from_map = MapFromOldMap(isometry_of(*map.plan.file->placement));
     } else if (!job.registers) {
-      map.plan.first_from_map = placed_by_world(map, maps.front());
+      map.plan.sum_from_map = placed_by_world(map, maps.front());
     }
   }
 }
@@ -152,6 +154,21 @@ void sort_by_time(std::vector<LookedThrough>& maps) {
 Unexpected about_map(const MergedFile& file, Error error) {
   if (error.file.empty()) error.file = file.path.string();
   return Unexpected(std::move(error));
+}
+
+std::optional<MapFromOldMap> place_in_oldest(std::span<PlannedMap> plan) {
+  const auto result_from_oldest = plan.front().sum_from_map;
+  const bool is_tilted = std::ranges::any_of(plan, [](const PlannedMap& map) {
+    return map.sum_from_map && map.sum_from_map->isometry().linear()(2, 2) < kLeastUpright;
+  });
+  if (!result_from_oldest || is_tilted) return std::nullopt;
+  const Eigen::Isometry3d oldest_from_result = result_from_oldest->isometry().inverse();
+  for (PlannedMap& map : plan) {
+    const Eigen::Isometry3d motion =
+        map.sum_from_map ? oldest_from_result * map.sum_from_map->isometry() : oldest_from_result;
+    map.sum_from_map = is_identity(motion) ? std::nullopt : std::optional(MapFromOldMap(motion));
+  }
+  return result_from_oldest;
 }
 
 Result<std::vector<PlannedMap>> plan_merge(const MergeJob& job) {

@@ -80,7 +80,25 @@ void remove_objects(MapArchive& map, const std::vector<ObjectId>& gone) {
   map.octree->forget_objects([&](ObjectId id) { return !map.objects.contains(id); });
 }
 
-/// The better view of each object; of equals the earlier frame's.
+/// The better view of an object stays; of equals the earlier frame's.
+void keep_better(ObjectViews& views, ObjectId id, ObjectView view) {
+  const auto [known, is_new] = views.try_emplace(id, view);
+  if (is_new) return;
+  const ObjectView& old = known->second;
+  const bool is_better =
+      view.quality != old.quality ? view.quality > old.quality : view.frame_index < old.frame_index;
+  if (is_better) known->second = std::move(view);
+}
+
+/// Voxels and views of objects that became part of another are that one's.
+void follow_absorbed(MapArchive& map, const ObjectMapMerge& objects) {
+  for (const auto& [id, into] : objects.id_of_absorbed) {
+    map.octree->relabel_object(id, into);  // also those that its box no longer has
+    auto view = map.views.extract(id);
+    if (!view.empty()) keep_better(map.views, into, std::move(view.mapped()));
+  }
+}
+
 void add_views(MapArchive& map,
                const ObjectViews& added,
                const ObjectMapMerge& objects,
@@ -90,8 +108,7 @@ void add_views(MapArchive& map,
     if (found == objects.id_of_added.end()) continue;
     ObjectView later = view;
     later.frame_index += frame_offset;
-    const auto [known, is_new] = map.views.try_emplace(found->second, later);
-    if (!is_new && known->second.quality < later.quality) known->second = std::move(later);
+    keep_better(map.views, found->second, std::move(later));
   }
 }
 
@@ -157,6 +174,7 @@ Result<MergedArchives> merged(MapArchive map,
                             translated(added.objects, names.ids));
   HYPERMAP_ASSIGN_OR_RETURN(ObjectMapMerge objects,
                             merged(map.objects, translated_objects, options.association));
+  follow_absorbed(map, objects);
   HYPERMAP_TRY(add_octree(map, added, objects, names.ids, options.is_later));
   map.classes = std::move(names.classes);
   map.detectors = std::move(names.detectors);

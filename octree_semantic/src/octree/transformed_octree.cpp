@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/transformed_octree.hpp"
 
+#include "hypermap/core/geometry/lattice_motion.hpp"
 #include "octree/brick_access.hpp"
 
 #include <algorithm>
@@ -83,6 +84,26 @@ Eigen::Isometry3d in_voxels(const Eigen::Isometry3d& map_from_old, double resolu
   return moved;
 }
 
+/// Each known voxel once. Errors: kLimit outside the volume.
+Result<SemanticOctree> moved_voxels(const SemanticOctree& octree, const LatticeMotion& motion) {
+  std::vector<StoredLeaf> leaves;
+  bool is_in_volume = true;
+  octree.for_each_stored_leaf([&](const StoredLeaf& leaf) {
+    const Eigen::Vector3d at =
+        motion(Eigen::Vector3d(leaf.key.x + 0.5, leaf.key.y + 0.5, leaf.key.z + 0.5));
+    is_in_volume &= (at.array() > 0.0 && at.array() < kKeysPerAxis).all();
+    if (!is_in_volume) return;
+    leaves.push_back(leaf);
+    leaves.back().key = {static_cast<std::uint16_t>(at.x()),
+                         static_cast<std::uint16_t>(at.y()),
+                         static_cast<std::uint16_t>(at.z())};
+  });
+  if (!is_in_volume) {
+    return fail(ErrorCode::kLimit, "part of the map would lie outside the volume", "map_from_old");
+  }
+  return SemanticOctree::from_leaves(octree.options(), leaves);
+}
+
 Result<SemanticOctree> resampled(const SemanticOctree& octree,
                                  const Eigen::Isometry3d& new_from_old) {
   HYPERMAP_ASSIGN_OR_RETURN(const auto keys,
@@ -114,7 +135,9 @@ Result<SemanticOctree> transformed(const SemanticOctree& octree,
     return fail(ErrorCode::kInvalidArgument, "must be a finite rigid motion", "map_from_old");
   }
   try {
-    return resampled(octree, in_voxels(map_from_old.isometry(), octree.resolution_m()));
+    const auto new_from_old = in_voxels(map_from_old.isometry(), octree.resolution_m());
+    const auto upright = LatticeMotion::of(new_from_old);
+    return upright ? moved_voxels(octree, *upright) : resampled(octree, new_from_old);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for another map");
   }

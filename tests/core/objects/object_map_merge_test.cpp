@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -23,9 +25,12 @@ using testing_support::surface_of;
 
 const AssociationOptions kMergeOptions;
 
-/// A map whose frames `first_frame`, ... each show these observations.
-ObjectMap map_of(const std::vector<Observation>& frame, int num_frames, std::uint64_t first_frame) {
-  ObjectMap objects;
+/// A map, or one that goes on from `objects`, whose frames `first_frame`, ... each show these
+/// observations.
+ObjectMap map_of(const std::vector<Observation>& frame,
+                 int num_frames,
+                 std::uint64_t first_frame,
+                 ObjectMap objects = {}) {
   for (int i = 0; i < num_frames; ++i) {
     std::vector<Observation> shown = frame;
     for (Observation& one : shown) {
@@ -88,7 +93,29 @@ TEST(ObjectMapMerge, TwoSidesOfOneThingAreJoined) {
             0.03);
 }
 
-TEST(ObjectMapMerge, TwoObjectsOfOneMapNeverBecomeOne) {
+TEST(ObjectMapMerge, PartsOfWhatTheOtherMapSawWholeAreJoined) {
+  // One map saw the ends of a bench, one after the other, and never both in one frame.
+  const Observation left = seen(box_at({-0.5, 0, 0.4}, {0.6, 0.4, 0.4}), kChairClass);
+  const Observation right = seen(box_at({0.5, 0, 0.4}, {0.6, 0.4, 0.4}), kChairClass);
+  const ObjectMap parts = map_of({right}, 3, 3, map_of({left}, 3, 0));
+  const ObjectMap whole = map_of({seen(box_at({0, 0, 0.4}, {1.6, 0.4, 0.4}), kChairClass)}, 3, 10);
+  ASSERT_EQ(parts.size(), 2U);
+  const ObjectMapMerge both = merged(parts, whole, kMergeOptions).value();
+  ASSERT_EQ(both.objects.size(), 1U);
+  EXPECT_EQ(both.objects.at(ObjectId{1}).num_observations, 9U);
+  EXPECT_EQ(both.id_of_absorbed, (std::map<ObjectId, ObjectId>{{ObjectId{2}, ObjectId{1}}}));
+  EXPECT_EQ(both.id_of_added.at(ObjectId{1}), ObjectId{1});
+  EXPECT_EQ(both.num_joined, 1U);
+  const ObjectMapMerge reversed = merged(whole, parts, kMergeOptions).value();
+  ASSERT_EQ(reversed.objects.size(), 1U);
+  EXPECT_TRUE(reversed.id_of_absorbed.empty());
+  EXPECT_EQ(reversed.id_of_added.at(ObjectId{1}), ObjectId{1});
+  EXPECT_EQ(reversed.id_of_added.at(ObjectId{2}), ObjectId{1});
+  EXPECT_EQ(reversed.num_joined, 2U);
+  EXPECT_EQ(reversed.num_new, 0U);
+}
+
+TEST(ObjectMapMerge, TwoThatFramesShowedBesideEachOtherStayTwo) {
   // One map has two halves of a bench, seen beside each other; the other took it for one.
   const Box bench = box_at({0, 0, 0.4}, {1.6, 0.4, 0.4});
   const Box left = box_at({-0.4, 0, 0.4}, {0.78, 0.4, 0.4});

@@ -128,7 +128,7 @@ TEST(ArchiveChanges, MapsThatCannotTellAreRefused) {
   const auto refused = archive_changes(flat, room);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().field, "before");
-  EXPECT_THAT(refused.error().what, HasSubstr("has no octree"));
+  EXPECT_THAT(refused.error().what, HasSubstr("has no semantic octree"));
   MapArchive bare = room;
   bare.objects = ObjectMap();
   EXPECT_EQ(archive_changes(room, bare).error().field, "after");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/jobs/merge_job.hpp"
 
+#include "core/objects/association_cases.hpp"
 #include "hypermap/io/archive/map_sessions.hpp"
+#include "hypermap/io/codec/jpeg_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,7 +66,8 @@ class MergedFiles : public testing::Test {
   /// Saves it under the name of its run.
   static MergedFile saved(const MapArchive& archive) {
     const auto path = folder() / (archive.provenance.front().input + ".hmap");
-    EXPECT_TRUE(save_archive(archive, path));
+    const auto is_saved = save_archive(archive, path);
+    EXPECT_TRUE(is_saved) << to_string(is_saved.error());
     return {.path = path};
   }
 };
@@ -115,6 +118,53 @@ TEST_F(MergedFiles, AtTheSameTimeNeitherIsTheLaterOne) {
           .value();
   EXPECT_FALSE(both.report.maps[1].is_later);
   EXPECT_EQ(log_odds_of(both.map, 0), 1511);
+}
+
+/// Of this object alone, seen in three frames from that one on.
+void see(MapArchive& map, const Box& box, std::uint64_t first_frame) {
+  for (std::uint64_t frame = first_frame; frame < first_frame + 3; ++frame) {
+    associate(map.objects, std::vector{testing_support::seen(box, ClassId{0}, frame)}, {});
+  }
+}
+
+StoredLeaf voxel_of(ObjectId object, int x) {
+  StoredLeaf leaf{.key = voxel_along_x(x), .log_odds = 847, .label = VoxelLabel{}};
+  leaf.label->classes[0] = {0, 500};
+  leaf.label->object = object;
+  leaf.label->object_votes = 1;
+  return leaf;
+}
+
+TEST_F(MergedFiles, WhatBecomesPartOfAnotherObjectLeavesItsVoxelsAndViewToIt) {
+  // The ends of a bench, which one map never saw in one frame, and the bench. Of the second end a
+  // voxel is stored far from its box.
+  using testing_support::box_at;
+  MapArchive parts = archive_of("parts", 0, {847});
+  MapArchive whole = archive_of("whole", 0, {847});
+  for (MapArchive* map : {&parts, &whole}) {
+    for (std::uint32_t id = 0; id < testing_support::kNumClasses; ++id) {
+      ASSERT_TRUE(map->classes.add("class " + std::to_string(id)));
+    }
+  }
+  see(parts, box_at({-0.5, 0, 0.4}, {0.6, 0.4, 0.4}), 0);
+  see(parts, box_at({0.5, 0, 0.4}, {0.6, 0.4, 0.4}), 3);
+  see(whole, box_at({0, 0, 0.4}, {1.6, 0.4, 0.4}), 0);
+  ASSERT_EQ(parts.objects.size(), 2U);
+  ASSERT_TRUE(parts.octree->set_leaves(
+      std::vector{voxel_of(ObjectId{1}, -5), voxel_of(ObjectId{2}, 5), voxel_of(ObjectId{2}, 90)}));
+  const auto jpeg = encode_jpeg(ColorImage(8, 8, Rgb8{200, 100, 0}), 85);
+  parts.views[ObjectId{1}] = {.quality = 1.0, .frame_index = 1, .jpeg = jpeg.value()};
+  parts.views[ObjectId{2}] = {.quality = 2.0, .frame_index = 4, .jpeg = jpeg.value()};
+  const auto merged = run_merge({.files = {saved(parts), saved(whole)}});
+  ASSERT_TRUE(merged) << to_string(merged.error());
+  ASSERT_EQ(merged->map.objects.size(), 1U);
+  for (const int x : {-5, 5, 90}) {
+    EXPECT_EQ(merged->map.octree->stored_at(voxel_along_x(x))->label->object, ObjectId{1}) << x;
+  }
+  ASSERT_EQ(merged->map.views.size(), 1U);
+  EXPECT_EQ(merged->map.views.begin()->first, ObjectId{1});
+  EXPECT_EQ(merged->map.views.begin()->second.frame_index, 4U) << "the better one of both";
+  EXPECT_TRUE(write_archive(merged->map)) << "no voxel names an object that there is not";
 }
 
 TEST_F(MergedFiles, KeepTheirSessionsAndCountFramesOn) {

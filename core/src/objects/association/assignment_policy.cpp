@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "duplicates.hpp"
 #include "hypermap/core/objects/assignment.hpp"
 #include "overlap.hpp"
 #include "policies.hpp"
@@ -15,24 +16,6 @@ namespace {
 
 /// Boxes of two objects that touch have no more of the smaller one in common.
 constexpr double kMostBoxShareApart = 0.5;
-
-/// Point sets of objects, each made once per state of the object.
-class PointSetCache {
- public:
-  PointSetCache(const ObjectMap& objects, double near_m) : objects_(objects), near_m_(near_m) {}
-
-  const PointSet& of(ObjectId id) {
-    const auto it = point_sets_.find(id);
-    if (it != point_sets_.end()) return it->second;
-    return point_sets_.emplace(id, point_set_of(objects_.at(id), near_m_)).first->second;
-  }
-  void forget(ObjectId id) { point_sets_.erase(id); }
-
- private:
-  const ObjectMap& objects_;
-  double near_m_;
-  std::map<ObjectId, PointSet> point_sets_;
-};
 
 /// An observation and the objects that it may show.
 struct Candidates {
@@ -108,53 +91,6 @@ bool shows_another(const AssignmentOptions& options,
   return true;
 }
 
-/// Whether two objects that overlap like one are not to be merged: a detector showed them beside
-/// each other, and they are not one surface. One frame suffices where one of them is new.
-bool frames_refute_merge(const Object& a,
-                         const Object& b,
-                         const Overlap& c,
-                         const AssignmentOptions& options) {
-  if (std::min(c.share_of_first, c.share_of_second) >= options.one_surface_share) return false;
-  const bool is_new = std::min(a.num_observations, b.num_observations) <= options.apart_frames;
-  const std::size_t least = is_new ? 1 : options.apart_frames;
-  return num_common_frames(a.observation_log, b.observation_log) >= least;
-}
-
-/// The first neighbour that is a duplicate of `id`.
-std::optional<ObjectId> duplicate_of(ObjectId id,
-                                     const AssociationRun& run,
-                                     PointSetCache& point_sets) {
-  const AssignmentOptions& options = run.options.assignment;
-  const Box around = grown(run.objects.at(id).box, 2.0 * options.near_m);
-  for (const ObjectId other : run.objects.query(around)) {
-    if (other == id) continue;
-    const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
-    if (is_same_object(c, options, options.merge_factor) &&
-        !frames_refute_merge(run.objects.at(id), run.objects.at(other), c, options)) {
-      return other;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Objects that this frame created or updated are merged with their duplicates.
-void merge_duplicates(AssociationRun& run, PointSetCache& point_sets) {
-  std::set<ObjectId> open(run.report.created.begin(), run.report.created.end());
-  open.insert(run.report.matched.begin(), run.report.matched.end());
-  for (const ObjectId id : open) point_sets.forget(id);
-  while (!open.empty()) {
-    const ObjectId id = *open.begin();
-    open.erase(open.begin());
-    if (!run.objects.contains(id)) continue;
-    if (const auto duplicate = duplicate_of(id, run, point_sets)) {
-      const ObjectId into = run.merge(id, *duplicate);
-      point_sets.forget(id);
-      point_sets.forget(*duplicate);
-      open.insert(into);
-    }
-  }
-}
-
 }  // namespace
 
 void associate_by_assignment(AssociationRun& run) {
@@ -173,7 +109,9 @@ void associate_by_assignment(AssociationRun& run) {
       ++run.report.num_repeated;
     }
   }
-  merge_duplicates(run, point_sets);
+  std::set<ObjectId> changed(run.report.created.begin(), run.report.created.end());
+  changed.insert(run.report.matched.begin(), run.report.matched.end());
+  merge_duplicates(run, point_sets, std::move(changed));
   settle_contested_cells(run);
 }
 

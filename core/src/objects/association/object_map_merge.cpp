@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/objects/object_map_merge.hpp"
 
+#include "duplicates.hpp"
 #include "overlap.hpp"
 #include "policies.hpp"
 #include "sparse_assignment.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,6 +79,19 @@ Result<void> check_embeddings(const ObjectMap& objects, const ObjectMap& added) 
   return {};
 }
 
+/// Both maps' ids after those merges.
+void follow_merges(ObjectMapMerge& out, const ObjectMap& objects, const AssociationReport& report) {
+  for (const auto& [from, into] : report.merged) {
+    for (auto* ids : {&out.id_of_added, &out.id_of_absorbed}) {
+      for (auto& [id, now] : *ids) now = now == from ? into : now;
+    }
+    if (objects.contains(from)) out.id_of_absorbed[from] = into;
+  }
+  for (const auto& [id, now] : out.id_of_added) {
+    ++(objects.contains(now) ? out.num_joined : out.num_new);
+  }
+}
+
 }  // namespace
 
 Result<ObjectMapMerge> merged(const ObjectMap& objects,
@@ -97,14 +112,17 @@ Result<ObjectMapMerge> merged(const ObjectMap& objects,
       out.objects.replace(merged(known, younger, options.max_existence));
       run.report.matched.push_back(*partner);
       out.id_of_added[object.id] = *partner;
-      ++out.num_joined;
     } else {
       const ObjectId id = out.objects.add(object);
       run.report.created.push_back(id);
       out.id_of_added[object.id] = id;
-      ++out.num_new;
     }
   }
+  PointSetCache point_sets(out.objects, options.assignment.near_m);
+  merge_duplicates(
+      run, point_sets, std::set<ObjectId>(run.report.matched.begin(), run.report.matched.end()));
+  follow_merges(out, objects, run.report);
+  for (const ObjectMerge& merge : run.report.merged) run.report.matched.push_back(merge.into);
   settle_contested_cells(run);
   return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/core/geometry/block_looks.hpp"
+#include "hypermap/core/geometry/lattice_motion.hpp"
 #include "transformed_parts.hpp"
 
 #include <algorithm>
@@ -49,11 +50,8 @@ Result<ShapeEvidence> moved_shapes(const ShapeEvidence& shapes, const UprightMot
   return ShapeEvidence::from_state(std::move(state));
 }
 
-Result<PointCell> moved_cell(const PointCell& cell,
-                             const Eigen::Isometry3d& motion,
-                             double edge_m) {
-  const Eigen::Vector3d centre(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5);
-  const Eigen::Vector3d moved = motion.linear() * centre + motion.translation() / edge_m;
+Result<PointCell> moved_cell(const PointCell& cell, const LatticeMotion& motion, double edge_m) {
+  const Eigen::Vector3d moved = motion(Eigen::Vector3d(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5));
   if (!(moved.cwiseAbs().maxCoeff() * edge_m <= kMaxCoordinateM) ||
       !(moved.cwiseAbs().maxCoeff() < INT32_MAX)) {
     return fail(ErrorCode::kLimit, "would lie beyond 1e6 m", "points");
@@ -62,32 +60,30 @@ Result<PointCell> moved_cell(const PointCell& cell,
   return PointCell{index(moved.x()), index(moved.y()), index(moved.z())};
 }
 
+LatticeMotion in_cells(const UprightMotion& motion, double edge_m) {
+  Eigen::Isometry3d in_edges = motion.in_space();
+  in_edges.translation() /= edge_m;
+  return LatticeMotion::of(in_edges).value();  // it is upright
+}
+
 /// A cell after a motion, and how often its block was in view before.
 struct MovedCell {
   PointVote vote;
   std::uint32_t looks = 0;
 };
 
-Result<OccupancyVotes> moved_votes(const OccupancyVotes& points, const Eigen::Isometry3d& motion) {
+Result<OccupancyVotes> moved_votes(const OccupancyVotes& points, const UprightMotion& motion) {
   OccupancyVotesState state = points.state();
+  const LatticeMotion cells = in_cells(motion, state.edge_m);
   const std::vector<std::uint32_t> looks = looks_of_cells(state);
   std::vector<MovedCell> moved;
   moved.reserve(state.votes.size());
   for (std::size_t i = 0; i < state.votes.size(); ++i) {
     HYPERMAP_ASSIGN_OR_RETURN(const PointCell cell,
-                              moved_cell(state.votes[i].cell, motion, state.edge_m));
+                              moved_cell(state.votes[i].cell, cells, state.edge_m));
     moved.push_back({{cell, state.votes[i].votes}, looks[i]});
   }
-  // Of equal cells the one with most votes comes first, and stays.
-  std::sort(moved.begin(), moved.end(), [](const MovedCell& a, const MovedCell& b) {
-    return std::tie(a.vote.cell, b.vote.votes, b.looks) <
-           std::tie(b.vote.cell, a.vote.votes, a.looks);
-  });
-  const auto end =
-      std::unique(moved.begin(), moved.end(), [](const MovedCell& a, const MovedCell& b) {
-        return a.vote.cell == b.vote.cell;
-      });
-  moved.erase(end, moved.end());
+  std::ranges::sort(moved, {}, [](const MovedCell& cell) { return cell.vote.cell; });
   std::vector<std::uint32_t> moved_looks;
   state.votes.clear();
   for (const MovedCell& cell : moved) {
@@ -129,12 +125,20 @@ Result<ObservationLog> turned_log(const ObservationLog& log, double yaw_rad) {
   return ObservationLog::from_state(std::move(state));
 }
 
+/// The box of the moved points where it was that of the points; else one around the moved box.
+void move_box(Object& object, const OccupancyVotes& before, const Eigen::Isometry3d& motion) {
+  const auto box = before.agreed_box() == object.box ? object.points.agreed_box() : std::nullopt;
+  const bool has_its_centre = object.centroid_in_map == object.box.centre();
+  object.centroid_in_map =
+      box && has_its_centre ? box->centre() : Eigen::Vector3d(motion * object.centroid_in_map);
+  object.box = box.value_or(moved_box(object.box, motion));
+}
+
 Result<Object> moved_object(Object object, const UprightMotion& motion) {
-  const Eigen::Isometry3d space = motion.in_space();
-  object.box = moved_box(object.box, space);
-  object.centroid_in_map = space * object.centroid_in_map;
   HYPERMAP_ASSIGN_OR_RETURN(object.shapes, moved_shapes(object.shapes, motion));
-  HYPERMAP_ASSIGN_OR_RETURN(object.points, moved_votes(object.points, space));
+  HYPERMAP_ASSIGN_OR_RETURN(OccupancyVotes points, moved_votes(object.points, motion));
+  std::swap(object.points, points);
+  move_box(object, points, motion.in_space());
   HYPERMAP_ASSIGN_OR_RETURN(object.histogram, turned_histogram(object.histogram, motion.yaw_rad));
   HYPERMAP_ASSIGN_OR_RETURN(object.observation_log,
                             turned_log(object.observation_log, motion.yaw_rad));

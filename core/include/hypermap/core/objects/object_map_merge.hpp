@@ -13,12 +13,14 @@
 
 namespace hypermap {
 
-/// The objects of both, and what those of the added map are called now.
+/// The objects of both, and what they are called now.
 struct ObjectMapMerge {
   ObjectMap objects = {};
   std::map<ObjectId, ObjectId> id_of_added = {};  ///< All of the added map's.
-  std::size_t num_joined = 0;                     ///< Of these, that were in the other map, too.
-  std::size_t num_new = 0;                        ///< And those that were not.
+  /// Of the first map's those that became part of another one; all else keep their ids.
+  std::map<ObjectId, ObjectId> id_of_absorbed = {};
+  std::size_t num_joined = 0;  ///< Of the added map's, those that were in the other map, too.
+  std::size_t num_new = 0;     ///< And those that were not.
 };
 
 /// Associates the objects of a map with those of another as observations of a frame are with
@@ -26,8 +28,9 @@ struct ObjectMapMerge {
 /// affinities. Two that are one are merged (`merged` of two objects), the others are added with new
 /// ids; what two objects then claim goes to the one that more observations give it to.
 ///
-/// Two objects of one map never become one: whoever saw both there told them apart, or had more
-/// reason to join them than a stranger. The policy is ours (`AssociationPolicy::kAssignment`)
+/// What a pair became may show that it and a third object are one thing, of which one of the maps
+/// saw parts: they are merged as after a frame, unless frames showed them beside each other. The
+/// policy is ours (`AssociationPolicy::kAssignment`)
 /// whatever the options say: the others need a frame or its sensor.
 /// Frame: Map, the same for both. Requires: validate(options); ids of classes and detectors mean
 /// the same in both, see `translated`.

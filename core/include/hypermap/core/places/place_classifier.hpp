@@ -69,8 +69,9 @@ struct PlaceRules {
   friend bool operator==(const PlaceRules&, const PlaceRules&) = default;
 };
 
-/// Errors: kInvalidArgument naming the field: a number out of its range, places not ascending or
-/// empty, a belonging or cost of a place that is none of them, a class whose name is not canonical.
+/// Errors: kInvalidArgument naming the field: a number out of its range, places not ascending,
+/// none, or one in two spellings, a belonging or cost of a place that is none of them, a class
+/// whose name is not canonical.
 [[nodiscard]] Result<void> validate(const PlaceRules& rules);
 
 /// Naive Bayes over what belongs where, with a uniform prior: the weights of the classes of objects

@@ -15,12 +15,12 @@ namespace hypermap {
 /// Exact up to the rounding of coordinates: centroids, shapes, semantic objects, occupancy and
 /// class grids (by origin and yaw), and `map_from_input` of each run, so that frames of the
 /// same input still fit. For the rest:
-/// - the octree is resampled as `transformed(SemanticOctree)` says;
-/// - a box becomes the axis-aligned box around the moved one: of the same size for quarter turns,
-///   else larger, and larger again each time;
-/// - voted cells go to the cells where their centres then lie, one to one for shifts by whole cells
-///   and quarter turns about their corners; of cells that meet, the most votes count;
-/// - so do the seen cells of true surfaces, which are not counted;
+/// - each voxel of the octree goes to one voxel, as `transformed(SemanticOctree)` says, and each
+///   voted cell to one cell likewise (LatticeMotion): there and back they are the same;
+/// - a box of its points becomes that of the moved points; any other one the axis-aligned box
+/// around
+///   the moved one: of the same size for quarter turns, else larger, and larger again each time;
+/// - seen cells of true surfaces go to the cells where their centres then lie, and are not counted;
 /// - bins of bearings turn by whole bins, the nearest number: exact for turns by a bin (20 degrees
 ///   to begin with), else off by up to half a bin, also at a quarter turn of 18 bins.
 ///
