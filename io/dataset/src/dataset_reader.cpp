@@ -157,20 +157,6 @@ Finding boxes_outside(std::size_t num, const PinholeCamera& camera, const fs::pa
            .field = "bbox"}};
 }
 
-/// A file that speaks of none of the sequence's images is another sequence's.
-std::optional<Finding> find_foreign(const PairedDetections& paired) {
-  const std::vector<FrameDetections>& frames = paired.set.frames;
-  if (frames.empty() || paired.unpaired.size() < frames.size()) return std::nullopt;
-  const std::string first = frames.front().image.empty() ? "" : ", such as " + frames.front().image;
-  return Finding{
-      Severity::kWarning,
-      {.code = ErrorCode::kNotFound,
-       .what = "none of the " + std::to_string(frames.size()) +
-               " images that it speaks of is one of the dataset's" + printable(first, 200),
-       .file = paired.file,
-       .field = "image"}};
-}
-
 Result<void> read_detection_files(const DatasetOptions& options,
                                   Sequence& sequence,
                                   ClassRegistry& registry) {
@@ -196,10 +182,12 @@ Result<void> read_detection_files(const DatasetOptions& options,
         pair_detections(std::move(loaded.value), sequence.entries, summary.stamp_tolerance_s);
     paired.file = file.string();
     HYPERMAP_TRY(refuse_repeated(paired, sequence.detectors));
-    if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
     const auto detector = register_detector(paired, given, read, summary.detectors);
     if (!detector) return Unexpected(in_file(detector.error(), paired.file));
     paired.detector = *detector;
+    if (auto foreign = find_foreign(paired)) summary.findings.push_back(std::move(*foreign));
+    if (auto second = find_second_look(paired, sequence.detectors))
+      summary.findings.push_back(std::move(*second));
     read.push_back(*detector);
     auto ids = register_classes(distinct_classes(paired.set.class_names), registry);
     if (!ids) return Unexpected(in_file(std::move(ids).error(), paired.file));

@@ -17,6 +17,7 @@ namespace {
 using test::opened;
 using test::refusal;
 using test::TempDir;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -145,6 +146,48 @@ TEST(DetectorLine, OneFileGivenTwiceIsNoSecondDetector) {
       opened(folder.path(), classes, {.detections = {folder / "a.jsonl", folder / "y.jsonl"}}),
       nullptr)
       << "two detectors may agree";
+}
+
+TEST(DetectorLine, ADetectorThatSpeaksOfAFrameInTwoFilesIsTold) {
+  const TempDir folder;
+  test::write_tum(folder.path());
+  test::write_text(folder / "a.jsonl", kYoloLine + test::chair_in("rgb/102.010.pgm"));
+  test::write_text(folder / "other.jsonl", kYoloLine + test::chair_in("rgb/103.010.pgm"));
+  test::write_text(
+      folder / "more.jsonl",
+      kYoloLine + test::chair_in("rgb/103.010.pgm") + test::chair_in("rgb/102.010.pgm"));
+  const auto findings = [&](const char* second) {
+    ClassRegistry classes;
+    const auto reader =
+        opened(folder.path(), classes, {.detections = {folder / "a.jsonl", folder / second}});
+    std::string text;
+    for (const Finding& finding : reader->summary().findings) text += to_string(finding.error);
+    return text;
+  };
+  EXPECT_EQ(findings("other.jsonl"), "") << "parts of one detector's words";
+  EXPECT_THAT(findings("more.jsonl"),
+              AllOf(HasSubstr("more.jsonl: detector: speaks for the same detector as"),
+                    HasSubstr("in 1 frame of both: what it saw there counts twice")));
+}
+
+TEST(DetectorLine, LabelsThatTheDetectorDoesNotStateAreTold) {
+  const auto warnings_of = [](const std::string& text) {
+    const auto loaded = parse_detections(text, "a.jsonl");
+    EXPECT_TRUE(loaded) << to_string(loaded.error());
+    std::string all;
+    for (const Finding& one : loaded->findings) all += to_string(one.error);
+    return all;
+  };
+  const std::string chair = test::chair_in("a.png");
+  const auto stating = [](const std::string& classes) {
+    return R"({"detector": {"name": "yolo", "classes": [)" + classes + "]}}\n";
+  };
+  EXPECT_EQ(warnings_of(chair + chair), "");
+  EXPECT_EQ(warnings_of(stating(R"("Chair")") + chair), "") << "another spelling";
+  EXPECT_EQ(warnings_of(stating("") + chair), "") << "no classes are stated";
+  EXPECT_EQ(warnings_of(stating(R"("cup")") + chair + chair),
+            "a.jsonl: label: 1 label that the detector does not state among its classes: "
+            "\"chair\"");
 }
 
 TEST(DetectorLine, DetectorsThatAreKnownKeepTheirIds) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection_pairing.hpp"
 
+#include "hypermap/core/base/count_text.hpp"
 #include "hypermap/io/codec/text_file.hpp"
 #include "images/image_list.hpp"
 
@@ -75,6 +76,12 @@ std::string name_of(const FrameDetections& frame) {
   return frame.image.empty() ? "timestamp " + stamp_text(*frame.stamp) : frame.image;
 }
 
+bool speaks_of(const PairedDetections& paired, std::size_t entry) {
+  return std::ranges::any_of(paired.frames_of_entry[entry], [&](std::size_t frame) {
+    return !paired.set.frames[frame].detections.empty();
+  });
+}
+
 }  // namespace
 
 PairedDetections pair_detections(DetectionSet set,
@@ -107,6 +114,39 @@ Result<void> refuse_repeated(const PairedDetections& paired,
             .what = "says what " + printable(same->file, 300) +
                     " says, detection by detection: the same evidence would count twice",
             .file = paired.file});
+}
+
+std::optional<Finding> find_foreign(const PairedDetections& paired) {
+  const std::vector<FrameDetections>& frames = paired.set.frames;
+  if (frames.empty() || paired.unpaired.size() < frames.size()) return std::nullopt;
+  const std::string first = frames.front().image.empty() ? "" : ", such as " + frames.front().image;
+  return Finding{
+      Severity::kWarning,
+      {.code = ErrorCode::kNotFound,
+       .what = "none of the " + std::to_string(frames.size()) +
+               " images that it speaks of is one of the dataset's" + printable(first, 200),
+       .file = paired.file,
+       .field = "image"}};
+}
+
+std::optional<Finding> find_second_look(const PairedDetections& paired,
+                                        std::span<const PairedDetections> before) {
+  for (const PairedDetections& other : before) {
+    if (other.detector != paired.detector) continue;
+    std::size_t num_common = 0;
+    for (std::size_t entry = 0; entry < paired.frames_of_entry.size(); ++entry) {
+      num_common += speaks_of(paired, entry) && speaks_of(other, entry) ? 1U : 0U;
+    }
+    if (num_common == 0) continue;
+    return Finding{
+        Severity::kWarning,
+        {.code = ErrorCode::kInvalidArgument,
+         .what = "speaks for the same detector as " + printable(other.file, 300) + " does, in " +
+                 count_text(num_common, "frame") + " of both: what it saw there counts twice",
+         .file = paired.file,
+         .field = "detector"}};
+  }
+  return std::nullopt;
 }
 
 Result<DetectorId> register_detector(const PairedDetections& paired,

@@ -9,6 +9,7 @@
 #include "sequence_index.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,15 @@ struct PairedDetections {
 /// count twice. Boundary: without detections nothing counts. Cost: as far as two are equal.
 [[nodiscard]] Result<void> refuse_repeated(const PairedDetections& paired,
                                            std::span<const PairedDetections> before);
+
+/// A file that speaks of none of the sequence's images is another sequence's.
+[[nodiscard]] std::optional<Finding> find_foreign(const PairedDetections& paired);
+
+/// A detector that speaks of a frame in one of the files that were read `before`, too: what it saw
+/// there counts twice. Boundary: a frame without detections is none that it speaks of. Requires:
+/// detectors are registered. Cost: O(frames) for each of its files.
+[[nodiscard]] std::optional<Finding> find_second_look(const PairedDetections& paired,
+                                                      std::span<const PairedDetections> before);
 
 /// The detector whose words these are: `given`, where that is a name, else by its own name, else by
 /// the stem of the file, beside those of the files that were `read` before.

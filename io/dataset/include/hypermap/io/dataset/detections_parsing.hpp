@@ -45,6 +45,9 @@ class DetectionSetBuilder {
  private:
   /// A mask without a pixel says nothing: it is taken off.
   void look_at_mask(NamedDetection& detection);
+  /// A class that a detection names: one that its detector does not state is told.
+  void add_label(const std::string& name);
+  void warn_of_unstated_labels();
   /// Warns of `count` things of one field, when there are any.
   void warn_of(std::size_t count, const char* what, const char* field);
 
@@ -54,6 +57,10 @@ class DetectionSetBuilder {
   std::vector<Finding> findings_;
   std::set<std::string, std::less<>> known_classes_;
   std::set<std::string, std::less<>> unknown_keys_;
+  std::set<std::string, std::less<>> known_labels_;
+  std::set<std::string, std::less<>> stated_classes_;    ///< By the detector; canonical, as the
+  std::set<std::string, std::less<>> unstated_classes_;  ///< ones that it names without.
+  std::vector<std::string> unstated_labels_;             ///< Those, as first written.
   std::size_t num_empty_masks_ = 0;
   std::size_t num_masks_apart_ = 0;
 };
