@@ -148,7 +148,9 @@ Result<MappingJob> MappingArguments::job() const {
   job.mapper = std::move(options.mapper);
   job.layers = options.layers;
   if (job.mapper.prior.source == ClassPriorKind::kPlaces) {
-    HYPERMAP_ASSIGN_OR_RETURN(job.place_rules, read_place_rules(places_file(places)));
+    const std::filesystem::path file = places_file(places);
+    HYPERMAP_ASSIGN_OR_RETURN(job.place_rules, read_place_rules(file));
+    job.place_rules_name = file.filename().string();
   }
   auto& transient_names = job.mapper.objects.transient_class_names;
   transient_names.insert(transient_names.end(), transient.begin(), transient.end());

@@ -15,6 +15,17 @@ std::string became_text(const ValueTree* layers) {
   return text;
 }
 
+/// ", places places.yaml xxh3-128:...": what the map was made with besides options and frames.
+std::string companions_text(const Provenance& provenance) {
+  std::string text;
+  for (const char* name : {"places", "combiner"}) {
+    const ValueTree* companion = provenance.options.find(name);
+    if (companion == nullptr) continue;
+    text.append(", ").append(name).append(" ").append(printable(companion->text));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string provenance_text(const Provenance& provenance) {
@@ -23,7 +34,7 @@ std::string provenance_text(const Provenance& provenance) {
                      " from " + printable(provenance.input) + " (" +
                      printable(provenance.input_hash) + ")";
   if (was_imported) text += became_text(provenance.options.find("import")->find("layers"));
-  return text;
+  return text + companions_text(provenance);
 }
 
 }  // namespace hypermap::app

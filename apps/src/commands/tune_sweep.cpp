@@ -3,9 +3,11 @@
 
 #include "data_dir.hpp"
 #include "hypermap/io/jobs/parameter_sweep.hpp"
+#include "hypermap/io/options/place_rules_file.hpp"
 #include "hypermap/io/simulator/scene_file.hpp"
 #include "hypermap/io/simulator/simulator.hpp"
 #include "option_flags.hpp"
+#include "places.hpp"
 #include "progress.hpp"
 #include "tables.hpp"
 
@@ -91,16 +93,36 @@ Result<std::vector<SweptSequence>> given(const SweepArguments& arguments,
   return sequences;
 }
 
+/// What the axes do not say: what is asked for beside a file is meant to be used.
+Result<MapOptions> common_options(const SweepArguments& arguments, MapOptions options) {
+  if (!arguments.places.empty()) {
+    HYPERMAP_ASSIGN_OR_RETURN(options, with_option(options, "prior.source", "places"));
+  }
+  if (arguments.combiner) {
+    HYPERMAP_ASSIGN_OR_RETURN(options, with_option(options, "stacking.rule", "trained"));
+  }
+  return options;
+}
+
+bool may_take_places(const SweepJob& job) {
+  return job.options.mapper.prior.source == ClassPriorKind::kPlaces ||
+         std::ranges::find(job.axes, "prior.source", &SweepAxis::option) != job.axes.end();
+}
+
 Result<SweepReport> swept(const SweepArguments& arguments,
                           const DatasetArguments& dataset,
                           const std::vector<std::string>& detections,
                           const MapOptions& options,
                           const std::string& progress_when) {
-  SweepJob job{.options = options};
+  SweepJob job{.combiner = arguments.combiner};
+  HYPERMAP_ASSIGN_OR_RETURN(job.options, common_options(arguments, options));
   for (const std::string& text : arguments.axes) {
     auto axis = parse_sweep_axis(text);
     if (!axis) return Unexpected(of_option(std::move(axis).error(), "--sweep"));
     job.axes.push_back(std::move(*axis));
+  }
+  if (may_take_places(job)) {
+    HYPERMAP_ASSIGN_OR_RETURN(job.place_rules, read_place_rules(places_file(arguments.places)));
   }
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   job.options.mapper.num_threads = std::max(cores, 1);
@@ -170,6 +192,18 @@ void SweepArguments::add_to(CLI::App& command) {
   command.add_option("--frames", num_frames, "with --sweep: of each of them")
       ->check(value_of_field(option_table(SimulationOptions{}), "num_frames"))
       ->capture_default_str()
+      ->needs(asked);
+  command
+      .add_option("--places",
+                  places,
+                  "with --sweep: FILE of what belongs where, for the maps whose prior.source is "
+                  "places: all, unless it is swept (indoor)")
+      ->needs(asked);
+  command
+      .add_option("--combiner",
+                  combiner,
+                  "with --sweep: FILE of `combine`, for the maps whose stacking.rule is trained: "
+                  "all, unless it is swept")
       ->needs(asked);
   auto* given_truth =
       command

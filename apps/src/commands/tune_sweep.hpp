@@ -22,7 +22,9 @@ struct SweepArguments {
   std::string scene = "laboratory";
   std::vector<std::uint64_t> seeds{1, 2, 3, 4, 5};
   int num_frames = 200;
-  std::optional<std::string> truth;  ///< Of the dataset at --input, which is then swept.
+  std::string places;                   ///< As `map --places`, of maps that no axis says other of.
+  std::optional<std::string> combiner;  ///< As `map --combiner`, likewise.
+  std::optional<std::string> truth;     ///< Of the dataset at --input, which is then swept.
   std::vector<std::pair<std::string, std::string>> also;  ///< Datasets with their truths.
   bool json = false;
 

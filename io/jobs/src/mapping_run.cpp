@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,12 +85,13 @@ DatasetOptions dataset_options(const MappingJob& job) {
   return options;
 }
 
-/// Every option by name, as an options file would say it.
-ValueTree options_tree(const MapOptions& options) {
+/// Every option by name, as an options file would say it, and what the map is made with besides.
+ValueTree options_tree(const MapOptions& options, std::span<const ValueTree::Entry> companions) {
   std::vector<ValueTree::Entry> entries;
   for (const OptionDescription& option : describe_options(options)) {
     entries.emplace_back(option.name, make_text(option.value));
   }
+  entries.insert(entries.end(), companions.begin(), companions.end());
   return make_map(std::move(entries));
 }
 
@@ -206,6 +208,7 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   if (job.resume || job.checkpoint_every > 0) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
+  HYPERMAP_ASSIGN_OR_RETURN(run.companions, companion_settings(job));
   HYPERMAP_ASSIGN_OR_RETURN(
       auto stacking,
       model_of_stacking(job.mapper.objects.stacking, job.combiner, run.detectors, run.classes));
@@ -245,7 +248,7 @@ Provenance provenance_of(const MappingRun& run, const MappingJob& job) {
   return {.tool = std::string("hypermap ") + HYPERMAP_VERSION,
           .input = run.input_name,
           .input_hash = run.fingerprint.text(),
-          .options = options_tree({job.mapper, job.layers}),
+          .options = options_tree({job.mapper, job.layers}, run.companions),
           .map_from_input = run.dataset->map_from_input(),
           .world = run.dataset->summary().world,
           .first_frame_hash = run.fingerprint.first_frame(),

@@ -49,6 +49,7 @@ struct MappingRun {
   NotedFrame last;                        ///< That was mapped, if any was.
   std::vector<std::size_t> skipped_positions;  ///< Ascending.
   ValueTree settings;                          ///< For checkpoints; else null.
+  std::vector<ValueTree::Entry> companions;    ///< For the provenance.
   std::optional<std::string> checkpoint_of;    ///< The frame whose checkpoint is on disk.
   bool checkpoint_failed = false;              ///< Some checkpoint could not be saved; it was said.
 };

@@ -72,6 +72,13 @@ Unexpected of_combination(Error error,
   return Unexpected(std::move(error));
 }
 
+bool takes_places(const MapOptions& options) {
+  return options.mapper.prior.source == ClassPriorKind::kPlaces;
+}
+bool takes_combiner(const MapOptions& options) {
+  return options.mapper.objects.stacking.rule == StackingRule::kTrained;
+}
+
 Result<MapOptions> combined(const SweepJob& job, const std::vector<std::string>& values) {
   MapOptions options = job.options;
   for (std::size_t i = 0; i < job.axes.size(); ++i) {
@@ -80,6 +87,32 @@ Result<MapOptions> combined(const SweepJob& job, const std::vector<std::string>&
     options = std::move(*changed);
   }
   return options;
+}
+
+/// What a map with these options is made with besides them.
+Result<void> check_companions(const SweepJob& job, const MapOptions& options) {
+  if (takes_places(options) && !job.place_rules) {
+    return fail(ErrorCode::kInvalidArgument, "needs rules of what belongs where", "prior.source");
+  }
+  if (takes_combiner(options) && !job.combiner) {
+    return fail(ErrorCode::kInvalidArgument,
+                "is trained, which needs a combiner (--combiner)",
+                "stacking.rule");
+  }
+  return {};
+}
+
+/// An option of the prior says nothing while there is none.
+Result<void> check_prior_axes(const SweepJob& job) {
+  const auto is_of_prior = [](const SweepAxis& axis) { return axis.option.starts_with("prior."); };
+  const auto idle = std::ranges::find_if(job.axes, is_of_prior);
+  const bool has_source =
+      job.options.mapper.prior.source != ClassPriorKind::kNone ||
+      std::ranges::find(job.axes, "prior.source", &SweepAxis::option) != job.axes.end();
+  if (idle == job.axes.end() || has_source) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              "changes nothing while prior.source is none (--places)",
+              idle->option);
 }
 
 Result<void> check_sweep(const SweepJob& job) {
@@ -138,14 +171,16 @@ SweepScores scores_of(const EvaluationOutcome& outcome) {
   return scores;
 }
 
-Result<SweepScores> scores_with(const MapOptions& options,
+Result<SweepScores> scores_with(const SweepJob& job,
+                                const MapOptions& options,
                                 const SweptSequence& sequence,
-                                const std::filesystem::path& folder,
                                 const std::function<bool()>& goes_on) {
-  const PassingMap map(folder / "swept.hmap");
+  const PassingMap map(job.folder / "swept.hmap");
   MappingJob mapping{.input = sequence.input, .output = map.path(), .dataset = sequence.dataset};
   mapping.mapper = options.mapper;
   mapping.layers = options.layers;
+  if (takes_places(options)) mapping.place_rules = job.place_rules;
+  if (takes_combiner(options)) mapping.combiner = job.combiner;
   HYPERMAP_TRY(run_mapping(mapping, [&](std::size_t, std::size_t) { return goes_on(); }));
   HYPERMAP_ASSIGN_OR_RETURN(const EvaluationOutcome outcome,
                             run_evaluation({.map = map.path(), .truth = sequence.truth}));
@@ -215,10 +250,13 @@ SweepScores worst_of(const std::vector<SweepScores>& runs) {
 
 Result<SweepReport> run_sweep(const SweepJob& job, const JobProgress& progress) {
   HYPERMAP_TRY(check_sweep(job));
+  HYPERMAP_TRY(check_prior_axes(job));
   const auto all = combinations(job.axes);
   std::vector<MapOptions> options;
   for (const auto& values : all) {
     HYPERMAP_ASSIGN_OR_RETURN(MapOptions changed, combined(job, values));
+    auto checked = check_companions(job, changed);
+    if (!checked) return of_combination(std::move(checked).error(), job.axes, values);
     options.push_back(std::move(changed));
   }
   SweepReport report{.axes = job.axes, .sequences = {}, .points = {}};
@@ -229,7 +267,7 @@ Result<SweepReport> run_sweep(const SweepJob& job, const JobProgress& progress) 
   for (std::size_t i = 0; i < all.size(); ++i) {
     SweepPoint point{.values = all[i], .runs = {}};
     for (const SweptSequence& sequence : job.sequences) {
-      auto scores = scores_with(options[i], sequence, job.folder, goes_on);
+      auto scores = scores_with(job, options[i], sequence, goes_on);
       if (!scores) return of_combination(std::move(scores).error(), job.axes, all[i]);
       point.runs.push_back(*scores);
       ++done;

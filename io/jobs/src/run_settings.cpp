@@ -169,6 +169,21 @@ Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& datase
   return settings;
 }
 
+Result<std::vector<ValueTree::Entry>> companion_settings(const MappingJob& job) {
+  std::vector<ValueTree::Entry> entries;
+  if (job.combiner) {
+    HYPERMAP_ASSIGN_OR_RETURN(std::string combiner, identity_of(job.combiner));
+    entries.emplace_back("combiner", make_text(std::move(combiner)));
+  }
+  const bool asks_places = job.mapper.prior.source == ClassPriorKind::kPlaces;
+  if (asks_places && job.place_rules) {
+    const std::string name = printable(job.place_rules_name);
+    entries.emplace_back("places",
+                         make_text((name.empty() ? "" : name + " ") + rules_text(job.place_rules)));
+  }
+  return entries;
+}
+
 Result<void> refuse_other_settings(const ValueTree& now, const ValueTree& before) {
   const std::string nothing = "not said";
   for (const auto& [name, value] : now.entries) {

@@ -9,6 +9,8 @@
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/jobs/mapping_job.hpp"
 
+#include <vector>
+
 namespace hypermap {
 
 /// A map of texts: which frames of which files, by which detector, aligned how. Files that the job
@@ -20,6 +22,11 @@ namespace hypermap {
 
 /// These, and the frames of the dataset by their names. Errors: those of asked_settings.
 [[nodiscard]] Result<ValueTree> settings_of(const MappingJob& job, const DatasetReader& dataset);
+
+/// What a map is made with besides options and frames, each by name and content, as options of its
+/// provenance: `combiner` and `places`, those that there are.
+/// Errors: kIo for a file that cannot be read.
+[[nodiscard]] Result<std::vector<ValueTree::Entry>> companion_settings(const MappingJob& job);
 
 /// Errors: kInvalidArgument naming the first setting in which the two differ, and both values.
 [[nodiscard]] Result<void> refuse_other_settings(const ValueTree& now, const ValueTree& before);

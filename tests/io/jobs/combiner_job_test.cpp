@@ -110,6 +110,10 @@ TEST(CombinerJob, AMapThatIsMadeByItBelievesIt) {
               HasSubstr("stacking.rule: must be trained where a combiner is given"));
   job.mapper.objects.stacking.rule = StackingRule::kTrained;
   EXPECT_EQ(best(), "bowl");
+  const auto made = load_archive(job.output);
+  const ValueTree* by = made->value.provenance.back().options.find("combiner");
+  ASSERT_NE(by, nullptr);
+  EXPECT_THAT(by->text, testing::StartsWith("combiner.json xxh3-128:"));
   job.combiner.reset();
   EXPECT_THAT(to_string(run_mapping(job).error()), HasSubstr("needs a combiner (--combiner)"));
 }

@@ -5,6 +5,7 @@
 #include "hypermap/io/jobs/mapping_job.hpp"
 #include "support/synthetic_dataset.hpp"
 #include "support/temp_dir.hpp"
+#include "support/text_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -136,7 +137,28 @@ TEST_F(SweepTest, WhatCannotBeSweptIsRefusedBeforeTheFirstMap) {
               HasSubstr("octree.resolution_m=-1"));
   EXPECT_THAT(refused({{"octree.resolution_m", {"1"}}, {"octree.resolution_m", {"2"}}}).what,
               HasSubstr("twice"));
+  EXPECT_EQ(refused({{"prior.num_layers", {"1", "2"}}}).field, "prior.num_layers");
   EXPECT_EQ(refused({{"absence.missed_decay", std::vector<std::string>(6000, "1")}}).field, "axes");
+}
+
+TEST_F(SweepTest, PlacesAndACombinerGoWithTheOptionsThatNeedThem) {
+  job.axes = {{"prior.source", {"none", "places"}}};
+  const auto refused = run_sweep(job);
+  EXPECT_EQ(refused.error().field, "prior.source");
+  EXPECT_THAT(refused.error().what, HasSubstr("with prior.source=places"));
+  job.place_rules.emplace();
+  job.place_rules->belongings = {{"chair", {{"kitchen", 2.0}}}};
+  job.place_rules->places = {"kitchen"};
+  const auto swept = run_sweep(job);
+  ASSERT_TRUE(swept) << to_string(swept.error());
+  EXPECT_EQ(swept->points[0].mean, swept->points[1].mean) << "one chair, whatever stands around";
+  job.axes = {{"stacking.rule", {"sum", "trained"}}};
+  EXPECT_EQ(run_sweep(job).error().field, "stacking.rule");
+  job.combiner = dir / "combiner.json";
+  test::write_text(*job.combiner, "{}");
+  EXPECT_THAT(run_sweep(job).error().what, HasSubstr("with stacking.rule=trained"))
+      << "the combination without it is mapped, the one with it reads the file";
+  EXPECT_EQ(num_left(), 0U);
 }
 
 TEST_F(SweepTest, AnInterruptionLeavesNoMap) {

@@ -96,6 +96,29 @@ TEST_F(RunSettings, EachSettingIsNamedWithBothValues) {
       "detector.channel_stddev: is 255,255,128, must be that of the run to go on with, 0,0,0");
 }
 
+TEST_F(RunSettings, AMapTellsWhatItWasMadeWithBesidesOptionsAndFrames) {
+  EXPECT_TRUE(companion_settings(job_)->empty());
+  job_.place_rules.emplace();
+  job_.place_rules->belongings = {{"cup", {{"kitchen", 2.0}}}};
+  job_.place_rules->places = {"kitchen"};
+  EXPECT_TRUE(companion_settings(job_)->empty()) << "they are not used";
+  job_.mapper.prior.source = ClassPriorKind::kPlaces;
+  job_.place_rules_name = "mine.yaml";
+  test::write_text(folder_ / "c.json", "{}");
+  job_.combiner = folder_ / "c.json";
+  const auto companions = companion_settings(job_).value();
+  ASSERT_EQ(companions.size(), 2U);
+  EXPECT_EQ(companions[0].first, "combiner");
+  EXPECT_THAT(companions[0].second.text, testing::StartsWith("c.json xxh3-128:"));
+  EXPECT_EQ(companions[1].first, "places");
+  EXPECT_THAT(companions[1].second.text, testing::StartsWith("mine.yaml xxh3-128:"));
+  const std::string before = companions[1].second.text;
+  job_.place_rules->belongings["cup"]["kitchen"] = 3.0;
+  EXPECT_NE(companion_settings(job_).value()[1].second.text, before);
+  job_.combiner = folder_ / "absent.json";
+  EXPECT_EQ(companion_settings(job_).error().code, ErrorCode::kIo);
+}
+
 TEST_F(RunSettings, FilesAreKnownByNameAndContentWhereverTheyLie) {
   MappingJob other = job_;
   fs::create_directories(folder_ / "moved");

@@ -71,6 +71,8 @@ TEST_F(PlaceRulesFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(line("belongings: {cup: {kitchen: 2}}\nmetre_costs:\n  kitchen: -1\n"), 3);
   EXPECT_EQ(line("belongings: {cup: {kitchen: 2}}\n\ntempering: 0\n"), 3);
   EXPECT_EQ(field("belongings: {}\n"), "places");
+  EXPECT_THAT(read("belongings: {cup: {Dining Room: 2}, tv: {dining_room: 3}}\n").error().what,
+              HasSubstr("\"dining_room\" is another spelling of \"Dining Room\""));
   EXPECT_EQ(field("tempering: 0.5\n"), "belongings");
   EXPECT_EQ(read("belongings: [cup]\n").error().code, ErrorCode::kMalformedFile);
   EXPECT_EQ(read_place_rules(dir_ / "absent.yaml").error().code, ErrorCode::kIo);

@@ -42,6 +42,8 @@ struct MappingJob {
   SemanticMapperOptions mapper = {};
   /// What belongs where, for `mapper.prior.source` places; without it that is refused.
   std::optional<PlaceRules> place_rules = std::nullopt;
+  /// What they are called, for the map's provenance: a file, without its folder.
+  std::string place_rules_name = {};
   /// What names of classes mean, kept in the map; none: what the map that it goes on from keeps.
   /// Options and rules that name classes are understood by it; the map keeps detectors' own names.
   std::optional<ClassVocabulary> vocabulary = std::nullopt;

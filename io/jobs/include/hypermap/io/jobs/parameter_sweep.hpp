@@ -8,6 +8,7 @@
 
 #include "hypermap/core/base/job_progress.hpp"
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/places/place_classifier.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
 #include "hypermap/io/options/options_file.hpp"
 
@@ -43,6 +44,9 @@ struct SweepJob {
   std::vector<SweepAxis> axes = {};
   std::vector<SweptSequence> sequences = {};
   MapOptions options = {};  ///< What the axes do not say.
+  /// For the combinations whose `prior.source` is places, and those of `stacking.rule` trained.
+  std::optional<PlaceRules> place_rules = {};
+  std::optional<std::filesystem::path> combiner = {};
   std::filesystem::path folder =
       {};  ///< One map at a time lies here, and goes once it is evaluated.
 };
@@ -79,9 +83,11 @@ inline constexpr std::size_t kMaxSweepRuns = 10'000;
 /// Maps each sequence with each combination of values and evaluates the map; progress counts maps.
 ///
 /// All combinations are tried as options before the first map. Errors: kInvalidArgument without
-/// axes or sequences, for an option that two axes have, and for more than kMaxSweepRuns maps; those
-/// of with_option, run_mapping and run_evaluation, naming the combination; kInterrupted. On an
-/// error the folder has no map. Cost: maps and evaluations one after the other; a map takes
+/// axes or sequences, for an option that two axes have, for an option `prior.*` while there is no
+/// `prior.source`, for a combination that needs rules of
+/// places or a combiner and has none, and for more than kMaxSweepRuns maps; those of with_option,
+/// run_mapping and run_evaluation, naming the combination; kInterrupted. On an error the folder has
+/// no map. Cost: maps and evaluations one after the other; a map takes
 /// `options`' threads.
 [[nodiscard]] Result<SweepReport> run_sweep(const SweepJob& job, const JobProgress& progress = {});
 
