@@ -107,6 +107,8 @@ class Nav2(LaboratoryCase):
         self.assertIn(EMPTY, told.stderr)
         self.assertEqual(set(self.mask("keepout").cells.values()), {254})
         self.assertEqual(set(self.mask("speed").cells.values()), {0})
+        self.assertNotIn(EMPTY, self.exported("--class", "chair").stderr)
+        self.assertIn(EMPTY, self.exported("--class", "cup").stderr, "chairs have zones, and none is asked for")
 
     def test_rules_that_are_wrong_are_named_and_nothing_is_written(self):
         self.exported()

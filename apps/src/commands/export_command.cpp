@@ -3,6 +3,7 @@
 #include "class_names.hpp"
 #include "command.hpp"
 #include "data_dir.hpp"
+#include "hypermap/io/archive/asked_of_map.hpp"
 #include "hypermap/io/archive/hashed_image_name.hpp"
 #include "hypermap/io/archive/vocabulary_file.hpp"
 #include "hypermap/io/exports/map_export.hpp"
@@ -16,6 +17,7 @@
 
 #include <CLI/Validators.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -40,13 +42,22 @@ std::filesystem::path zones_file(const std::string& given) {
   return given.empty() ? data_dir() / "nav2.yaml" : std::filesystem::path(given);
 }
 
-/// Whether any shape of the map has a rule, so that masks are not all empty.
-bool has_zones(const MapArchive& archive, const ZoneRules& zones) {
+bool is_wanted(const MapArchive& archive, const ExportRequest& request, const std::string& name) {
+  return request.classes.empty() ||
+         std::ranges::any_of(request.classes, [&](const std::string& text) {
+           const auto meant = asked_of_map(archive, text);
+           return meant && meant->contains(name);
+         });
+}
+
+/// Whether any shape that is written has a rule, so that masks are not all empty.
+bool has_zones(const MapArchive& archive, const ExportRequest& request) {
   for (const Layer& layer : archive.hypermap.layers()) {
     const auto* shapes = layer.content.as<SemanticLayer>();
     if (shapes == nullptr) continue;
     for (const SemanticObject& shape : shapes->objects()) {
-      if (zone_rule_of(shape.name, zones, archive.vocabulary)) return true;
+      const bool has_rule = zone_rule_of(shape.name, request.zones, archive.vocabulary).has_value();
+      if (has_rule && is_wanted(archive, request, shape.name)) return true;
     }
   }
   return false;
@@ -59,11 +70,10 @@ void remark(const MapArchive& archive, const ExportRequest& request) {
                  "export: the map has no class grids: these are made from the footprints in its "
                  "semantic layer\n");
   }
-  if (request.format == ExportFormat::kNav2 && !has_zones(archive, request.zones)) {
-    std::fprintf(
-        stderr,
-        "export: no zone is for a class of the map (--zones, --class-names): both masks are "
-        "empty\n");
+  if (request.format == ExportFormat::kNav2 && !has_zones(archive, request)) {
+    std::fprintf(stderr,
+                 "export: no zone is for a class of the map that was asked for (--zones, --class, "
+                 "--class-names): both masks are empty\n");
   }
 }
 

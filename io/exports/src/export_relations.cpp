@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Relations with both ends among the objects that are written.
+/// Relations of the objects of the classes asked for, and the objects at their ends.
 struct WrittenGraph {
   const MapArchive& archive;
   RelationGraph graph;
@@ -36,8 +36,11 @@ Result<WrittenGraph> written_graph(const MapArchive& archive, const ExportReques
     if (best && wanted->contains(best->id)) ids.insert(one.id);
   }
   std::erase_if(written.graph.relations, [&](const Relation& relation) {
-    return !ids.contains(relation.subject) || !ids.contains(relation.object);
+    return !ids.contains(relation.subject) && !ids.contains(relation.object);
   });
+  for (const Relation& relation : written.graph.relations) {
+    ids.insert({relation.subject, relation.object});
+  }
   std::erase_if(written.graph.supports,
                 [&](const ObjectSupport& one) { return !ids.contains(one.id); });
   return written;
