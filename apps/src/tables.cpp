@@ -29,6 +29,13 @@ std::string fixed(const std::optional<double>& value, int digits) {
   return text;
 }
 
+std::pair<std::string, std::string> fixed_apart(double a, double b) {
+  constexpr int kMostDigits = 9;
+  int digits = 2;
+  while (a != b && digits < kMostDigits && fixed(a, digits) == fixed(b, digits)) ++digits;
+  return {fixed(a, digits), fixed(b, digits)};
+}
+
 Table::Table(std::vector<std::string> heading, LastColumn last) : last_(last) {
   rows_.push_back(std::move(heading));
 }

@@ -5,12 +5,17 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hypermap::app {
 
 /// `value` with `digits` behind the point; "-" when there is none.
 [[nodiscard]] std::string fixed(const std::optional<double>& value, int digits);
+
+/// Both with as many digits, at least two and at most nine, as tell them apart; equal numbers with
+/// two.
+[[nodiscard]] std::pair<std::string, std::string> fixed_apart(double a, double b);
 
 /// What the last column of a table holds: text is left-aligned.
 enum class LastColumn { kNumber, kText };

@@ -14,10 +14,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMetreDigits = 2;
 
+/// " (cost 9.1)", where it reads otherwise than the length.
+std::string cost_text(double cost, double length_m) {
+  const std::string text = fixed(cost, 1);
+  return text == fixed(length_m, 1) ? "" : " (cost " + text + ")";
+}
+
 std::string route_text(const MapPlaces& places, const PlaceRoute& route) {
   std::string text =
       "from " + route.from.name + " to " + route.to.name + ": " + fixed(route.length_m, 1) + " m";
-  if (route.cost != route.length_m) text += " (cost " + fixed(route.cost, 1) + ")";
+  text += cost_text(route.cost, route.length_m);
   text += ", ";
   if (route.doorways.empty()) return text + "within " + room_name(places, route.from.room);
   text += "out of " + room_name(places, route.from.room);
@@ -34,7 +40,7 @@ std::string route_text(const MapPlaces& places, const PlaceRoute& route) {
 /// "along the topological map: 7.4 m over 8 edges: 3, 4, ...".
 std::string way_text(const TopologicalRoute& way) {
   std::string text = "along the topological map: " + fixed(way.length_m, 1) + " m";
-  if (way.cost != way.length_m) text += " (cost " + fixed(way.cost, 1) + ")";
+  text += cost_text(way.cost, way.length_m);
   text += " over " + count_text(way.vertices.size() - 1, "edge") + ": ";
   for (std::size_t i = 0; i < way.vertices.size(); ++i) {
     text += (i == 0 ? "" : ", ") + std::to_string(way.vertices[i].value);

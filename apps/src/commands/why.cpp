@@ -41,8 +41,8 @@ std::string name_of(const Explanation& why, const ClassRegistry& classes) {
 }
 
 std::string text_of(const MissedCondition& missed) {
-  const auto number = [](double value) { return fixed(value, 2); };
-  const auto whole = [](double value) { return static_cast<std::uint64_t>(value); };
+  const auto [value, limit] = fixed_apart(missed.value, missed.limit);
+  const auto whole = [](double count) { return static_cast<std::uint64_t>(count); };
   switch (missed.condition) {
     case Condition::kObservations:
       return "seen " + times(whole(missed.value)) + ", " + std::to_string(whole(missed.limit)) +
@@ -53,12 +53,11 @@ std::string text_of(const MissedCondition& missed) {
       return "gone: " + count_text(whole(missed.value), "clear look") +
              " in a row through its place, " + std::to_string(whole(missed.limit)) + " are enough";
     case Condition::kRealProbability:
-      return "the probability " + number(missed.value) + " that it is real is below " +
-             number(missed.limit);
+      return "the probability " + value + " that it is real is below " + limit;
     case Condition::kExistence:
-      return "its existence " + number(missed.value) + " is not above " + number(missed.limit);
+      return "its existence " + value + " is not above " + limit;
     case Condition::kConfidence:
-      return "its confidence " + number(missed.value) + " is below " + number(missed.limit);
+      return "its confidence " + value + " is below " + limit;
     case Condition::kOwnPlace:
       return "object " + std::to_string(missed.stronger.value) +
              ", seen more often, has the same points";
