@@ -29,9 +29,11 @@ void fuzz_objects(std::string_view bytes);
 void fuzz_octree(std::string_view bytes);
 void fuzz_options(std::string_view bytes);
 void fuzz_pgm(std::string_view bytes);
+void fuzz_places(std::string_view bytes);
 void fuzz_png(std::string_view bytes);
 void fuzz_part_record(std::string_view bytes);
 void fuzz_provenance(std::string_view bytes);
+void fuzz_relations(std::string_view bytes);
 void fuzz_salvage(std::string_view bytes);
 void fuzz_scene(std::string_view bytes);
 void fuzz_semantic(std::string_view bytes);
@@ -49,6 +51,7 @@ void fuzz_vocabulary(std::string_view bytes);
 void fuzz_wkt(std::string_view bytes);
 void fuzz_yaml(std::string_view bytes);
 void fuzz_zip(std::string_view bytes);
+void fuzz_zones(std::string_view bytes);
 
 /// Longer inputs are not tried.
 inline constexpr std::size_t kMaxSeedBytes = 65'536;
@@ -82,9 +85,11 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"octree", fuzz_octree},
                                       {"options", fuzz_options},
                                       {"pgm", fuzz_pgm},
+                                      {"places", fuzz_places},
                                       {"png", fuzz_png},
                                       {"part_record", fuzz_part_record},
                                       {"provenance", fuzz_provenance},
+                                      {"relations", fuzz_relations},
                                       {"salvage", fuzz_salvage},
                                       {"scene", fuzz_scene},
                                       {"semantic", fuzz_semantic},
@@ -101,6 +106,7 @@ inline constexpr Target kTargets[] = {{"archive", fuzz_archive},
                                       {"vocabulary", fuzz_vocabulary},
                                       {"wkt", fuzz_wkt},
                                       {"yaml", fuzz_yaml},
-                                      {"zip", fuzz_zip}};
+                                      {"zip", fuzz_zip},
+                                      {"zones", fuzz_zones}};
 
 }  // namespace hypermap::fuzz
