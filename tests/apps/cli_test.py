@@ -442,6 +442,14 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn(".local.geojson", result.stderr)
 
+    def test_what_a_map_was_made_by_besides_options_is_told(self):
+        output = self.folder / "placed.hmap"
+        mapped = run("map", "--input", self.dataset, "--max-frames", 3, "--output", output,
+                     "--places", pathlib.Path(__file__).parents[2] / "data" / "places.yaml")
+        self.assertEqual(mapped.returncode, 0, mapped.stderr)
+        self.assertRegex(run("info", output).stdout, r"made by .*, places places\.yaml xxh3-128:[0-9a-f]{32}\n")
+        self.assertNotIn(", places", run("info", self.archive).stdout)
+
     def test_rooms_places_and_ways_are_told(self):
         rooms = json.loads(run("query", self.archive, "--rooms", "--json").stdout)["rooms"]
         self.assertEqual([room["room"] for room in rooms], list(range(1, len(rooms) + 1)))
@@ -717,12 +725,22 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(table.returncode, 0, table.stderr)
         self.assertEqual([line.split()[:2] for line in table.stdout.splitlines()[1:]],
                          [["3", "mean"], ["3", "worst"], ["1000", "mean"], ["1000", "worst"]])
+        places = run("tune", "--sweep", "prior.source=none,places", "--seeds", "1", "--frames", 3)
+        self.assertEqual(places.returncode, 0, places.stderr)
+        self.assertEqual([line.split()[0] for line in places.stdout.splitlines()[1:]],
+                         ["none", "none", "places", "places"])
         for arguments, told in ((["--sweep", "publication.min_observation=3"], "min_observations"),
+                                (["--frame", "3", "--input", self.dataset, "--combiner", "x"], "--sweep"),
                                 ([*axis, "--frame", "3"], "--frame"),
                                 ([*axis, "--input", self.dataset], "--truth"),
                                 (["--frame", "3"], "--input")):
             refused = run("tune", *arguments)
             self.assertEqual(refused.returncode, 4, refused)
+            self.assertIn(told, refused.stderr)
+        for status, arguments, told in ((2, ["--sweep", "stacking.rule=sum,trained"], "(--combiner)"),
+                                        (3, [*axis, "--places", "/nonexistent.yaml"], "/nonexistent.yaml")):
+            refused = run("tune", *arguments, "--input", self.dataset, "--truth", self.dataset / "truth.hmap")
+            self.assertEqual(refused.returncode, status, refused)
             self.assertIn(told, refused.stderr)
 
     def test_sizes_of_a_map_add_up(self):
