@@ -3,12 +3,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace hypermap {
 namespace {
 
-/// Of a rotation matrix, and in radians: less moves no voxel of the volume.
+/// Of a rotation matrix, and in radians: less moves no cell.
 constexpr double kNoTurn = 1e-9;
 constexpr double kQuarter = std::numbers::pi / 2.0;
 

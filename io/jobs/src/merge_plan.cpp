@@ -157,7 +157,7 @@ Unexpected about_map(const MergedFile& file, Error error) {
 }
 
 std::optional<MapFromOldMap> place_in_oldest(std::span<PlannedMap> plan) {
-  const auto result_from_oldest = plan.front().sum_from_map;
+  std::optional<MapFromOldMap> result_from_oldest = plan.front().sum_from_map;
   const bool is_tilted = std::ranges::any_of(plan, [](const PlannedMap& map) {
     return map.sum_from_map && map.sum_from_map->isometry().linear()(2, 2) < kLeastUpright;
   });

@@ -12,7 +12,7 @@ namespace {
 /// Depth tells when each box has so much of its cells alone on the surface ...
 constexpr double kLeastShareAlone = 0.03;
 /// ... and the two parts are apart by more than this, and than so many of either's spreads.
-constexpr double kLeastDepthStep_m = 0.02;
+constexpr double kLeastDepthStepM = 0.02;
 constexpr double kLeastDepthStepInSpreads = 0.5;
 
 /// Depths of the cells that one of two boxes has alone.
@@ -25,9 +25,9 @@ class DepthsAlone {
     sum_m_ += from_first_m;
     sum_of_squares_m2_ += from_first_m * from_first_m;
   }
-  std::uint32_t num() const { return num_; }
-  double mean_m() const { return first_m_ + sum_m_ / num_; }
-  double spread_m() const {
+  [[nodiscard]] std::uint32_t num() const { return num_; }
+  [[nodiscard]] double mean_m() const { return first_m_ + sum_m_ / num_; }
+  [[nodiscard]] double spread_m() const {
     const double mean_m = sum_m_ / num_;
     return std::sqrt(std::max(sum_of_squares_m2_ / num_ - mean_m * mean_m, 0.0));
   }
@@ -64,7 +64,7 @@ std::uint32_t least_alone(const PixelRect& box) {
 std::optional<DepthOrder> order_of(const DepthsAlone& ours, const DepthsAlone& theirs) {
   const double step_m = theirs.mean_m() - ours.mean_m();
   const double spread_m = std::max(ours.spread_m(), theirs.spread_m());
-  const double least_step_m = std::max(kLeastDepthStep_m, kLeastDepthStepInSpreads * spread_m);
+  const double least_step_m = std::max(kLeastDepthStepM, kLeastDepthStepInSpreads * spread_m);
   if (std::abs(step_m) <= least_step_m) return std::nullopt;
   return DepthOrder{.border_m = static_cast<float>((ours.mean_m() + theirs.mean_m()) / 2),
                     .ours_is_before = step_m > 0.0};

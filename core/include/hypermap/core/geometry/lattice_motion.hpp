@@ -14,7 +14,7 @@ namespace hypermap {
 /// motion back takes each to where it was. Unit: the edge of a cell; the grid's corner is at 0.
 ///
 /// A quarter turn is exact; what is left of the turn, at most 45 degrees, is three shears by whole
-/// voxels about the point of the plane that it leaves in place; a shift is rounded. A cell comes
+/// cells about the point of the plane that it leaves in place; a shift is rounded. A cell comes
 /// near where its centre goes by the motion itself: within 1.07 in x, 0.86 in y (a quarter turn
 /// may exchange them) and 0.5 in z.
 /// Source: Paeth (Graphics Interface 1986), a rotation as three shears; Andres (DGCI 1996), that
