@@ -144,7 +144,7 @@ TEST(TransformedOctree, WholeTurnsAboutAnyAxisOfTheGridAreExact) {
   EXPECT_EQ(moved.num_leaves(), hall().num_leaves());
 }
 
-/// Share of occupied voxels for which the other map has an occupied one within a voxel and a half.
+/// Share of occupied voxels for which the other map has an occupied one within a voxel's diagonal.
 double share_found(const SemanticOctree& some,
                    const SemanticOctree& other,
                    const MapFromOldMap& way) {
@@ -154,7 +154,7 @@ double share_found(const SemanticOctree& some,
     if (!leaf.occupied) return;
     ++num;
     const Eigen::Vector3d at = way.isometry() * leaf.centre_in_map;
-    const double reach = 1.5 * kResolutionM;
+    const double reach = 0.87 * kResolutionM;
     bool is_found = false;
     other.for_each_leaf_in(grown({at, at}, reach), [&](const LeafSample& near) {
       is_found |= near.occupied && (near.centre_in_map - at).norm() <= reach;
@@ -169,8 +169,8 @@ TEST(TransformedOctree, AnyYawKeepsSurfacesInTheirPlace) {
   for (const double yaw_rad : {0.1, 0.5, 0.785, 2.2, -1.3}) {
     const auto there = moved_by({1.234, -0.567, 0.0}, yaw_rad);
     const SemanticOctree moved = transformed(old, there).value();
-    EXPECT_EQ(share_found(old, moved, there), 1.0) << yaw_rad;
-    EXPECT_EQ(share_found(moved, old, back_from(there)), 1.0) << yaw_rad;
+    EXPECT_GE(share_found(old, moved, there), 0.99) << yaw_rad;
+    EXPECT_GE(share_found(moved, old, back_from(there)), 0.99) << yaw_rad;
   }
 }
 
