@@ -54,8 +54,8 @@ void MappingArguments::add_class_options_to(CLI::App& command) {
   command.add_option(
       "--places",
       places,
-      "YAML file with what belongs where, as data/places.yaml: what stands around an "
-      "object then counts for its class (prior.source places)");
+      "YAML file with what belongs where and how large it is, as data/places.yaml: what stands "
+      "around an object and its size then count for its class (prior.source places)");
   class_names.add_to(command, "which the map keeps");
 }
 

@@ -73,8 +73,11 @@ ClassAmounts class_amounts(std::span<const ObjectBeliefs> objects, const ClassRe
 }
 
 Result<void> validate(const PlaceRules& rules) {
+  if (rules.places.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "none is named: belongings must name some", "places");
+  }
   const auto unordered = std::ranges::adjacent_find(rules.places, std::ranges::greater_equal());
-  if (unordered != rules.places.end() || rules.places.empty()) {
+  if (unordered != rules.places.end()) {
     return fail(ErrorCode::kInvalidArgument, "must be names in ascending order", "places");
   }
   HYPERMAP_TRY(refuse_second_spellings(rules.places));
@@ -89,7 +92,7 @@ Result<void> validate(const PlaceRules& rules) {
     }
     HYPERMAP_TRY(check_by_place(rules, "belongings." + printable(name), weights, kWeights));
   }
-  return {};
+  return validate(rules.sizes);
 }
 
 Result<BelongingsClassifier> BelongingsClassifier::create(PlaceRules rules) {

@@ -2,6 +2,8 @@
 #include "hypermap/core/places/place_prior.hpp"
 
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/completion/completion.hpp"
+#include "hypermap/core/objects/object_outline.hpp"
 #include "hypermap/core/places/object_vertices.hpp"
 
 #include <algorithm>
@@ -20,11 +22,16 @@ constexpr OptionRow kPlacePriorRows[] = {
         "source",
         kPriorKindNames,
         {.source = "[smap] (3.17)",
-         .effect = "Outside knowledge of classes: none, or what belongs where."}),
+         .effect =
+             "Outside knowledge of classes: none, or what belongs where and how large it is."}),
     option::number<&PlacePriorOptions::max_factor>(
         "max_factor",
         {1, 1000},
         {.effect = "By what a class is less probable where it does not belong, at most."}),
+    option::number<&PlacePriorOptions::max_size_factor>(
+        "max_size_factor",
+        {1, 1000},
+        {.effect = "By what a class is less probable whose things have another size, at most."}),
     option::count<&PlacePriorOptions::num_layers>(
         "num_layers",
         {0, 100},
@@ -41,6 +48,23 @@ constexpr double kLeastLogFactor = 1e-9;
 bool may_be(const Observation& observation, const Object& object) {
   return object.box.contains(observation.segment.centroid_in_map) ||
          observation.segment.box.contains(object.centroid_in_map);
+}
+
+/// Boxes of one object share so much of their union; what stands in or under another does not.
+constexpr double kLeastOverlap = 0.2;
+
+/// The object that the observation is of, as far as boxes tell; null where there is none.
+const Object* observed_object(const Observation& observation, const ObjectMap& objects) {
+  const Object* best = nullptr;
+  double best_overlap = kLeastOverlap;
+  for (const ObjectId id : objects.query(observation.segment.box)) {
+    const Object& object = objects.at(id);
+    const double overlap = intersection_over_union(observation.segment.box, object.box);
+    if (overlap <= best_overlap) continue;
+    best = &object;
+    best_overlap = overlap;
+  }
+  return best;
 }
 
 /// As many objects of each class as there are to be expected.
@@ -105,27 +129,55 @@ ClassPrior PlacePrior::prior_of(const Observation& observation,
                                 const ObjectMap& objects,
                                 const TopologicalMap& places,
                                 const ClassRegistry& classes) const {
+  LogFactors sums = of_place(observation, objects, places, classes);
+  for (const auto& [id, log_factor] : of_size(observation, objects, classes)) {
+    sums[id] += log_factor;
+  }
+  std::vector<ClassLogOdds> log_factors;
+  log_factors.reserve(sums.size());
+  for (const auto& [id, log_factor] : sums) log_factors.push_back({id, LogOdds(log_factor)});
+  return ClassPrior::create(std::move(log_factors)).value_or(ClassPrior{});
+}
+
+PlacePrior::LogFactors PlacePrior::of_place(const Observation& observation,
+                                            const ObjectMap& objects,
+                                            const TopologicalMap& places,
+                                            const ClassRegistry& classes) const {
   const auto vertex = places.nearest(observation.segment.centroid_in_map);
   if (!vertex) return {};
   const auto around = objects_near(places, objects, *vertex, options_.num_layers);
   const auto amounts = expected_classes(observation, objects, around, options_.min_real);
   const PlaceBelief place = classifier_.classify(by_name(amounts, classes));
-  return not_at_home(place, classes);
-}
-
-ClassPrior PlacePrior::not_at_home(const PlaceBelief& place, const ClassRegistry& classes) const {
   const double most = std::log(options_.max_factor);
-  std::vector<ClassLogOdds> log_factors;
+  LogFactors log_factors;
   for (const auto& [name, weights] : classifier_.rules().belongings) {
     const auto id = classes.find(name);
     if (!id) continue;
     const double log_factor = std::log(belonging_factor(classifier_.rules(), name, place));
     // What is at home here is no likelier for that than others.
     if (log_factor > -kLeastLogFactor) continue;
-    log_factors.push_back({*id, LogOdds(std::max(log_factor, -most))});
+    log_factors.emplace(*id, std::max(log_factor, -most));
   }
-  std::ranges::sort(log_factors, {}, &ClassLogOdds::id);
-  return ClassPrior::create(std::move(log_factors)).value_or(ClassPrior{});
+  return log_factors;
+}
+
+PlacePrior::LogFactors PlacePrior::of_size(const Observation& observation,
+                                           const ObjectMap& objects,
+                                           const ClassRegistry& classes) const {
+  const ClassSizes& sizes = classifier_.rules().sizes;
+  const Object* object = sizes.empty() ? nullptr : observed_object(observation, objects);
+  if (object == nullptr) return {};
+  const Eigen::Vector3d extent_m = turned_box_of(*object).extent();
+  const bool is_seen_whole = seen_share(*object) >= kWholeSeenShare;
+  const double most = std::log(options_.max_size_factor);
+  LogFactors log_factors;
+  for (const auto& [name, size] : sizes) {
+    const auto id = classes.find(name);
+    if (!id) continue;
+    const double log_factor = size_log_factor(size, extent_m, is_seen_whole);
+    if (log_factor < -kLeastLogFactor) log_factors.emplace(*id, std::max(log_factor, -most));
+  }
+  return log_factors;
 }
 
 }  // namespace hypermap

@@ -12,23 +12,23 @@
 namespace hypermap {
 namespace {
 
-using Belongings = decltype(PlaceRules::belongings);
-
 /// Rules by the class that their names mean; the rule of its own name goes before that of an alias.
-Belongings belongings_of_classes(const Belongings& rules, const ClassVocabulary& vocabulary) {
-  Belongings of_classes;
-  for (const auto& [name, weights] : rules) {
+template <class Rules>
+Rules rules_of_classes(const Rules& rules, const ClassVocabulary& vocabulary) {
+  Rules of_classes;
+  for (const auto& [name, rule] : rules) {
     const std::string class_name = vocabulary.class_of(name);
-    if (class_name == name) of_classes.insert_or_assign(class_name, weights);
-    of_classes.emplace(class_name, weights);
+    if (class_name == name) of_classes.insert_or_assign(class_name, rule);
+    of_classes.emplace(class_name, rule);
   }
   return of_classes;
 }
 
 /// The rule of a class, or of the nearest super-class with one; null when there is none.
-const Belongings::mapped_type* rule_of(const std::string& name,
-                                       const Belongings& of_classes,
-                                       const ClassVocabulary& vocabulary) {
+template <class Rules>
+const typename Rules::mapped_type* rule_of(const std::string& name,
+                                           const Rules& of_classes,
+                                           const ClassVocabulary& vocabulary) {
   std::vector<std::string> candidates{vocabulary.class_of(name)};
   for (std::string& above : vocabulary.super_classes_of(name)) {
     candidates.push_back(std::move(above));
@@ -40,20 +40,28 @@ const Belongings::mapped_type* rule_of(const std::string& name,
   return nullptr;
 }
 
+/// The rules, and those of names that they do not have themselves.
+template <class Rules>
+Rules of_all_names(Rules rules, const ClassVocabulary& vocabulary) {
+  const Rules of_classes = rules_of_classes(rules, vocabulary);
+  std::set<std::string> names;
+  for (const auto& [class_name, rule] : of_classes) {
+    for (std::string& name : vocabulary.names_of(class_name)) names.insert(std::move(name));
+  }
+  for (const std::string& name : names) {
+    if (rules.contains(name)) continue;
+    const auto* rule = rule_of(name, of_classes, vocabulary);
+    if (rule != nullptr) rules.emplace(name, *rule);
+  }
+  return rules;
+}
+
 }  // namespace
 
 PlaceRules with_vocabulary(PlaceRules rules, const ClassVocabulary& vocabulary) {
   if (vocabulary.empty()) return rules;
-  const Belongings of_classes = belongings_of_classes(rules.belongings, vocabulary);
-  std::set<std::string> names;
-  for (const auto& [class_name, weights] : of_classes) {
-    for (std::string& name : vocabulary.names_of(class_name)) names.insert(std::move(name));
-  }
-  for (const std::string& name : names) {
-    if (rules.belongings.contains(name)) continue;
-    const auto* weights = rule_of(name, of_classes, vocabulary);
-    if (weights != nullptr) rules.belongings.emplace(name, *weights);
-  }
+  rules.belongings = of_all_names(std::move(rules.belongings), vocabulary);
+  rules.sizes = of_all_names(std::move(rules.sizes), vocabulary);
   return rules;
 }
 

@@ -102,6 +102,13 @@ std::string rules_text(const std::optional<PlaceRules>& rules) {
   }
   for (const std::string& place : rules->places) hash.add(place + ";");
   add("tempering", rules->tempering);
+  for (const auto& [name, size] : rules->sizes) {
+    hash.add(name + "/");
+    for (const auto& range : {size.longer, size.shorter, size.height}) {
+      add("least", range ? range->least_m : 0.0);
+      add("most", range ? range->most_m : 0.0);
+    }
+  }
   return hash.text();
 }
 

@@ -149,7 +149,85 @@ TEST_F(PlacePriorTest, ANeighbourCountsWithoutItsOwnPrior) {
   EXPECT_EQ(prior_of(doubtful_at({0.2, 0, 1})), before);
 }
 
+/// Cups are 6 to 16 cm high, bottles 16 to 40 cm.
+PlaceRules sizes_of_vessels() {
+  PlaceRules rules;
+  rules.places = {"kitchen"};
+  rules.sizes = {{"bottle", {.height = LengthRange{0.16, 0.40}}},
+                 {"cup", {.height = LengthRange{0.06, 0.16}}}};
+  return rules;
+}
+
+class SizePriorTest : public PlacePriorTest {
+ protected:
+  /// Of this height, seen from one side or from all around.
+  ObjectId put_of_height(double height_m, unsigned num_views) {
+    const ObjectId id = put(bottle, {0, 0, 1}, num_views);
+    objects.modify(id, [&](Object& object) {
+      object.box = box_at({0, 0, 1}, {0.1, 0.1, height_m});
+    });
+    return id;
+  }
+  /// Of an observation with a box of this size.
+  [[nodiscard]] ClassPrior prior_at(const Eigen::Vector3d& centre,
+                                    const Eigen::Vector3d& extent,
+                                    double most = 1000.0) const {
+    Observation observation = doubtful_at(centre);
+    observation.segment.box = box_at(centre, extent);
+    return PlacePrior::create(sizes_of_vessels(),
+                              {.source = ClassPriorKind::kPlaces, .max_size_factor = most})
+        .value()
+        .prior_of(observation, objects, places, classes);
+  }
+
+  const ClassId bottle = classes.add("bottle").value();
+  const ClassId cup = classes.add("cup").value();
+};
+
+// [smap] Eq. (3.17), p(x) of the size that the object has in the map.
+TEST_F(SizePriorTest, WhatIsTooLargeForAClassIsHardlyOfIt) {
+  put_of_height(0.35, 1);
+  const ClassPrior prior = prior_at({0.01, 0, 1}, {0.1, 0.1, 0.3});
+  EXPECT_NEAR(prior.factor(cup), std::exp(-4.8245), 1e-5) << "(0.35 - 0.03) / 0.16 is 2";
+  EXPECT_EQ(prior.factor(bottle), 1.0);
+  EXPECT_NEAR(prior_at({0.01, 0, 1}, {0.1, 0.1, 0.3}, 10.0).factor(cup), 0.1, 1e-12);
+}
+
+TEST_F(SizePriorTest, WhatIsTooSmallIsNotIfItWasSeenWhole) {
+  const ObjectId seen_once = put_of_height(0.05, 1);
+  EXPECT_TRUE(prior_at({0.01, 0, 1}, {0.1, 0.1, 0.05}).empty());
+  objects.erase(seen_once);
+  put_of_height(0.05, 8);
+  const ClassPrior prior = prior_at({0.01, 0, 1}, {0.1, 0.1, 0.05});
+  EXPECT_NEAR(prior.factor(bottle), std::exp(-4.8245), 1e-5) << "0.16 / (0.05 + 0.03) is 2";
+  EXPECT_EQ(prior.factor(cup), 1.0);
+}
+
+TEST_F(SizePriorTest, WhatIsSeenFirstHasNoSizeYet) {
+  EXPECT_TRUE(prior_at({0, 0, 1}, {0.1, 0.1, 0.35}).empty());
+  put_of_height(0.35, 8);
+  EXPECT_TRUE(prior_at({2, 0, 1}, {0.1, 0.1, 0.35}).empty()) << "another object";
+}
+
+TEST_F(SizePriorTest, WhatStandsInALargerOneHasNotItsSize) {
+  const ObjectId desk = put_of_height(0.7, 8);
+  objects.modify(desk, [](Object& object) { object.box = box_at({0, 0, 1}, {1.6, 1.0, 0.9}); });
+  EXPECT_TRUE(prior_at({0.3, 0, 1}, {0.6, 0.6, 0.6}).empty()) << "0.15 of its volume";
+}
+
+TEST_F(SizePriorTest, OfSeveralObjectsTheBoxThatAgreesBestCounts) {
+  const ObjectId tall = put_of_height(0.62, 8);  // which no bottle is
+  objects.modify(tall, [](Object& object) { object.box = box_at({0, 0, 1}, {0.4, 0.4, 0.62}); });
+  const ObjectId same = put(bottle, {0.05, 0, 1});
+  objects.modify(same, [](Object& object) { object.box = box_at({0.05, 0, 1}, {0.6, 0.6, 0.3}); });
+  const ClassPrior prior = prior_at({0.05, 0, 1}, {0.6, 0.6, 0.6});
+  EXPECT_EQ(prior.factor(bottle), 1.0);
+  EXPECT_LT(prior.factor(cup), 0.5);
+}
+
 TEST(PlacePrior, OptionsAndRulesAreChecked) {
+  EXPECT_EQ(PlacePrior::create(sofa_rules(), {.max_size_factor = 0}).error().field,
+            "max_size_factor");
   EXPECT_EQ(PlacePrior::create(sofa_rules(), {.max_factor = 0.5}).error().field, "max_factor");
   EXPECT_EQ(PlacePrior::create({}, {}).error().field, "places");
 }

@@ -43,6 +43,19 @@ TEST(VocabularyRules, PlacesHaveTheNearestRule) {
   EXPECT_EQ(with_vocabulary(rules, {}), rules);
 }
 
+TEST(VocabularyRules, SizesAreOfAllNamesOfAClass) {
+  const ClassSize of_tableware{.height = LengthRange{0.01, 0.3}};
+  const ClassSize of_plate{.height = LengthRange{0.01, 0.05}};
+  PlaceRules rules;
+  rules.places = {"kitchen"};
+  rules.sizes = {{"plate", of_plate}, {"tableware", of_tableware}};
+  const ClassSizes sizes = with_vocabulary(rules, kitchen_words()).sizes;
+  EXPECT_EQ(sizes.at("plate"), of_plate);
+  EXPECT_EQ(sizes.at("mug"), of_tableware);
+  EXPECT_EQ(sizes.at("cup"), of_tableware);
+  EXPECT_FALSE(sizes.contains("sofa"));
+}
+
 TEST(VocabularyRules, RelationsKnowWhatIsOfTheirClasses) {
   RelationOptions options;
   options.holders = {"tableware", "box"};

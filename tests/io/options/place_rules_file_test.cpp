@@ -40,6 +40,28 @@ TEST_F(PlaceRulesFile, NamesWhatBelongsWhere) {
   EXPECT_EQ(rules->min_probability, 0.75);
 }
 
+TEST_F(PlaceRulesFile, NamesHowLargeThingsAre) {
+  const auto rules = read(
+      "belongings: {cup: {kitchen: 2}}\nsizes:\n  TV: {longer: [0.4, 1.9], height: [0.3, 1]}\n");
+  ASSERT_TRUE(rules) << to_string(rules.error());
+  EXPECT_EQ(rules->sizes,
+            (ClassSizes{{"tvmonitor",
+                         {.longer = LengthRange{0.4, 1.9}, .height = LengthRange{0.3, 1.0}}}}));
+}
+
+TEST_F(PlaceRulesFile, SizesThatAreNoneAreNamed) {
+  const auto error = [&](const std::string& sizes) {
+    return read("belongings: {cup: {kitchen: 2}}\nsizes:\n  cup:\n    " + sizes + "\n").error();
+  };
+  EXPECT_EQ(error("height: [0.2, 0.1]").field, "sizes.cup.height");
+  EXPECT_EQ(error("height: [0.2, 0.1]").line, 4);
+  EXPECT_EQ(error("height: 0.2").field, "sizes.cup.height");
+  EXPECT_EQ(error("height: [0.1, 0.2, 0.3]").field, "sizes.cup.height");
+  EXPECT_EQ(error("{}").field, "sizes.cup");
+  EXPECT_THAT(error("hight: [0.1, 0.2]").what, HasSubstr("did you mean \"height\""));
+  EXPECT_EQ(error("height: [0.1, 0.2]\n  Cup: {height: [0.1, 0.2]}").field, "sizes.Cup");
+}
+
 TEST_F(PlaceRulesFile, TheShippedFileKnowsTheRoomsOfAHome) {
   const auto rules = read_place_rules(test::source_path("data/places.yaml"));
   ASSERT_TRUE(rules) << to_string(rules.error());
@@ -53,6 +75,8 @@ TEST_F(PlaceRulesFile, TheShippedFileKnowsTheRoomsOfAHome) {
   EXPECT_EQ(place({{"toilet", 1}, {"sink", 1}}), "bathroom");
   EXPECT_EQ(place({{"keyboard", 1}, {"mouse", 1}, {"book", 4}}), "office");
   EXPECT_EQ(place({{"chair", 4}, {"person", 1}}), std::nullopt);
+  EXPECT_LT(rules->sizes.at("cup").height->most_m, 0.2);
+  EXPECT_GT(rules->sizes.at("sofa").longer->least_m, 1.0);
 }
 
 TEST_F(PlaceRulesFile, WhatIsWrongIsNamed) {

@@ -8,6 +8,7 @@
 #include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/object_beliefs.hpp"
+#include "hypermap/core/places/class_sizes.hpp"
 
 #include <functional>
 #include <map>
@@ -54,7 +55,7 @@ class PlaceClassifier {
   PlaceClassifier& operator=(PlaceClassifier&&) = default;
 };
 
-/// What belongs where. `data/places.yaml` has some for homes and offices.
+/// What belongs where, and how large it is. `data/places.yaml` has some for homes and offices.
 struct PlaceRules {
   /// By the canonical name of a class of objects and the name of a class of places: how many times
   /// as many are there as in places that the class does not name. From 0.01 to 100.
@@ -66,12 +67,13 @@ struct PlaceRules {
   double min_probability = 0.5;  ///< Of a place that is said to be of a class, in [0, 1].
   /// What a metre costs in a place of a class, 1 unless it stands here. From 0.01 to 1000.
   std::map<std::string, double, std::less<>> metre_costs;
+  ClassSizes sizes = {};  ///< Of classes of objects.
   friend bool operator==(const PlaceRules&, const PlaceRules&) = default;
 };
 
 /// Errors: kInvalidArgument naming the field: a number out of its range, places not ascending,
 /// none, or one in two spellings, a belonging or cost of a place that is none of them, a class
-/// whose name is not canonical.
+/// whose name is not canonical; those of validate(rules.sizes).
 [[nodiscard]] Result<void> validate(const PlaceRules& rules);
 
 /// Naive Bayes over what belongs where, with a uniform prior: the weights of the classes of objects

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the surroundings of an observation say of its class: cups stand in kitchens.
+/// What is known of an observation's class besides detections: cups stand in kitchens, and are
+/// smaller than bottles.
 ///
 /// Source: [smap] Eq. (3.17) (prior knowledge by an external factor, as place classification),
 /// table 2.1 (conceptual map: what belongs where).
@@ -14,6 +15,7 @@
 #include "hypermap/core/places/place_classifier.hpp"
 #include "hypermap/core/places/topological_map.hpp"
 
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -45,13 +47,15 @@ class ClassPriorSource {
 /// Where outside knowledge comes from.
 enum class ClassPriorKind {
   kNone,    ///< There is none.
-  kPlaces,  ///< From the objects around and what belongs where (`PlacePrior`).
+  kPlaces,  ///< From the objects around, what belongs where, and how large it is (`PlacePrior`).
 };
 
 struct PlacePriorOptions {
   ClassPriorKind source = ClassPriorKind::kNone;
-  /// No class becomes less probable by more than this.
+  /// No class becomes less probable by more than this for its place,
   double max_factor = 4.0;
+  /// and by this for its size.
+  double max_size_factor = 10.0;
   /// Objects at vertices so many edges away are the surroundings.
   int num_layers = 3;
   /// Objects less probable to be real are no surroundings. No unit.
@@ -79,6 +83,10 @@ struct PlacePriorOptions {
 /// It speaks against what does not belong to the place, never for what does: rules compare places
 /// for one class, and that sofas are mostly in living rooms does not say that there are more sofas
 /// in them than chairs.
+///
+/// Likewise the size of the object that the observation may be of (whose box shares most with
+/// its own, a fifth of their union at least) speaks against classes that are not so large, or,
+/// where it was seen whole, not so small (`size_log_factor`). A first observation has no size yet.
 class PlacePrior final : public ClassPriorSource {
  public:
   /// Errors: those of validate(rules) and validate(options).
@@ -87,7 +95,8 @@ class PlacePrior final : public ClassPriorSource {
 
   /// Of the classes that the rules and the registry name, those whose factor is below 1: the object
   /// may have been called so in other frames, which this observation's names do not tell.
-  /// Cost: of the objects around, O(log n + their classes); of the rules, O(weights).
+  /// Cost: of the objects around, O(log n + their classes); of the rules, O(weights); `seen_share`
+  /// and `turned_box_of` of one object.
   [[nodiscard]] ClassPrior prior_of(const Observation& observation,
                                     const ObjectMap& objects,
                                     const TopologicalMap& places,
@@ -97,9 +106,15 @@ class PlacePrior final : public ClassPriorSource {
   PlacePrior(BelongingsClassifier classifier, const PlacePriorOptions& options)
       : classifier_(std::move(classifier)), options_(options) {}
 
-  /// The factors below 1 in such a place.
-  [[nodiscard]] ClassPrior not_at_home(const PlaceBelief& place,
-                                       const ClassRegistry& classes) const;
+  /// Logarithms of the factors below 1.
+  using LogFactors = std::map<ClassId, double>;
+  [[nodiscard]] LogFactors of_place(const Observation& observation,
+                                    const ObjectMap& objects,
+                                    const TopologicalMap& places,
+                                    const ClassRegistry& classes) const;
+  [[nodiscard]] LogFactors of_size(const Observation& observation,
+                                   const ObjectMap& objects,
+                                   const ClassRegistry& classes) const;
 
   BelongingsClassifier classifier_;
   PlacePriorOptions options_;

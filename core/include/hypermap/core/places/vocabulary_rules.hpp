@@ -9,9 +9,9 @@
 
 namespace hypermap {
 
-/// What belongs where, also by aliases and of what is of a super-class that the rules name: each
-/// name has its own rule, else that of its class, else that of the nearest super-class with one.
-/// Boundary: an empty vocabulary changes nothing.
+/// What belongs where and how large it is, also by aliases and of what is of a super-class that the
+/// rules name: each name has its own rule, else that of its class, else that of the nearest
+/// super-class with one. Boundary: an empty vocabulary changes nothing.
 [[nodiscard]] PlaceRules with_vocabulary(PlaceRules rules, const ClassVocabulary& vocabulary);
 
 /// Holders, parts and wholes, also by their aliases and of what is of super-classes among them.
