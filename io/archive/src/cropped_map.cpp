@@ -47,10 +47,7 @@ Result<ObjectMap> cropped_objects(const ObjectMap& objects, const CropRegion& re
   return ObjectMap::restore(std::move(inside), objects.next_id());
 }
 
-/// With a vertex near each object of the part again, where that was outside.
-Result<TopologicalMap> cropped_places(const TopologicalMap& places,
-                                      const CropRegion& region,
-                                      const ObjectMap& objects) {
+Result<TopologicalMap> cropped_places(const TopologicalMap& places, const CropRegion& region) {
   std::vector<TopologicalVertex> vertices;
   std::vector<std::optional<VertexId>> kept(places.vertices().size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -65,10 +62,7 @@ Result<TopologicalMap> cropped_places(const TopologicalMap& places,
     const auto to = kept[edge.to.value];
     if (from && to) edges.push_back({.from = *from, .to = *to});
   }
-  HYPERMAP_ASSIGN_OR_RETURN(
-      TopologicalMap part, TopologicalMap::create(places.options(), vertices, edges, std::nullopt));
-  for (const Object& object : objects.objects()) (void)part.cover(object.centroid_in_map);
-  return part;
+  return TopologicalMap::create(places.options(), vertices, edges, std::nullopt);
 }
 
 /// Where the shapes of a layer are asked for: in the region, or where the map's objects are.
@@ -165,8 +159,13 @@ Result<CroppedMap> cropped_parts(const MapArchive& archive, const CropRegion& re
     part.map.octree->forget_objects([&](ObjectId id) { return !part.map.objects.contains(id); });
   }
   if (archive.topological_map) {
-    HYPERMAP_ASSIGN_OR_RETURN(part.map.topological_map,
-                              cropped_places(*archive.topological_map, region, part.map.objects));
+    HYPERMAP_ASSIGN_OR_RETURN(TopologicalMap places,
+                              cropped_places(*archive.topological_map, region));
+    part.num_own_vertices = places.vertices().size();
+    for (const Object& object : part.map.objects.objects()) {
+      (void)places.cover(object.centroid_in_map);
+    }
+    part.map.topological_map = std::move(places);
   }
   HYPERMAP_TRY(crop_layers(part, region, KeptShapes(archive.objects, part.map.objects)));
   crop_class_grids(part, region);
@@ -194,7 +193,7 @@ TileIndex tile_of(const Eigen::Vector2d& point, double edge_m) {
   return {num_edges_below(point.y(), edge_m), num_edges_below(point.x(), edge_m)};
 }
 
-/// Those in which a voxel, an object, or a cell or shape of a layer of frame `map` lies.
+/// Those in which a voxel, an object, a vertex, or a cell or shape of a layer of frame `map` lies.
 std::set<TileIndex> tiles_in_use(const MapArchive& archive, double edge_m) {
   std::set<TileIndex> tiles;
   const auto use = [&](const Eigen::Vector2d& point) { tiles.insert(tile_of(point, edge_m)); };
@@ -204,6 +203,11 @@ std::set<TileIndex> tiles_in_use(const MapArchive& archive, double edge_m) {
     });
   }
   for (const Object& object : archive.objects.objects()) use(object.centroid_in_map.head<2>());
+  if (archive.topological_map) {
+    for (const auto& vertex : archive.topological_map->vertices()) {
+      use(vertex.position_in_map.head<2>());
+    }
+  }
   for (const Layer& layer : archive.hypermap.layers()) {
     const auto map_from_layer =
         archive.hypermap.frames().to_from(kRegionFrame, layer.info.frame_id);

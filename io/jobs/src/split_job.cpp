@@ -5,6 +5,7 @@
 #include "hypermap/io/codec/json_text.hpp"
 #include "hypermap/io/codec/staged_folder.hpp"
 #include "hypermap/projection/layers/semantic_layer.hpp"
+#include "tile_places.hpp"
 
 #include <cmath>
 #include <utility>
@@ -56,13 +57,15 @@ Rect reach_of(const MapArchive& part, const Rect& area) {
   return reach;
 }
 
-MapTile described(const MapArchive& part, const Rect& area, double edge_m) {
+MapTile described(const CroppedMap& cropped, const Rect& area, double edge_m) {
+  const MapArchive& part = cropped.map;
   const LeafCount leaves = part.octree ? part.octree->num_leaves() : LeafCount{};
   return {.file = tile_name(area, edge_m),
           .area = area,
           .reach = reach_of(part, area),
           .num_voxels = leaves.occupied + leaves.free,
-          .num_objects = part.objects.size()};
+          .num_objects = part.objects.size(),
+          .num_vertices = cropped.num_own_vertices};
 }
 
 std::string rect_json(const Rect& rect) {
@@ -75,12 +78,20 @@ std::string tile_json(const MapTile& tile) {
                       {"area", rect_json(tile.area)},
                       {"reach", rect_json(tile.reach)},
                       {"voxels", std::to_string(tile.num_voxels)},
-                      {"objects", std::to_string(tile.num_objects)}});
+                      {"objects", std::to_string(tile.num_objects)},
+                      {"vertices", std::to_string(tile.num_vertices.value_or(0))}});
+}
+
+std::string way_json(const TileWay& way) {
+  const std::vector<std::size_t> numbers{
+      way.from.tile, way.from.number, way.to.tile, way.to.number};
+  return json_array(numbers, [](std::size_t number) { return std::to_string(number); });
 }
 
 std::string index_json(const SplitReport& report, double edge_m) {
-  return json_object(
-             {{"tile_m", json_number(edge_m)}, {"tiles", json_array(report.tiles, tile_json)}}) +
+  return json_object({{"tile_m", json_number(edge_m)},
+                      {"tiles", json_array(report.tiles, tile_json)},
+                      {"ways", json_array(report.ways, way_json)}}) +
          "\n";
 }
 
@@ -93,12 +104,13 @@ Result<SplitReport> run_split(const MapArchive& archive,
   HYPERMAP_ASSIGN_OR_RETURN(const auto regions, map_tiles(archive, job.edge_m));
   HYPERMAP_ASSIGN_OR_RETURN(StagedFolder staged, StagedFolder::create(job.output));
   SplitReport report;
+  if (archive.topological_map) report.ways = ways_between(*archive.topological_map, regions);
   for (const CropRegion& region : regions) {
     if (progress && !progress(report.tiles.size(), regions.size())) {
       return interrupted();
     }
     HYPERMAP_ASSIGN_OR_RETURN(CroppedMap part, cropped(archive, region));
-    const MapTile tile = described(part.map, bounds(region.area), job.edge_m);
+    const MapTile tile = described(part, bounds(region.area), job.edge_m);
     HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, write_archive(part.map, job.limits));
     HYPERMAP_TRY(staged.write(tile.file, bytes));
     report.tiles.push_back(tile);

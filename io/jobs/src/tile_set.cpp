@@ -5,11 +5,13 @@
 #include "hypermap/io/codec/bounded_json.hpp"
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/json_fields.hpp"
+#include "tile_places.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string>
@@ -46,7 +48,7 @@ Result<std::string> tile_file(const JsonNode& node) {
 }
 
 Result<MapTile> tile_of_json(const JsonNode& node) {
-  HYPERMAP_TRY(expect_keys(node, {"file", "area", "voxels", "objects"}, {"reach"}));
+  HYPERMAP_TRY(expect_keys(node, {"file", "area", "voxels", "objects"}, {"reach", "vertices"}));
   MapTile tile;
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode file, node.require("file"));
   HYPERMAP_ASSIGN_OR_RETURN(tile.file, tile_file(file));
@@ -58,7 +60,30 @@ Result<MapTile> tile_of_json(const JsonNode& node) {
   }
   HYPERMAP_ASSIGN_OR_RETURN(tile.num_voxels, integer_at<std::uint64_t>(node, "voxels"));
   HYPERMAP_ASSIGN_OR_RETURN(tile.num_objects, integer_at<std::uint64_t>(node, "objects"));
+  if (node.find("vertices")) {
+    HYPERMAP_ASSIGN_OR_RETURN(tile.num_vertices, integer_at<std::uint32_t>(node, "vertices"));
+  }
   return tile;
+}
+
+/// A vertex that the tile has of the map. Errors: kMalformedFile.
+Result<TileVertex> vertex_at(const JsonNode& way, std::size_t at, const TileSet& set) {
+  TileVertex vertex;
+  HYPERMAP_ASSIGN_OR_RETURN(vertex.tile, integer_of<std::uint32_t>(way.at(at)));
+  HYPERMAP_ASSIGN_OR_RETURN(vertex.number, integer_of<std::uint32_t>(way.at(at + 1)));
+  if (vertex.tile < set.tiles.size() &&
+      vertex.number < set.tiles[vertex.tile].num_vertices.value_or(0)) {
+    return vertex;
+  }
+  return way.error(ErrorCode::kMalformedFile, "must be [tile, vertex, tile, vertex] of the tiles");
+}
+
+Result<TileWay> way_of_json(const JsonNode& node, const TileSet& set) {
+  HYPERMAP_TRY(expect_array(node, 4));
+  TileWay way;
+  HYPERMAP_ASSIGN_OR_RETURN(way.from, vertex_at(node, 0, set));
+  HYPERMAP_ASSIGN_OR_RETURN(way.to, vertex_at(node, 2, set));
+  return way;
 }
 
 Result<void> refuse_repeated_tiles(const JsonNode& tiles, const std::vector<MapTile>& all) {
@@ -89,13 +114,17 @@ Result<TileSet> parse_tile_set(std::string_view text, const std::filesystem::pat
       JsonDocument::parse(
           text, index.string(), {.max_bytes = static_cast<std::size_t>(kMaxIndexBytes)}));
   const JsonNode root = document.root();
-  HYPERMAP_TRY(expect_keys(root, {"tile_m", "tiles"}));
+  HYPERMAP_TRY(expect_keys(root, {"tile_m", "tiles"}, {"ways"}));
   TileSet set{.folder = index.parent_path()};
   HYPERMAP_ASSIGN_OR_RETURN(set.edge_m, number_at(root, "tile_m"));
   HYPERMAP_ASSIGN_OR_RETURN(set.tiles, list_at(root, "tiles", tile_of_json));
   HYPERMAP_ASSIGN_OR_RETURN(const JsonNode tiles, root.require("tiles"));
   if (set.tiles.empty()) return tiles.error(ErrorCode::kMalformedFile, "names no tile");
   HYPERMAP_TRY(refuse_repeated_tiles(tiles, set.tiles));
+  if (root.find("ways")) {
+    const auto parse = [&](const JsonNode& node) { return way_of_json(node, set); };
+    HYPERMAP_ASSIGN_OR_RETURN(set.ways, list_at(root, "ways", parse));
+  }
   return set;
 }
 
@@ -116,6 +145,48 @@ std::vector<std::size_t> tiles_reached(const TileSet& set, const std::optional<R
   return reached;
 }
 
+namespace {
+
+Unexpected about(Error error, const std::filesystem::path& file) {
+  error.file = file.string();
+  return Unexpected(std::move(error));
+}
+
+/// A tile with those vertices alone that it has of the map, where the index tells of them.
+Result<Loaded<PartialMap>> load_tile(const TileSet& set,
+                                     std::size_t number,
+                                     const ArchiveParts& parts,
+                                     const ArchiveLimits& limits,
+                                     const StopCheck& stop) {
+  const MapTile& tile = set.tiles[number];
+  HYPERMAP_ASSIGN_OR_RETURN(
+      auto loaded,
+      load_archive_parts(set.folder / tile.file, parts, limits, archive_layer_types(), stop));
+  std::optional<TopologicalMap>& places = loaded.value.map.topological_map;
+  if (!places || !tile.num_vertices) return loaded;
+  auto own = own_places(*places, *tile.num_vertices);
+  if (!own) return about(std::move(own).error(), set.folder / tile.file);
+  places = std::move(*own);
+  return loaded;
+}
+
+/// The tiles' vertices with the ways between them. Where tiles are missing, objects may be far from
+/// all vertices.
+Result<void> join_places(MapArchive& whole,
+                         const TileSet& set,
+                         const std::map<std::size_t, std::size_t>& first_vertex_of_tile) {
+  if (!whole.topological_map) return {};
+  HYPERMAP_ASSIGN_OR_RETURN(whole.topological_map,
+                            with_ways(*whole.topological_map, set.ways, first_vertex_of_tile));
+  if (first_vertex_of_tile.size() == set.tiles.size()) return {};
+  for (const Object& object : whole.objects.objects()) {
+    (void)whole.topological_map->cover(object.centroid_in_map);
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<Loaded<PartialMap>> load_tiles(const TileSet& set,
                                       const std::vector<std::size_t>& asked,
                                       const ArchiveParts& parts,
@@ -125,19 +196,21 @@ Result<Loaded<PartialMap>> load_tiles(const TileSet& set,
   const std::vector<std::size_t>& tiles = asked.empty() ? none_but_first : asked;
   Loaded<PartialMap> loaded;
   std::vector<MapArchive> maps;
+  std::map<std::size_t, std::size_t> first_vertex_of_tile;
+  std::size_t num_vertices = 0;
   for (const std::size_t tile : tiles) {
-    const std::filesystem::path file = set.folder / set.tiles[tile].file;
-    HYPERMAP_ASSIGN_OR_RETURN(auto one,
-                              load_archive_parts(file, parts, limits, archive_layer_types(), stop));
+    HYPERMAP_ASSIGN_OR_RETURN(auto one, load_tile(set, tile, parts, limits, stop));
     std::ranges::move(one.findings, std::back_inserter(loaded.findings));
     loaded.value.octree_resolution_m = one.value.octree_resolution_m;
+    first_vertex_of_tile[tile] = num_vertices;
+    const auto& places = one.value.map.topological_map;
+    num_vertices += places ? places->vertices().size() : 0;
     maps.push_back(std::move(one.value.map));
   }
   auto whole = joined(std::move(maps));
-  if (!whole) {
-    Error error = std::move(whole).error();
-    error.file = set.folder.string();
-    return Unexpected(std::move(error));
+  if (!whole) return about(std::move(whole).error(), set.folder);
+  if (auto done = join_places(*whole, set, first_vertex_of_tile); !done) {
+    return about(std::move(done).error(), set.folder);
   }
   loaded.value.map = std::move(*whole);
   return loaded;

@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,6 +72,41 @@ TEST_F(TileSetTest, OnlyWhatIsAskedIsRead) {
   EXPECT_EQ(load_tiles(set, tiles_reached(set, std::nullopt), {}).error().code, ErrorCode::kIo);
 }
 
+/// Places of vertices with those of the vertices that they are joined to.
+std::multiset<std::vector<double>> graph_of(const TopologicalMap& places) {
+  std::multiset<std::vector<double>> graph;
+  for (std::uint32_t i = 0; i < places.vertices().size(); ++i) {
+    const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      graph.insert({a.x(), a.y(), a.z(), b.x(), b.y(), b.z()});
+    };
+    const Eigen::Vector3d here = places.vertices()[i].position_in_map;
+    add(here, here);
+    for (const VertexId other : places.neighbours(VertexId{i})) {
+      add(here, places.vertices()[other.value].position_in_map);
+    }
+  }
+  return graph;
+}
+
+TEST_F(TileSetTest, AllTilesHaveTheVerticesAndWaysOfTheWholeMap) {
+  const auto loaded = load_tiles(set, tiles_reached(set, std::nullopt), {});
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  ASSERT_FALSE(set.ways.empty());
+  EXPECT_EQ(graph_of(*loaded->value.map.topological_map), graph_of(*map.topological_map));
+}
+
+TEST_F(TileSetTest, OfSomeTilesEachObjectHasAVertex) {
+  const auto loaded = load_tiles(set, {0, 1, 4}, {});
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  const TopologicalMap& places = *loaded->value.map.topological_map;
+  for (const Object& object : loaded->value.map.objects.objects()) {
+    const auto near = places.nearest(object.centroid_in_map);
+    ASSERT_TRUE(near);
+    EXPECT_LT((places.vertices()[near->value].position_in_map - object.centroid_in_map).norm(),
+              places.options().vertex_distance_m);
+  }
+}
+
 TEST_F(TileSetTest, AnObjectThatJutsOutIsReachedFromBeside) {
   TileSet two{.edge_m = 1,
               .tiles = {{.file = "a.hmap", .area = {{0, 0}, {1, 1}}, .reach = {{0, 0}, {1.4, 1}}},
@@ -107,6 +144,15 @@ TEST_F(TileSetTest, IndicesOfStrangersAreRefusedByPlace) {
   EXPECT_THAT(refusal(with(R"({"file": "a.hmap", "area": [0, 0, 0, 1])" + rest)),
               HasSubstr("$.tiles[0].area: must be [x, y, x, y] from low to high"));
   EXPECT_THAT(refusal(with(R"({"file": "a.hmap", "area": [0, 0, 1])" + rest)), HasSubstr("area"));
+  const std::string known = tile.substr(0, tile.size() - 1) + R"(, "vertices": 2})";
+  const auto joined_by = [&](const std::string& way) {
+    return R"({"tile_m": 1, "tiles": [)" + known + R"(], "ways": [)" + way + "]}";
+  };
+  EXPECT_EQ(refusal(joined_by("[0, 0, 0, 1]")), "none");
+  for (const char* way : {"[0, 0, 0, 2]", "[1, 0, 0, 1]"}) {
+    EXPECT_THAT(refusal(joined_by(way)),
+                HasSubstr("$.ways[0]: must be [tile, vertex, tile, vertex] of the tiles"));
+  }
   EXPECT_THAT(refusal("{"), HasSubstr("tiles.json:1"));
 }
 

@@ -36,6 +36,9 @@ struct CroppedMap {
   MapArchive map;
   /// Layers and extensions that cannot be divided, by name: they are not in the part.
   std::vector<std::string> left_out = {};
+  /// Vertices of the whole topological map, in its order; support vertices that the part alone has
+  /// come behind them.
+  std::size_t num_own_vertices = 0;
 };
 
 /// What the map holds of a region. Ids, classes, belief, logs, sessions and all names stay.

@@ -21,6 +21,7 @@ struct TileSet {
   std::filesystem::path folder = {};
   double edge_m = 0.0;
   std::vector<MapTile> tiles = {};
+  std::vector<TileWay> ways = {};
 };
 
 /// Whether `path` is such a folder, or the index in one: by the index's name alone.
@@ -33,14 +34,17 @@ struct TileSet {
 /// The index of a folder, or one that is named itself. No archive is opened.
 /// Errors: kIo; kLimit for an index of more than 16 MiB; kMalformedFile naming line and JSON path:
 /// no tiles, an area that is not finite or has no inside, a tile that stands twice, a file that is
-/// no name of an archive in the folder.
+/// no name of an archive in the folder, a way of vertices that the tiles do not have.
 [[nodiscard]] Result<TileSet> read_tile_set(const std::filesystem::path& path);
 
 /// The tiles that `asked` reaches, edges included; all without it. Indices of `tiles`, ascending.
 [[nodiscard]] std::vector<std::size_t> tiles_reached(const TileSet& set,
                                                      const std::optional<Rect>& asked);
 
-/// The map of some tiles (`joined`), with those parts of it that are asked for.
+/// The map of some tiles (`joined`), with those parts of it that are asked for. Its topological map
+/// has the vertices and ways of the whole map that are in these tiles and between them, where the
+/// index tells of them; where tiles are missing, also support vertices of objects whose own place
+/// is in those.
 /// Boundary: no tiles are asked, the first one stands for what all have: classes, frames, runs.
 /// Errors: those of load_archive_parts and joined; `file` names the tile.
 /// Cost: that of the tiles that are asked, which are held at once.
