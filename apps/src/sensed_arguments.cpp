@@ -101,6 +101,7 @@ Result<std::optional<SensedStackReport>> SensedArguments::fuse_into(GridStack& s
   SensedStackJob asked = job;
   asked.input = dataset.input;
   asked.vocabulary = map.vocabulary;
+  asked.heights.ground_m = map.floor.height_m;
   HYPERMAP_ASSIGN_OR_RETURN(asked.dataset, dataset.options());
   asked.dataset.read_color = false;
   asked.dataset.detections.assign(detections.begin(), detections.end());

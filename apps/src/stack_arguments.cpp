@@ -54,11 +54,13 @@ std::vector<CLI::Option*> add_voxel_options(CLI::App& command, StackArguments& a
   const OptionTable& heights = option_table(LayerOptions{});
   ClassStackRequest& request = arguments.request.of_classes;
   CLI::Option* min_height =
-      command.add_option("--min-height", request.band.min_m, "of voxels that count")
+      command
+          .add_option("--min-height", request.band.min_m, "of voxels that count, over the floor")
           ->check(value_of_field(heights, "min_height_m"))
           ->capture_default_str();
   CLI::Option* max_height =
-      command.add_option("--max-height", request.band.max_m, "of voxels that count")
+      command
+          .add_option("--max-height", request.band.max_m, "of voxels that count, over the floor")
           ->check(value_of_field(heights, "max_height_m"))
           ->capture_default_str();
   CLI::Option* classes =

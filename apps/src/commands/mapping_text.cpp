@@ -2,6 +2,7 @@
 #include "mapping_text.hpp"
 
 #include "hypermap/core/base/count_text.hpp"
+#include "hypermap/io/archive/archive_floor.hpp"
 
 #include <cstddef>
 #include <cstdio>
@@ -41,6 +42,9 @@ void print_mapping_report(const MappingReport& report, const MappingJob& job) {
                 count_text(report.num_resumed, "frame").c_str());
   if (job.mapper.refinement.rule != PoseRefinementRule::kNone) print(report.poses);
   if (!report.up.empty()) std::printf("up: %s\n", report.up.c_str());
+  if (report.floor != MapFloor{}) {
+    std::printf("floor: %s; heights are over it\n", text_of(report.floor).c_str());
+  }
   if (!report.registration.empty()) std::printf("depth: %s\n", report.registration.c_str());
   std::printf("%s (and %zu tentative), %zu occupied and %zu free voxels\n",
               count_text(report.num_objects, "object").c_str(),

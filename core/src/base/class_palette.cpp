@@ -90,6 +90,13 @@ Rgb8 ClassPalette::color_of(std::string_view class_name) const {
   return own == color_of_canonical_.end() ? color_of_canonical(canonical) : own->second;
 }
 
+std::vector<std::string> ClassPalette::class_names() const {
+  std::vector<std::string> names;
+  names.reserve(color_of_canonical_.size());
+  for (const auto& [name, color] : color_of_canonical_) names.push_back(name);
+  return names;
+}
+
 std::vector<Rgb8> class_colors(const ClassRegistry& classes, const ClassPalette& palette) {
   std::vector<Rgb8> colors;
   colors.reserve(classes.size());

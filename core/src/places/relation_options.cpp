@@ -2,6 +2,7 @@
 #include "hypermap/core/places/relation_options.hpp"
 
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "places/class_rules.hpp"
 
 namespace hypermap {
@@ -25,8 +26,8 @@ constexpr OptionRow kRelationRows[] = {
          .effect = "A foot may be so far below it: segments take some of the support's points."}),
     option::number<&RelationOptions::floor_m>(
         "floor_m",
-        {-1000, 1000},
-        {.unit = "m", .effect = "Height of the floor; an upright map has it at 0."}),
+        {-kMaxFloorHeightM, kMaxFloorHeightM},
+        {.unit = "m", .effect = "Height of the floor; none: that of the map's."}),
     option::number<&RelationOptions::min_support_share>(
         "min_support_share",
         option::above(0, 1),

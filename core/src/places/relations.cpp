@@ -5,6 +5,7 @@
 #include "places/pair_rules.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <tuple>
@@ -12,6 +13,9 @@
 
 namespace hypermap {
 namespace {
+
+/// Of heights; decides nothing.
+constexpr double kHeightRoundingM = 1e-9;
 
 /// The shapes of the objects in question, ascending by id.
 using Shapes = std::vector<PlacedShape>;
@@ -236,9 +240,15 @@ class RelationFinder {
     if (const auto whole = by(SupportKind::kWhole, parts_)) return *whole;
     if (const auto below = by(SupportKind::kObject, on_)) return *below;
     if (const auto holder = by(SupportKind::kHolder, in_)) return *holder;
-    const double above_m = shape.foot_m() - options_.floor_m;
-    const bool is_on_floor = above_m <= options_.gap_voxels * voxel_of(options_);
-    return {shape.id, is_on_floor ? SupportKind::kFloor : SupportKind::kUnknown, kNoObject};
+    return {
+        shape.id, rests_on_floor(shape) ? SupportKind::kFloor : SupportKind::kUnknown, kNoObject};
+  }
+
+  /// Below the floor its noise is added to that of the foot.
+  [[nodiscard]] bool rests_on_floor(const PlacedShape& shape) const {
+    const double above_m = shape.foot_m() - options_.floor_m.value_or(0.0);
+    const double gap_m = options_.gap_voxels * voxel_of(options_);
+    return above_m <= gap_m && above_m >= -2.0 * gap_m - kHeightRoundingM;
   }
 
   const RelationOptions& options_;

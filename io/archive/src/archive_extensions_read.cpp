@@ -11,6 +11,7 @@
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
+#include "octree/floor_keys.hpp"
 #include "octree/octree_options_keys.hpp"
 
 #include <array>
@@ -78,6 +79,7 @@ class ExtensionReader {
       return std::move(tree.findings);
     }
     HYPERMAP_ASSIGN_OR_RETURN(const OctreeOptions options, octree_options(entry_.extra));
+    read_floor(tree.findings);
     auto octree = to_semantic_octree(
         tree.value, options, {.max_voxels = limits_.max_octree_voxels}, members_.budget());
     if (!octree) return tl::make_unexpected(with_source(std::move(octree).error(), source()));
@@ -87,9 +89,21 @@ class ExtensionReader {
     }
     archive_.octree = std::move(octree->value);
     ExtensionEntry kept = entry_;
-    kept.extra = without_octree_options(kept.extra);
+    kept.extra = without_floor_keys(without_octree_options(kept.extra));
     keep_entry(archive_, std::move(kept));
     return std::move(tree.findings);
+  }
+
+  /// Of the entry of the octree, or of the objects of a map without one. What is wrong with it
+  /// costs neither: it is told.
+  void read_floor(std::vector<Finding>& findings) {
+    auto floor = floor_of_keys(entry_.extra);
+    if (floor && *floor != MapFloor{}) archive_.floor = *floor;
+    if (floor) return;
+    Error error = std::move(floor).error();
+    error.what += "; the floor is looked for anew";
+    findings.push_back(
+        {.error = with_source(std::move(error), members_.source_of(std::string(kConfigName)))});
   }
 
   /// It holds nothing that the octree does not, and is made anew with each archive. Its bytes are
@@ -125,8 +139,12 @@ class ExtensionReader {
                               members_.take(entry_.file, owner_, limits_.max_objects_bytes));
     HYPERMAP_ASSIGN_OR_RETURN(archive_.objects,
                               parse_objects(bytes, source(), {}, members_.budget()));
-    keep_entry(archive_, entry_);
-    return std::vector<Finding>{};
+    std::vector<Finding> findings;
+    read_floor(findings);
+    ExtensionEntry kept = entry_;
+    kept.extra = without_floor_keys(kept.extra);
+    keep_entry(archive_, std::move(kept));
+    return findings;
   }
 
   /// Requires: the objects have been read.

@@ -11,10 +11,13 @@
 #include "hypermap/io/codec/bounded_yaml.hpp"
 #include "hypermap/io/codec/value_keys.hpp"
 #include "layers/layer_files.hpp"
+#include "octree/floor_keys.hpp"
 #include "octree/octree_options_keys.hpp"
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -24,6 +27,16 @@ namespace {
 void put(WrittenExtensions& written, ExtensionEntry entry, std::string bytes) {
   written.files.push_back({.name = entry.file, .bytes = std::move(bytes)});
   written.entries.push_back(std::move(entry));
+}
+
+/// Of the objects; of a map without an octree with its floor.
+ExtensionEntry objects_entry(const MapArchive& archive) {
+  ExtensionEntry entry = entry_of(archive, kObjectsFormat);
+  std::vector<ValueTree::Entry> keys = floor_keys(archive.floor);
+  if (archive.octree || keys.empty()) return entry;
+  append_keys(keys, entry.extra);
+  entry.extra = make_map(std::move(keys));
+  return entry;
 }
 
 /// The octree as `.ot` and as `.bt`, with their entries.
@@ -46,6 +59,7 @@ Result<OctreeFiles> write_octree(const MapArchive& archive, const ZipLimits& lim
   ExtensionEntry twin_entry = new_entry(kOctreeTwinFormat);
   twin_entry.frame_id = entry.frame_id;
   std::vector<ValueTree::Entry> keys = octree_option_keys(archive.octree->options());
+  std::ranges::move(floor_keys(archive.floor), std::back_inserter(keys));
   append_keys(keys, entry.extra);
   entry.extra = make_map(std::move(keys));
   const OctomapTree tree = to_octomap_tree(*archive.octree);
@@ -73,8 +87,7 @@ LargeParts write_large_parts(const MapArchive& archive, const ZipLimits& limits)
       },
       [&] {
         if (archive.objects == ObjectMap()) return;
-        parts.objects =
-            packed(entry_of(archive, kObjectsFormat), write_objects(archive.objects), limits);
+        parts.objects = packed(objects_entry(archive), write_objects(archive.objects), limits);
       });
   return parts;
 }
@@ -94,7 +107,7 @@ Result<void> put_objects(WrittenExtensions& written,
   if (!made) return {};
   HYPERMAP_ASSIGN_OR_RETURN(MemberFile file, *std::move(made));
   written.files.push_back(std::move(file));
-  written.entries.push_back(entry_of(archive, kObjectsFormat));
+  written.entries.push_back(objects_entry(archive));
   return {};
 }
 

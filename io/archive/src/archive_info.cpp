@@ -91,6 +91,7 @@ ArchiveInfo describe(const MapArchive& archive) {
   info.provenance = archive.provenance;
   info.models = models_of(archive.objects);
   info.num_views = archive.views.size();
+  info.floor = archive.floor;
   if (archive.topological_map) {
     info.num_vertices = archive.topological_map->vertices().size();
     info.num_edges = archive.topological_map->edges().size();

@@ -205,6 +205,9 @@ std::string to_json(const ArchiveInfo& info) {
                       {"topological_map",
                        json_object({{"vertices", std::to_string(info.num_vertices)},
                                     {"edges", std::to_string(info.num_edges)}})},
+                      {"floor",
+                       json_object({{"height_m", json_number(info.floor.height_m)},
+                                    {"source", json_quoted(name_of(info.floor.source))}})},
                       {"sessions", json_array(sessions_of(info.provenance), json)},
                       {"provenance", json_of_runs(info.provenance)}});
 }

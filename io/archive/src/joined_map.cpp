@@ -35,6 +35,7 @@ Result<void> check_one_map(MapParts parts) {
     const bool is_alike = part.octree.has_value() == first.octree.has_value() &&
                           (!part.octree || part.octree->options() == first.octree->options());
     if (!is_alike) return of_other_map("must have the options of the other parts", "octree");
+    if (part.floor != first.floor) return of_other_map("must be that of the other parts", "floor");
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include "hypermap/io/codec/byte_source.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
 #include "layers/layer_files.hpp"
+#include "octree/floor_keys.hpp"
 #include "octree/octomap_header.hpp"
 
 #include <algorithm>
@@ -126,7 +127,9 @@ class ArchiveReader {
     const auto start = members_.start_of(entry.file, kOctreeStartBytes);
     if (!start) return {};
     const auto header = parse_octomap_header(*start);
-    if (header && header->id == kSemanticOctreeId) octree_resolution_m_ = header->resolution_m;
+    if (!header || header->id != kSemanticOctreeId) return {};
+    octree_resolution_m_ = header->resolution_m;
+    archive_.floor = floor_of_keys(entry.extra).value_or(MapFloor{});
     return {};
   }
 
@@ -208,7 +211,7 @@ Result<bool> looks_like_zip(const ByteSource& source, const std::filesystem::pat
 /// A file of another kind should be named as such, not that its first byte is no text.
 Result<void> expect_configuration(const std::filesystem::path& path) {
   const auto kind = find_file_kind(path);
-  const auto others = {FileKind::kOctree, FileKind::kImage, FileKind::kDepth};
+  const auto others = {FileKind::kOctree, FileKind::kImage, FileKind::kDepth, FileKind::kTileSet};
   if (!kind || std::find(others.begin(), others.end(), *kind) == others.end()) return {};
   return Unexpected(Error{.code = ErrorCode::kUnsupported,
                           .what = "is of kind '" + std::string(name_of(*kind)) +

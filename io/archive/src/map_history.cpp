@@ -30,6 +30,7 @@ MapArchive with_objects(const MapArchive& archive, ObjectMap objects) {
   past.provenance = archive.provenance;
   past.extension_entries = archive.extension_entries;
   past.hypermap.frames() = archive.hypermap.frames();
+  past.floor = archive.floor;
   past.objects = std::move(objects);
   return past;
 }

@@ -29,7 +29,7 @@ std::span<const SemanticObject> shapes_of(const MapArchive& archive) {
 
 /// The floor without what stands on it: objects, and what was looked over. Errors: those of
 /// map_places.
-Result<OccupancyGrid> floor_of(const MapArchive& archive) {
+Result<OccupancyGrid> cleared_floor(const MapArchive& archive) {
   const Layer* occupancy = archive.hypermap.find(kOccupancyLayer);
   if (occupancy == nullptr || occupancy->content.as<OccupancyLayer>() == nullptr) {
     return fail(ErrorCode::kNotFound,
@@ -39,7 +39,8 @@ Result<OccupancyGrid> floor_of(const MapArchive& archive) {
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyLayer floor, without_objects(archive, *occupancy));
   const bool has_heights = archive.octree && occupancy->info.frame_id == shown_frame_id(archive);
   if (!has_heights) return std::move(floor.grid);
-  return without_low_obstacles(std::move(floor.grid), leaf_source(*archive.octree));
+  return without_low_obstacles(
+      std::move(floor.grid), leaf_source(*archive.octree), {.floor = archive.floor});
 }
 
 RoomNumber room_of_shape(const RoomPlan& plan, const SemanticObject& object) {
@@ -97,7 +98,7 @@ std::optional<RoomNumber> room_named(const MapPlaces& places,
 Result<MapPlaces> map_places(const MapArchive& archive,
                              const PlaceClassifier& classifier,
                              const RoomOptions& options) {
-  HYPERMAP_ASSIGN_OR_RETURN(const OccupancyGrid floor, floor_of(archive));
+  HYPERMAP_ASSIGN_OR_RETURN(const OccupancyGrid floor, cleared_floor(archive));
   MapPlaces places{.plan = find_rooms(floor, options), .rooms = {}, .room_of = {}};
   places.rooms.reserve(places.plan.rooms.size());
   for (const Room& room : places.plan.rooms) places.rooms.push_back({.room = room});

@@ -11,6 +11,7 @@ namespace hypermap {
 
 RelationGraph archive_relations(const MapArchive& archive, RelationOptions options) {
   if (!options.voxel_m && archive.octree) options.voxel_m = archive.octree->resolution_m();
+  if (!options.floor_m) options.floor_m = archive.floor.height_m;
   return find_relations(archive.objects,
                         archive.classes,
                         confirmed_ids_of(archive),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/io/archive/transformed_map.hpp"
 
+#include "hypermap/core/base/number_text.hpp"
 #include "transformed_parts.hpp"
 
 #include <cmath>
@@ -119,7 +120,27 @@ Result<void> move_layers(Hypermap& hypermap, const UprightMotion& motion) {
   return {};
 }
 
+/// To whole micrometres: what rounding leaves of a motion there and back is no height.
+Result<MapFloor> moved_floor(MapFloor floor, const UprightMotion& motion) {
+  constexpr double kStepsPerM = 1e6;
+  const double height_m = floor.height_m + motion.shift_m.z();
+  if (!(std::abs(height_m) <= kMaxFloorHeightM)) {
+    return fail(ErrorCode::kLimit,
+                "must stay within " + number_text(kMaxFloorHeightM) + " m of z = 0, would be at " +
+                    number_text(height_m) + " m",
+                "floor");
+  }
+  floor.height_m = std::round(height_m * kStepsPerM) / kStepsPerM;
+  return floor;
+}
+
+bool is_identity(const UprightMotion& motion) {
+  return motion.yaw_rad == 0.0 && motion.shift_m.isZero(0.0);
+}
+
 Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion) {
+  archive.checkpoint = {};  // no run goes on from a map that was moved
+  if (is_identity(motion)) return archive;
   HYPERMAP_TRY(check_extensions(archive, motion));
   HYPERMAP_TRY(move_layers(archive.hypermap, motion));
   for (ClassGrid& grid : archive.class_grids) {
@@ -131,6 +152,7 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
     HYPERMAP_ASSIGN_OR_RETURN(archive.topological_map,
                               transformed(*archive.topological_map, motion));
   }
+  HYPERMAP_ASSIGN_OR_RETURN(archive.floor, moved_floor(archive.floor, motion));
   const MapFromOldMap map_from_old(motion.in_space());
   if (archive.octree) {
     HYPERMAP_ASSIGN_OR_RETURN(archive.octree, transformed(*archive.octree, map_from_old));
@@ -141,7 +163,6 @@ Result<MapArchive> moved_archive(MapArchive archive, const UprightMotion& motion
   for (Provenance& run : archive.provenance) {
     run.map_from_input = MapFromInput(map_from_old.isometry() * run.map_from_input.isometry());
   }
-  archive.checkpoint = {};  // no run goes on from a map that was moved
   return archive;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "transformed_parts.hpp"
 
+#include "hypermap/core/base/value_tree.hpp"
+#include "hypermap/io/codec/bounded_yaml.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -29,7 +33,38 @@ Ring moved_ring(const Ring& ring, const Eigen::Isometry2d& motion) {
   return moved;
 }
 
+/// Keys of a shape, of which `box` (six numbers: two corners) lies in the map.
+ValueTree with_moved_box(ValueTree extra, const UprightMotion& motion) {
+  const auto key = std::ranges::find(extra.entries, "box", &ValueTree::Entry::first);
+  if (key == extra.entries.end()) return extra;
+  const SourceName unnamed;
+  const auto old = YamlNode(key->second, "box", unnamed).as_doubles(6);
+  if (!old) return extra;  // somebody else's key
+  const Box moved = transformed(
+      Box{{old->at(0), old->at(1), old->at(2)}, {old->at(3), old->at(4), old->at(5)}}, motion);
+  std::vector<ValueTree> numbers;
+  for (const Eigen::Vector3d& corner : {moved.min_in_map, moved.max_in_map}) {
+    for (const double coordinate : corner) numbers.push_back(make_number(coordinate));
+  }
+  key->second = make_list(std::move(numbers));
+  return extra;
+}
+
 }  // namespace
+
+Box transformed(const Box& box, const UprightMotion& motion) {
+  if (motion.yaw_rad == 0.0) {
+    return {box.min_in_map + motion.shift_m, box.max_in_map + motion.shift_m};
+  }
+  const Eigen::Isometry3d in_space = motion.in_space();
+  const auto corners = box.corners();
+  Box moved{in_space * corners.front(), in_space * corners.front()};
+  for (const Eigen::Vector3d& corner : corners) {
+    moved.min_in_map = moved.min_in_map.cwiseMin(in_space * corner);
+    moved.max_in_map = moved.max_in_map.cwiseMax(in_space * corner);
+  }
+  return moved;
+}
 
 Eigen::Isometry3d UprightMotion::in_space() const {
   return Eigen::Translation3d(shift_m) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
@@ -86,6 +121,7 @@ Result<SemanticLayer> transformed(const SemanticLayer& layer, const UprightMotio
       part = std::move(*moved);
     }
     object.shape_text.clear();
+    object.extra = with_moved_box(std::move(object.extra), motion);
   }
   return SemanticLayer::create(std::move(objects));
 }

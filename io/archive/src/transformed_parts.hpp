@@ -25,6 +25,9 @@ struct UprightMotion {
   [[nodiscard]] Eigen::Isometry2d in_plane() const;
 };
 
+/// The smallest box along the map's axes around the moved one.
+[[nodiscard]] Box transformed(const Box& box, const UprightMotion& motion);
+
 /// Errors: kInvalidArgument when rounding leaves no valid polygon.
 [[nodiscard]] Result<Polygon> transformed(const Polygon& polygon, const UprightMotion& motion);
 /// Boundary: a grid without cells lies nowhere and stays. Errors: as validate(GridGeometry).
@@ -36,7 +39,8 @@ struct UprightMotion {
 /// Boundary: a layer without cells stays. Errors: as validate(GridGeometry).
 [[nodiscard]] Result<SupercellLayer> transformed(const SupercellLayer& layer,
                                                  const UprightMotion& motion);
-/// Errors: as of polygons, naming the object.
+/// With the boxes that a truth has of its shapes (simulation_truth.hpp). Errors: as of polygons,
+/// naming the object.
 [[nodiscard]] Result<SemanticLayer> transformed(const SemanticLayer& layer,
                                                 const UprightMotion& motion);
 /// Errors: as of polygons, and kLimit beyond 1e6 m, naming the object.

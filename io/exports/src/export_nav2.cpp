@@ -75,9 +75,10 @@ Result<std::vector<SemanticObject>> shapes_in_the_way(const MapArchive& archive,
   const auto grid_from_layer =
       archive.hypermap.frames().to_from(grid.frame_id, layer->info.frame_id);
   if (!grid_from_layer) return fail(ErrorCode::kNotFound, grid_from_layer.error().what, "frames");
+  const double highest_m = archive.floor.height_m + request.zones.robot_height_m;
   shapes.reserve(wanted.size());
   for (const SemanticObject* shape : wanted) {
-    if (hangs_above(object_of(*shape, *layer, archive), request.zones.robot_height_m)) continue;
+    if (hangs_above(object_of(*shape, *layer, archive), highest_m)) continue;
     SemanticObject& in_grid = shapes.emplace_back(*shape);
     for (Polygon& part : in_grid.parts) part = moved(std::move(part), *grid_from_layer);
   }

@@ -142,7 +142,9 @@ Result<OccupancyGrid> trinary_cells(const LogOddsGrid& grid) {
   });
 }
 
-Result<std::size_t> num_cells_without_class(const MapArchive& archive, const HeightBand& band) {
+Result<std::size_t> num_cells_without_class(const MapArchive& archive,
+                                            const HeightBand& band_over_floor) {
+  const HeightBand band = over(archive.floor, band_over_floor);
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
   HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, projection_geometry(leaves, band));
   return guarded(ErrorCode::kInvalidArgument, "the cells", [&]() -> Result<std::size_t> {
@@ -166,6 +168,7 @@ Result<std::size_t> num_cells_without_class(const MapArchive& archive, const Hei
 Result<GridStack> stack_of_map(const MapArchive& archive, const MapStackRequest& request) {
   HYPERMAP_ASSIGN_OR_RETURN(const LeafSource leaves, voxels_of(archive));
   ClassStackRequest of_classes = request.of_classes;
+  of_classes.band = over(archive.floor, of_classes.band);
   of_classes.options.frame_id = shown_frame_id(archive);
   of_classes.vocabulary = archive.vocabulary;
   auto of_voxels = class_stack(leaves, archive.classes, of_classes);

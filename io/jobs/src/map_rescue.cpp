@@ -23,6 +23,7 @@ MapArchive without_layers(const MapArchive& archive) {
           .classes = archive.classes,
           .objects = archive.objects,
           .octree = archive.octree,
+          .floor = archive.floor,
           .provenance = archive.provenance};
 }
 

@@ -244,6 +244,7 @@ void describe(const MapArchive& archive, const MappingJob& job, MappingReport& r
   report.num_objects = confirmed.size();
   report.num_tentative = archive.objects.size() - confirmed.size();
   report.leaves = archive.octree->num_leaves();
+  report.floor = archive.floor;
   report.num_threads = job.mapper.num_threads;
   report.peak_rss_bytes = peak_rss_bytes();
 }

@@ -87,6 +87,8 @@ std::string to_json(const MappingReport& report) {
     json["frames_looked_at"] = report.num_looks;
   }
   json["up"] = report.up;
+  json["floor"] = {{"height_m", report.floor.height_m},
+                   {"source", std::string(name_of(report.floor.source))}};
   json["wall_s"] = seconds.wall;
   json["stages_s"] = {{"read", seconds.read},
                       {"detect", seconds.detect},

@@ -7,14 +7,20 @@
 #include "hypermap/core/objects/object_map_merge.hpp"
 #include "hypermap/core/places/merged_topological_map.hpp"
 #include "hypermap/io/archive/archive_changes.hpp"
+#include "hypermap/io/archive/archive_floor.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/octree_semantic/octree/free_way.hpp"
 #include "hypermap/octree_semantic/octree/merged_octree.hpp"
 #include "known_detectors.hpp"
 #include "merged_layers.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace hypermap {
@@ -158,12 +164,26 @@ std::size_t add_runs(std::vector<Provenance>& runs,
   return num_forgotten;
 }
 
+/// One band of heights cannot be over two floors.
+Finding apart_floors(double higher_m) {
+  std::array<char, 32> height{};
+  std::snprintf(height.data(), height.size(), "%.2f", std::abs(higher_m));
+  return {.error = {.code = ErrorCode::kInvalidArgument,
+                    .what = "its floor lies " + std::string(height.data()) + " m " +
+                            (higher_m > 0.0 ? "above" : "below") +
+                            " that of the maps added before it: the layers of the result are over "
+                            "one of both",
+                    .field = "floor"}};
+}
+
 }  // namespace
 
 Result<MergedArchives> merged(MapArchive map,
                               MapArchive added,
                               const ArchiveMergeOptions& options) {
   MergedArchives out;
+  const auto higher_m = options.is_floor_stated ? std::nullopt : floors_apart_m(map, added);
+  map.floor = merged_floor(map, added);
   if (options.is_later) {
     HYPERMAP_ASSIGN_OR_RETURN(const auto gone, gone_objects(map, added));
     remove_objects(map, gone);
@@ -182,6 +202,7 @@ Result<MergedArchives> merged(MapArchive map,
   HYPERMAP_TRY(add_places(map, added));
   out.num_forgotten_runs = add_runs(map.provenance, added.provenance, names.ids.frame_offset);
   HYPERMAP_ASSIGN_OR_RETURN(out.findings, add_layers(map, std::move(added), options.name));
+  if (higher_m) out.findings.push_back(apart_floors(*higher_m));
   map.objects = std::move(objects.objects);
   out.num_joined = objects.num_joined;
   out.num_new = objects.num_new;

@@ -26,6 +26,8 @@ struct MergedArchives {
 struct ArchiveMergeOptions {
   AssociationOptions association = {};
   bool is_later = false;  ///< All frames of the added map came after those of the other.
+  /// The result's floor is stated: where those of both maps lie decides nothing.
+  bool is_floor_stated = false;
   /// By what the added map's layers go where another layer has their name: `<name>_<layer>`.
   std::string name = {};
 };

@@ -113,9 +113,11 @@ void rebuild_lost(RepairedArchive& repaired) {
     wanted.insert(wanted.end(), usual.begin(), usual.end());
   }
   if (wanted.empty() && !repaired.is_config_guessed) return;
-  const MapOptions options = options_of(repaired.map);
+  MapOptions options = options_of(repaired.map);
+  options.layers.floor_m.reset();  // it moves with the map, its options do not
   MapArchive derived = repaired.map;
   if (!derive_layers(derived, options.mapper.objects, options.layers)) return;
+  repaired.map.floor = derived.floor;
   const bool has_objects = !repaired.map.objects.empty();
   Rebuilder rebuilder(repaired, derived);
   std::vector<LostPart> lost;

@@ -2,19 +2,28 @@
 #include "hypermap/projection/grids/layer_options.hpp"
 
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 
 namespace hypermap {
 namespace {
 
 constexpr OptionRow kLayerRows[] = {
+    option::number<&LayerOptions::floor_m>(
+        "floor_m",
+        {-kMaxFloorHeightM, kMaxFloorHeightM},
+        {.unit = "m",
+         .effect = "Height of the floor; none: as stated before, else of the lowest large level "
+                   "surface, else as "
+                   "assumed."}),
     option::number<&LayerOptions::min_height_m>(
         "min_height_m",
         {-1000, 1000},
-        {.unit = "m", .effect = "Lower voxels (the floor) are no obstacles."}),
+        {.unit = "m", .effect = "Over the floor: lower voxels are no obstacles."}),
     option::number<&LayerOptions::max_height_m>(
         "max_height_m",
         {-1000, 1000},
-        {.unit = "m", .effect = "Higher voxels are none either, a robot passes under them."}),
+        {.unit = "m",
+         .effect = "Over the floor: higher voxels are none either, a robot passes under them."}),
     option::number<&LayerOptions::min_free_share>(
         "min_free_share",
         option::above(0, 1),

@@ -5,6 +5,7 @@
 #include "ground_view.hpp"
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 
 namespace hypermap {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr OptionRow kClassImageRows[] = {
     option::section<&ClassImageOptions::evidence>("evidence"),
     option::number<&ClassImageOptions::ground_m>("ground_m",
-                                                 {.min = -1000.0, .max = 1000.0},
+                                                 {-kMaxFloorHeightM, kMaxFloorHeightM},
                                                  {.unit = "m", .effect = "Where the ground is."}),
     option::number<&ClassImageOptions::max_range_m>(
         "max_range_m",

@@ -2,6 +2,7 @@
 #include "hypermap/projection/sensor_models/inverse_sensor_model.hpp"
 
 #include "hypermap/core/base/option_rows.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 
 namespace hypermap {
 namespace {
@@ -21,7 +22,7 @@ constexpr OptionRow kEvidenceRows[] = {
 
 constexpr OptionRow kHeightRows[] = {
     option::number<&HeightOptions::ground_m>("ground_m",
-                                             {.min = -1000.0, .max = 1000.0},
+                                             {-kMaxFloorHeightM, kMaxFloorHeightM},
                                              {.unit = "m", .effect = "Where the ground is."}),
     option::number<&HeightOptions::ground_tolerance_m>(
         "ground_tolerance_m",

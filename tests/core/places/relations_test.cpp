@@ -52,6 +52,21 @@ TEST(On, ACupStandsOnTheTableTop) {
   EXPECT_THAT(subjects_of(graph, RelationKind::kOn, table), ElementsAre(cup));
 }
 
+TEST(On, TheFloorIsWhereTheMapHasIt) {
+  // Voxels of 5 cm: from 7.5 cm above the floor to 15 cm below it.
+  const auto support_at = [](double foot_m, std::optional<double> floor_m) {
+    FurnishedRoom room;
+    const ObjectId cup = room.add("cup", standing(0, 0, foot_m, {0.08, 0.08, 0.1}));
+    return support_of(graph_of(room, {.floor_m = floor_m}), cup)->kind;
+  };
+  EXPECT_EQ(support_at(0.05, std::nullopt), SupportKind::kFloor);
+  EXPECT_EQ(support_at(0.1, std::nullopt), SupportKind::kUnknown);
+  EXPECT_EQ(support_at(-0.1, std::nullopt), SupportKind::kFloor);
+  EXPECT_EQ(support_at(-0.2, std::nullopt), SupportKind::kUnknown);
+  EXPECT_EQ(support_at(-1.3, -1.35), SupportKind::kFloor);
+  EXPECT_EQ(support_at(0.0, -1.35), SupportKind::kUnknown);
+}
+
 TEST(On, ASurfaceThatTheObjectHidesIsSeenAroundIt) {
   FurnishedRoom room;
   const ObjectId table = room.add("table", only(table_at(0, 0), [](const Eigen::Vector3f& p) {

@@ -61,6 +61,8 @@ TEST(SemanticUpdateFile, NamesWhatIsWrongAndWhere) {
   EXPECT_THAT(refused_update("modify:\n- {name: chair}\n"),
               HasSubstr("changes.yaml:2: modify[0] (chair).id: the key is missing"));
   EXPECT_THAT(refused_update("modify:\n- {id: -1}\n"), HasSubstr("changes.yaml:2: modify[0].id: "));
+  EXPECT_EQ(refused_update("modify:\n- {id: 5}\n"),
+            "changes.yaml:2: modify[0]: has no key beside id, so nothing would change");
   EXPECT_THAT(refused_update("delete: [1, x]\n"), HasSubstr("delete[1]: "));
   EXPECT_THAT(refused_update("delete: 7\n"), HasSubstr("delete: "));
   EXPECT_THAT(refused_update("add:\n- {name: tie, shape: 'POLYGON((0 0,1 1,1 0,0 1,0 0))'}\n"),

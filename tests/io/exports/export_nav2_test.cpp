@@ -169,6 +169,20 @@ TEST(ExportNav2, WhatHangsAboveTheRobotClosesNothing) {
   EXPECT_THAT(cells_of(dir / "lab/keepout_mask.yaml"), ElementsAre(100, 100, 0, 0, 100, 0));
 }
 
+TEST(ExportNav2, TheRobotStandsOnTheFloorOfTheMap) {
+  MapArchive archive = row_of_cells();
+  Object low;
+  low.box = {{0.0, 0.0, 12.0}, {1.0, 1.0, 13.8}};
+  archive.objects.add(low);  // 1: the person
+  Object high;
+  high.box = {{4.0, 0.0, 13.6}, {5.0, 1.0, 13.9}};
+  archive.objects.add(high);  // 2: the vase
+  archive.floor.height_m = 12.0;
+  const test::TempDir dir;
+  ASSERT_TRUE(export_map(archive, bundle_request(dir / "lab")));
+  EXPECT_THAT(cells_of(dir / "lab/keepout_mask.yaml"), ElementsAre(100, 100, 0, 0, 0, 0));
+}
+
 TEST(ExportNav2, AMapWithoutShapesHasEmptyMasksAndOneWithoutAGridIsRefused) {
   MapArchive archive = row_of_cells();
   const test::TempDir dir;

@@ -154,6 +154,17 @@ TEST(MapStack, CellsWithoutAClassAreCounted) {
   EXPECT_EQ(num_cells_without_class(MapArchive{}, kThin).error().code, ErrorCode::kNotFound);
 }
 
+TEST(MapStack, ItsBandIsOverTheFloor) {
+  MapArchive archive = archive_of({"chair"}, {{2.0, 0}, {2.0}, {1.0}, {-1.5}});
+  const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();
+  archive.floor.height_m = -10.0;
+  constexpr HeightBand kRaised{.min_m = 10.5, .max_m = 10.55};
+  const GridStack same = stack_of_map(archive, {.of_classes = {.band = kRaised}}).value();
+  EXPECT_EQ(same.layers(), stack.layers());
+  EXPECT_EQ(num_cells_without_class(archive, kRaised).value(), 2U);
+  EXPECT_FALSE(stack_of_map(archive, {.of_classes = {.band = kThin}}));
+}
+
 TEST(MapStack, ItsMapsAreKnownInAFolder) {
   const MapArchive archive = archive_of({"chair"}, {{2.0, 0}});
   const GridStack stack = stack_of_map(archive, {.of_classes = {.band = kThin}}).value();

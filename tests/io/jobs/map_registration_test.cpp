@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -66,12 +67,20 @@ SemanticOctree room_seen_from(const WorldPlacement& origin) {
   return transformed(furnished_room(office_furniture()), map_from_room).value();
 }
 
+MapArchive map_of(SemanticOctree octree) {
+  MapArchive map{.hypermap = {}};
+  map.octree = std::move(octree);
+  return map;
+}
+
 TEST(MapRegistration, AMovedRoomIsFoundWithinAVoxelAndADegree) {
-  const SemanticOctree room = furnished_room(office_furniture());
+  const MapArchive room = map_of(furnished_room(office_furniture()));
   for (const WorldPlacement origin :
        {WorldPlacement{.x_m = 1.3, .y_m = -0.7, .z_m = 0.0, .yaw_rad = 0.2},
-        WorldPlacement{.x_m = 4.1, .y_m = 2.2, .z_m = 0.2, .yaw_rad = -2.0}}) {
-    const auto found = register_maps(room_seen_from(origin), room, {});
+        WorldPlacement{.x_m = 4.1, .y_m = 2.2, .z_m = 0.2, .yaw_rad = -2.0},
+        WorldPlacement{.x_m = 0.5, .y_m = -0.3, .z_m = -1.4, .yaw_rad = 0.1},
+        WorldPlacement{.x_m = 1.3, .y_m = -0.7, .z_m = 12.9, .yaw_rad = 0.2}}) {
+    const auto found = register_maps(map_of(room_seen_from(origin)), room, {});
     ASSERT_TRUE(found) << to_string(found.error());
     const WorldPlacement& placed = found->placement;
     EXPECT_LT(std::hypot(placed.x_m - origin.x_m, placed.y_m - origin.y_m), 0.1);
@@ -83,29 +92,50 @@ TEST(MapRegistration, AMovedRoomIsFoundWithinAVoxelAndADegree) {
   }
 }
 
+/// The room without its lowest level of voxels, whose floor nobody saw.
+SemanticOctree without_floor(const SemanticOctree& room, int lowest) {
+  SemanticOctree part = SemanticOctree::create(room.options()).value();
+  room.for_each_stored_leaf([&](const StoredLeaf& leaf) {
+    if (leaf.key.z <= kOriginKey + lowest) return;
+    EXPECT_TRUE(part.set_leaf(leaf));
+  });
+  return part;
+}
+
+TEST(MapRegistration, WhoseFloorOneMapAloneShowsAreFound) {
+  const SemanticOctree low =
+      transformed(furnished_room(office_furniture()),
+                  MapFromOldMap(Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, -0.5))))
+          .value();
+  const auto found = register_maps(map_of(without_floor(low, -5)), map_of(low), {});
+  ASSERT_TRUE(found) << to_string(found.error());
+  EXPECT_NEAR(found->placement.z_m, 0.0, 1e-9);
+  EXPECT_GT(found->occupied_share, 0.9);
+}
+
 TEST(MapRegistration, ARoomThatLooksTheSameFromTwoSidesIsRefused) {
-  const SemanticOctree empty = furnished_room({});
+  const MapArchive empty = map_of(furnished_room({}));
   EXPECT_EQ(register_maps(empty, empty, {}).error().code, ErrorCode::kNotFound);
-  const SemanticOctree symmetric = furnished_room({{10, 10, 10, 6},
-                                                   {60, 44, 10, 6},
-                                                   {30, 8, 5, 9},
-                                                   {45, 43, 5, 9},
-                                                   {12, 40, 6, 4},
-                                                   {62, 16, 6, 4}});
+  const MapArchive symmetric = map_of(furnished_room({{10, 10, 10, 6},
+                                                      {60, 44, 10, 6},
+                                                      {30, 8, 5, 9},
+                                                      {45, 43, 5, 9},
+                                                      {12, 40, 6, 4},
+                                                      {62, 16, 6, 4}}));
   const Error error = register_maps(symmetric, symmetric, {}).error();
   EXPECT_EQ(error.code, ErrorCode::kNotFound);
   EXPECT_EQ(error.field, "rivals");
 }
 
 TEST(MapRegistration, AnotherPlaceIsRefused) {
-  const SemanticOctree other = furnished_room({{20, 20, 30, 3}, {70, 2, 4, 40}});
-  EXPECT_EQ(register_maps(other, furnished_room(office_furniture()), {}).error().code,
-            ErrorCode::kNotFound);
+  const MapArchive other = map_of(furnished_room({{20, 20, 30, 3}, {70, 2, 4, 40}}));
+  const MapArchive office = map_of(furnished_room(office_furniture()));
+  EXPECT_EQ(register_maps(other, office, {}).error().code, ErrorCode::kNotFound);
 }
 
 TEST(MapRegistration, AMapWithoutVoxelsIsRefused) {
-  const auto nothing = SemanticOctree::create({.resolution_m = 0.1}).value();
-  EXPECT_FALSE(register_maps(nothing, furnished_room(office_furniture()), {}));
+  const MapArchive nothing = map_of(SemanticOctree::create({.resolution_m = 0.1}).value());
+  EXPECT_FALSE(register_maps(nothing, map_of(furnished_room(office_furniture())), {}));
 }
 
 }  // namespace

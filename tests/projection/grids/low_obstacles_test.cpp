@@ -99,6 +99,20 @@ TEST(LowObstacles, WhatReachesUpIsAWall) {
   EXPECT_THAT(find_rooms(cut_corner(1.4).cleared({.wall_m = 1.5})).rooms, SizeIs(1));
 }
 
+TEST(LowObstacles, HeightsAreOverTheFloor) {
+  const DrawnSpace desk = cut_corner(0.7);
+  const LeafSource below = [&](const LeafVisitor& visit) {
+    desk.leaves()([&](LeafSample leaf) {
+      leaf.centre_in_map.z() -= 1.3;
+      visit(leaf);
+    });
+  };
+  const MapFloor floor{.height_m = -1.3};
+  EXPECT_EQ(without_low_obstacles(desk.occupancy(), below, {.floor = floor}), desk.cleared());
+  EXPECT_EQ(without_low_obstacles(desk.occupancy(), below), desk.occupancy())
+      << "over z = 0 nothing is 1.4 m high";
+}
+
 TEST(LowObstacles, WhatNobodyLookedOverMayReachUp) {
   // A wall of which a camera that looked down saw the lowest 70 cm, and nothing above.
   DrawnSpace low_view = cut_corner(0.7);

@@ -141,7 +141,7 @@ VisibleVoxels visible_voxels(const SnapshotScene& scene, const SnapshotOptions& 
   VisibleVoxels drawn;
   std::vector<OccupiedVoxel> all = occupied_voxels(scene.leaves);
   drawn.num_occupied = all.size();
-  drawn.floor_m = floor_height_m(all);
+  drawn.floor_m = scene.floor_m.value_or(floor_height_m(all));
   const double ceiling_m = ceiling_cut_m(all, drawn.floor_m);
   drawn.light = SkyLight(cut_away(all, {.floor_m = drawn.floor_m, .cut_above_m = ceiling_m}));
   const auto to_eye = direction_to_eye(options.view);

@@ -2,6 +2,7 @@
 #include "hypermap/io/archive/map_layers.hpp"
 
 #include "hypermap/core/base/caught.hpp"
+#include "hypermap/io/archive/archive_floor.hpp"
 #include "hypermap/io/archive/archive_layers.hpp"
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
@@ -34,8 +35,9 @@ Result<void> put_layer(Hypermap& hypermap, std::string_view name, LayerContent c
       {LayerInfo{.name = std::string(name), .subscribe_mode = true}, std::move(content)});
 }
 
-HeightBand band_of(const LayerOptions& options) {
-  return {.min_m = options.min_height_m, .max_m = options.max_height_m};
+/// Heights over the floor as heights of the map.
+HeightBand band_of(const LayerOptions& options, const MapFloor& floor) {
+  return over(floor, {.min_m = options.min_height_m, .max_m = options.max_height_m});
 }
 
 /// `make()`, and what a library throws is its error.
@@ -49,7 +51,8 @@ Result<void> put_occupancy(MapArchive& archive,
                            const LeafSource& leaves,
                            const LayerOptions& options) {
   auto grid = guarded_layer([&] {
-    return project_occupancy(leaves, band_of(options), {.min_free_share = options.min_free_share});
+    return project_occupancy(
+        leaves, band_of(options, archive.floor), {.min_free_share = options.min_free_share});
   });
   const bool has_cells = grid && grid->geometry().num_cells() > 0;
   if (has_cells) {
@@ -60,7 +63,8 @@ Result<void> put_occupancy(MapArchive& archive,
   return fail(ErrorCode::kNotFound,
               "no voxel lies between projection.min_height_m (" +
                   std::to_string(options.min_height_m) + ") and projection.max_height_m (" +
-                  std::to_string(options.max_height_m) + ")");
+                  std::to_string(options.max_height_m) + ") over the floor at " +
+                  std::to_string(archive.floor.height_m) + " m");
 }
 
 /// As put_occupancy.
@@ -88,7 +92,7 @@ Result<void> put_class_grids(MapArchive& archive,
   HYPERMAP_ASSIGN_OR_RETURN(
       auto grids, guarded_layer([&] {
         return project_class_grids(
-            leaves, band_of(options), {.min_free_share = options.min_free_share});
+            leaves, band_of(options, archive.floor), {.min_free_share = options.min_free_share});
       }));
   for (auto& [id, grid] : grids) {
     archive.class_grids.push_back(
@@ -100,8 +104,9 @@ Result<void> put_class_grids(MapArchive& archive,
 /// As put_occupancy.
 Result<void> put_stack(MapArchive& archive, const LeafSource& leaves, const LayerOptions& options) {
   auto stack = guarded_layer([&] {
-    return class_stack(
-        leaves, archive.classes, {.band = band_of(options), .classes = {}, .options = {}});
+    return class_stack(leaves,
+                       archive.classes,
+                       {.band = band_of(options, archive.floor), .classes = {}, .options = {}});
   });
   if (stack) return put_layer(archive.hypermap, kStackLayer, GridStackLayer(std::move(*stack)));
   archive.hypermap.remove_layer(kStackLayer);
@@ -178,6 +183,8 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
   const auto confirmed = confirmed_objects(archive.objects, objects.confirmation);
   const MapRegions regions = MapRegions::find(leaf_source(*archive.octree));
   const LeafSource leaves = leaves_of_largest(confirmed_leaves(archive, confirmed), regions);
+  if (options.floor_m) archive.floor = {*options.floor_m, FloorSource::kStated};
+  archive.floor = shown_floor(archive, leaves);
   DerivedLayers derived;
   const auto all = regions.regions();
   if (all.size() > 1) derived.outlying.assign(all.begin() + 1, all.end());

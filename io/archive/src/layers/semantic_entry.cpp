@@ -151,6 +151,9 @@ Result<ModificationEntry> parse_modification_entry(const YamlNode& node,
   SemanticModification& change = entry.modification;
   HYPERMAP_ASSIGN_OR_RETURN(const YamlNode id, node.at("id"));
   HYPERMAP_ASSIGN_OR_RETURN(change.id, object_id_at(id));
+  if (node.value().entries.size() == 1) {
+    return tl::make_unexpected(node.error("has no key beside id, so nothing would change"));
+  }
   if (node.find("name")) {
     HYPERMAP_ASSIGN_OR_RETURN(change.name, object_name_at(node));
   }

@@ -26,16 +26,6 @@ std::size_t bins_turned(double yaw_rad, std::size_t num_bins) {
   return static_cast<std::size_t>((turned % n + n) % n);
 }
 
-Box moved_box(const Box& box, const Eigen::Isometry3d& motion) {
-  const auto corners = box.corners();
-  Box moved{motion * corners.front(), motion * corners.front()};
-  for (const Eigen::Vector3d& corner : corners) {
-    moved.min_in_map = moved.min_in_map.cwiseMin(motion * corner);
-    moved.max_in_map = moved.max_in_map.cwiseMax(motion * corner);
-  }
-  return moved;
-}
-
 Result<ShapeEvidence> moved_shapes(const ShapeEvidence& shapes, const UprightMotion& motion) {
   ShapeEvidenceState state = shapes.state();
   for (Polygon& shape : state.shapes) {
@@ -125,20 +115,23 @@ Result<ObservationLog> turned_log(const ObservationLog& log, double yaw_rad) {
   return ObservationLog::from_state(std::move(state));
 }
 
-/// The box of the moved points where it was that of the points; else one around the moved box.
-void move_box(Object& object, const OccupancyVotes& before, const Eigen::Isometry3d& motion) {
-  const auto box = before.agreed_box() == object.box ? object.points.agreed_box() : std::nullopt;
+/// A shift takes the box along as it is. Of a turned object it is the box of the moved points where
+/// it was that of the points; else one around the moved box.
+void move_box(Object& object, const OccupancyVotes& before, const UprightMotion& motion) {
+  const bool is_of_points = motion.yaw_rad != 0.0 && before.agreed_box() == object.box;
+  const auto box = is_of_points ? object.points.agreed_box() : std::nullopt;
   const bool has_its_centre = object.centroid_in_map == object.box.centre();
-  object.centroid_in_map =
-      box && has_its_centre ? box->centre() : Eigen::Vector3d(motion * object.centroid_in_map);
-  object.box = box.value_or(moved_box(object.box, motion));
+  object.centroid_in_map = box && has_its_centre
+                               ? box->centre()
+                               : Eigen::Vector3d(motion.in_space() * object.centroid_in_map);
+  object.box = box.value_or(transformed(object.box, motion));
 }
 
 Result<Object> moved_object(Object object, const UprightMotion& motion) {
   HYPERMAP_ASSIGN_OR_RETURN(object.shapes, moved_shapes(object.shapes, motion));
   HYPERMAP_ASSIGN_OR_RETURN(OccupancyVotes points, moved_votes(object.points, motion));
   std::swap(object.points, points);
-  move_box(object, points, motion.in_space());
+  move_box(object, points, motion);
   HYPERMAP_ASSIGN_OR_RETURN(object.histogram, turned_histogram(object.histogram, motion.yaw_rad));
   HYPERMAP_ASSIGN_OR_RETURN(object.observation_log,
                             turned_log(object.observation_log, motion.yaw_rad));

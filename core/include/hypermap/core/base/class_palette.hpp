@@ -33,6 +33,8 @@ class ClassPalette {
   [[nodiscard]] Result<void> set(std::string_view class_name, Rgb8 color);
 
   [[nodiscard]] Rgb8 color_of(std::string_view class_name) const;
+  /// Canonical names of those that have one of the user's, ascending.
+  [[nodiscard]] std::vector<std::string> class_names() const;
 
   friend bool operator==(const ClassPalette&, const ClassPalette&) = default;
 

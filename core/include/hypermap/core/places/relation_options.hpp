@@ -24,7 +24,8 @@ struct RelationOptions {
   std::optional<double> voxel_m = std::nullopt;
   double gap_voxels = 1.5;   ///< A foot may be so far above its support. Unit: voxel.
   double sink_voxels = 1.0;  ///< A foot may be so far below it. Unit: voxel.
-  double floor_m = 0.0;      ///< Height of the floor.
+  /// Height of the floor. Unit: metre. Frame: Map. None: as the map has it, else 0.
+  std::optional<double> floor_m = std::nullopt;
 
   double min_support_share = 0.5;  ///< Share of a footprint over what it stands on.
   /// Share of the surface around the foot that lies at its height. What is beside a wall or below a

@@ -5,11 +5,17 @@
 
 #include "hypermap/core/base/result.hpp"
 
+#include <optional>
+
 namespace hypermap {
 
 struct OptionTable;
 
 struct LayerOptions {
+  /// Height of the floor, over which heights of obstacles are, and objects that stand on it. Unit:
+  /// metre. Frame: Map. None: as the map
+  /// states it, else as it shows it.
+  std::optional<double> floor_m = std::nullopt;
   /// Band of heights over the floor in which occupied voxels are obstacles. Unit: metre.
   double min_height_m = 0.1;
   double max_height_m = 1.8;  ///< Above min_height_m.

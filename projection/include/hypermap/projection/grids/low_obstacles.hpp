@@ -9,6 +9,7 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
 
 namespace hypermap {
@@ -16,6 +17,7 @@ namespace hypermap {
 struct OptionTable;
 
 struct LowObstacleOptions {
+  MapFloor floor = {};  ///< Over which heights are.
   /// What reaches so high is a wall or as good as one. Above tables, desks and what stands on them,
   /// below the shoulders of those who look over them.
   double wall_m = 1.4;
@@ -31,7 +33,7 @@ struct LowObstacleOptions {
 /// The grid with those occupied cells free over which nothing is occupied from `wall_m` on down to
 /// a top below it, and the space between was seen free. Other cells stay as they are.
 ///
-/// Requires: the leaves are in the frame of the grid, the floor at z = 0; validate(options).
+/// Requires: the leaves are in the frame of the grid, validate(options).
 /// Boundary: a cell without an occupied leaf above it says nothing of its top and stays; a top at
 /// `wall_m` is a wall's. Cost: two passes over the leaves, 8 bytes a cell.
 [[nodiscard]] OccupancyGrid without_low_obstacles(OccupancyGrid grid,

@@ -11,6 +11,7 @@
 
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/geometry/leaf.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "hypermap/projection/grids/occupancy_grid.hpp"
 
 #include <functional>
@@ -26,6 +27,11 @@ struct HeightBand {
   double min_m = 0.1;  ///< Above the floor's own voxels, whatever their height within 10 cm.
   double max_m = 1.8;  ///< A person's height.
 };
+
+/// A band of heights over the floor, as heights of the map.
+[[nodiscard]] constexpr HeightBand over(const MapFloor& floor, const HeightBand& band) noexcept {
+  return {.min_m = floor.height_m + band.min_m, .max_m = floor.height_m + band.max_m};
+}
 
 struct OccupancyProjectionOptions {
   /// Edge of a cell; 0: that of the smallest leaf in the band. Unit: metre.

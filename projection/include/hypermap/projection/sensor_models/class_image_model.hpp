@@ -37,7 +37,7 @@ struct ClassImageOptions {
   std::string parent = "/ism/classes";  ///< Each class has the layer of its name below it.
   std::string frame_id = "map";         ///< Of the poses, and so of the grids.
   EvidenceOptions evidence = {};
-  double ground_m = 0.0;     ///< Height of the ground over the map's z = 0.
+  double ground_m = 0.0;     ///< Height of the ground. Frame: Map.
   double max_range_m = 5.0;  ///< In the plan, from the camera; farther cells are left out.
   friend bool operator==(const ClassImageOptions&, const ClassImageOptions&) = default;
 };

@@ -36,9 +36,9 @@ struct EvidenceOptions {
 [[nodiscard]] Result<void> validate(const EvidenceOptions& options);
 [[nodiscard]] const OptionTable& option_table(const EvidenceOptions& options);
 
-/// In which heights over the map's z = 0 things are the ground or obstacles.
+/// In which heights things are the ground or obstacles.
 struct HeightOptions {
-  double ground_m = 0.0;             ///< Height of the ground.
+  double ground_m = 0.0;             ///< Height of the ground. Frame: Map.
   double ground_tolerance_m = 0.05;  ///< What lies so near to that height is the ground.
   double max_obstacle_m = 1.8;       ///< Above the ground; what is higher is no obstacle.
   friend bool operator==(const HeightOptions&, const HeightOptions&) = default;

@@ -48,6 +48,8 @@ struct SnapshotScene {
   std::string title = {};
   std::string frame_id = "map";
   LeafSource leaves = {};
+  /// Over which heights are, and at which grids and shapes lie. None: where the leaves show it.
+  std::optional<double> floor_m = std::nullopt;
   std::vector<SnapshotObject> objects = {};
   std::optional<OccupancyGrid> occupancy = std::nullopt;
   std::vector<SemanticObject> semantic =

@@ -3,6 +3,7 @@
 /// What is in an archive, in a few lines.
 #pragma once
 
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "hypermap/core/places/relations.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/projection/layers/frame_tree.hpp"
@@ -57,6 +58,7 @@ struct ArchiveInfo {
   std::size_t num_views = 0;
   std::size_t num_vertices = 0;  ///< Of the topological map, as its edges.
   std::size_t num_edges = 0;
+  MapFloor floor = {};
 };
 
 /// Cost: one pass over cells and leaves, and that of `find_relations`.
@@ -72,7 +74,8 @@ struct ArchiveInfo {
 /// `type`, `architecture`, `classes`; null what is not stated}], `class_names` {`aliases`,
 /// `super_classes`: how many}, `transforms`, `relations` {`on`,
 /// `in`, `under`, `beside`, `part_of`: how many}, `embeddings` [{`model`, `dimension`, `objects`}],
-/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `sessions` [{`number`,
+/// `views`: how many, `topological_map` {`vertices`, `edges`: how many}, `floor` {`height_m`,
+/// `source`: assumed, found or stated}, `sessions` [{`number`,
 /// `name`, `input`, `first_s`, `last_s`; null what is not known}], `provenance` (of the
 /// newest run, with the others, oldest first, in its list `earlier`; null when there is none).
 [[nodiscard]] std::string to_json(const ArchiveInfo& info);

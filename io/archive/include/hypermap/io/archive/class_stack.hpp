@@ -22,7 +22,7 @@ namespace hypermap {
 inline constexpr std::string_view kStackLayer = "stack";
 
 struct ClassStackRequest {
-  HeightBand band = {};  ///< Voxels that count.
+  HeightBand band = {};  ///< Voxels that count, by heights of the map.
   std::vector<std::string> classes =
       {};                           ///< Only what these ask for (asked_names); all when empty.
   ClassVocabulary vocabulary = {};  ///< By which they are understood.

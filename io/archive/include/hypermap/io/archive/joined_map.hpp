@@ -12,7 +12,8 @@ namespace hypermap {
 
 /// The map that parts were cut from (`cropped`), as far as they are there: nothing is added up, as
 /// each voxel, cell, shape and object is in one part. Edges of the topological map from part to
-/// part, and the object of voxels that lie in another part than it, stay lost.
+/// part (`load_tiles` knows them), and the object of voxels that lie in another part than it, stay
+/// lost.
 ///
 /// Requires: at least one part. Errors: kInvalidArgument for parts that are not of one map: other
 /// classes, options of the octree, runs or lattices, or a voxel, cell, shape or object that two

@@ -10,6 +10,7 @@
 #include "hypermap/core/base/load_budget.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/evaluation/true_surfaces.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "hypermap/core/objects/object_map.hpp"
 #include "hypermap/core/places/topological_map.hpp"
 #include "hypermap/core/segmentation/detector_registry.hpp"
@@ -72,6 +73,7 @@ struct MapArchive {
   /// Where the sensor came to; none in maps that were made without.
   std::optional<TopologicalMap> topological_map = {};
   std::optional<SemanticOctree> octree = {};
+  MapFloor floor = {};  ///< Stored with the octree, without one with the objects.
   std::vector<ClassGrid> class_grids = {};
   /// Of each run that put frames into the map, oldest first; at most `kMaxRuns`.
   std::vector<Provenance> provenance = {};

@@ -58,12 +58,12 @@ struct DerivedLayers {
 /// confirms; other layers stay as they are. Those that are new are marked as fed by a mapper
 /// (`subscribe_mode`), those that were there keep their flags.
 ///
-/// Grids cover the largest region of the octree alone (map_regions.hpp); `semantic` has the objects
-/// of all regions. What cannot be made (too many cells, no memory) is left out and said: the map
-/// would else be lost with it. A layer whose `enable_update` is false stays as it was, which is
-/// said, too. Source: [hypermap] 3.3.5.
-/// Requires: archive.octree. Errors: those of validate(options).
-/// Cost: some walks over the leaves, the cells of the grids.
+/// Heights are over the floor of the map (`shown_floor`, or the one that the options state), which
+/// the archive keeps. Grids cover the largest region of the octree alone (map_regions.hpp);
+/// `semantic` has the objects of all regions. What cannot be made (too many cells, no memory) is
+/// left out and said: the map would else be lost with it. A layer whose `enable_update` is false
+/// stays as it was, which is said, too. Source: [hypermap] 3.3.5. Requires: archive.octree. Errors:
+/// those of validate(options). Cost: some walks over the leaves, the cells of the grids.
 [[nodiscard]] Result<DerivedLayers> derive_layers(MapArchive& archive,
                                                   const ObjectPipelineOptions& objects,
                                                   const LayerOptions& options);

@@ -24,6 +24,10 @@ namespace hypermap {
 /// - bins of bearings turn by whole bins, the nearest number: exact for turns by a bin (20 degrees
 ///   to begin with), else off by up to half a bin, also at a quarter turn of 18 bins.
 ///
+/// Boundary: the identity leaves all but a checkpoint as it is, also what cannot be moved. Looks at
+/// blocks of voted cells follow the cells: where a motion divides a block, both parts keep the most
+/// of what comes together, and blocks without cells are left out.
+///
 /// Layers and class grids in other frames keep their content, and their transforms to or from `map`
 /// move; frames that nothing connects to `map` stay. Unknown keys and members stay as they are.
 ///

@@ -25,7 +25,8 @@ struct FusedLayer {
 };
 
 struct MapStackRequest {
-  ClassStackRequest of_classes = {};   ///< The frame of its options is not asked, but the map's.
+  /// Its band is over the map's floor; the frame of its options is not asked, but the map's.
+  ClassStackRequest of_classes = {};
   std::vector<FusedLayer> fused = {};  ///< In this order, after the classes.
   ResamplingOptions resampling = {};   ///< Of fused layers.
 };
@@ -45,7 +46,7 @@ struct MapStackRequest {
 /// Errors: kNotFound when the map has no voxels; those of projection_geometry. Cost: two passes
 /// over the leaves.
 [[nodiscard]] Result<std::size_t> num_cells_without_class(const MapArchive& archive,
-                                                          const HeightBand& band);
+                                                          const HeightBand& band_over_floor);
 
 /// The grid as map_server reads it from the maps of write_stack_maps: occupied, free or unknown.
 /// Boundary: maps of a turned stack are turned back, which this is not. Errors: kOutOfMemory.

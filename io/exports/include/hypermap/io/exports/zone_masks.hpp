@@ -32,7 +32,7 @@ struct ZoneRule {
 };
 
 struct ZoneRules {
-  double robot_height_m = 1.5;                    ///< What hangs wholly above it makes no zone.
+  double robot_height_m = 1.5;  ///< Over the floor: what hangs above makes no zone.
   std::map<std::string, ZoneRule> of_class = {};  ///< By canonical name of class or super-class.
   friend bool operator==(const ZoneRules&, const ZoneRules&) = default;
 };

@@ -6,6 +6,7 @@
 #include "hypermap/core/base/job_progress.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/base/series_sample.hpp"
+#include "hypermap/core/geometry/map_floor.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
 #include "hypermap/io/archive/map_layers.hpp"
 #include "hypermap/io/dataset/dataset_reader.hpp"
@@ -176,7 +177,8 @@ struct MappingReport {
   std::size_t num_objects = 0;             ///< Confirmed.
   std::size_t num_tentative = 0;           ///< Not confirmed.
   LeafCount leaves;
-  std::string up;  ///< How the world was aligned to gravity, in words.
+  std::string up;       ///< How the world was aligned to gravity, in words.
+  MapFloor floor = {};  ///< Over which the heights of the layers are.
   /// Of a colour camera that the images told; empty: depth is registered as it is.
   std::string registration;
   NetworkForm network_form = NetworkForm::kAuto;  ///< Of the network, if there is one.
