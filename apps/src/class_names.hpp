@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The option by which a call says what the names of classes mean.
+/// What the names of classes mean in a call, and which of them mean nothing in a map.
 #pragma once
 
+#include "command.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/vocabulary/class_vocabulary.hpp"
+#include "hypermap/io/archive/map_archive.hpp"
 
 #include <CLI/App.hpp>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hypermap::app {
 
@@ -23,5 +26,12 @@ struct ClassNames {
   /// Puts that of the file, if one was given, in the place of `vocabulary`. Errors: as `given`.
   [[nodiscard]] Result<void> replace(ClassVocabulary& vocabulary) const;
 };
+
+/// Warns on stderr of the classes of `file`, by their canonical names, that neither the map nor its
+/// vocabulary knows: what the file says of them does nothing. Returns kFindings for any, else
+/// kDone.
+ExitCode warn_of_unknown_classes(const MapArchive& archive,
+                                 const std::string& file,
+                                 const std::vector<std::string>& class_names);
 
 }  // namespace hypermap::app

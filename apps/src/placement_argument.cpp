@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placement_argument.hpp"
 
+#include "command.hpp"
 #include "number_lists.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace hypermap::app {
 
@@ -22,6 +24,10 @@ Result<std::optional<WorldPlacement>> placement_of(const std::optional<std::stri
                                       .y_m = numbers[1],
                                       .z_m = numbers[2],
                                       .yaw_rad = numbers[3] * std::numbers::pi / 180.0});
+}
+
+Error of_motion(Error error, const char* option) {
+  return error.field == "map_from_old" ? of_option(std::move(error), option) : error;
 }
 
 }  // namespace hypermap::app

@@ -21,4 +21,7 @@ namespace hypermap::app {
 [[nodiscard]] Result<std::optional<WorldPlacement>> placement_of(
     const std::optional<std::string>& text);
 
+/// An error of `transformed` as that of the option, where it is of the motion itself.
+[[nodiscard]] Error of_motion(Error error, const char* option);
+
 }  // namespace hypermap::app

@@ -64,6 +64,21 @@ std::string unknown_words(const CLI::App& program) {
   return text + did_you_mean(first, known_words(program));
 }
 
+/// What the chosen command needs beside its options and was not given, each with what it is.
+std::string missing_words(const CLI::App& program) {
+  std::string text;
+  const auto chosen = program.get_subcommands();
+  if (chosen.empty()) return text;
+  for (const CLI::Option* option : chosen.front()->get_options()) {
+    const bool is_missing =
+        option->get_positional() && option->get_required() && option->count() == 0;
+    if (!is_missing) continue;
+    text +=
+        (text.empty() ? "" : ", ") + option->get_name() + " (" + option->get_description() + ")";
+  }
+  return text;
+}
+
 /// An empty word is no value but of a title: a variable of a script that was not set.
 /// Throws CLI::ValidationError.
 void refuse_empty_values(const CLI::App& command) {
@@ -85,10 +100,14 @@ ExitCode parse_and_run(CommandLine& command_line, int argc, const char* const* a
     const bool is_help_requested = error.get_exit_code() == 0;
     // What is missing may only be misspelt.
     const std::string unknown = is_help_requested ? "" : unknown_words(program);
-    if (unknown.empty()) {
-      program.exit(error);
-    } else {
+    const bool lacks_word = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const std::string missing = lacks_word ? missing_words(program) : "";
+    if (!unknown.empty()) {
       program.exit(CLI::ParseError("unknown: " + unknown, kUsageStatus));
+    } else if (!missing.empty()) {
+      program.exit(CLI::ParseError("missing: " + missing, kUsageStatus));
+    } else {
+      program.exit(error);
     }
     return is_help_requested ? flushed(ExitCode::kDone) : ExitCode::kUsage;
   }

@@ -732,6 +732,11 @@ class Pipeline(unittest.TestCase):
         for arguments, told in ((["--sweep", "publication.min_observation=3"], "min_observations"),
                                 (["--frame", "3", "--input", self.dataset, "--combiner", "x"], "--sweep"),
                                 ([*axis, "--frame", "3"], "--frame"),
+                                ([*axis, "--seeds", "1,2,1"], "--seeds: must name each seed once, names 1 twice"),
+                                (["--sweep", "prior.source=none", "--places", "indoor.yaml"],
+                                 "--places: is used by no map: prior.source is swept without places"),
+                                (["--sweep", "stacking.rule=sum", "--combiner", "x"],
+                                 "--combiner: is used by no map: stacking.rule is swept without trained"),
                                 ([*axis, "--input", self.dataset], "--truth"),
                                 (["--frame", "3"], "--input")):
             refused = run("tune", *arguments)

@@ -107,7 +107,7 @@ class Import(unittest.TestCase):
                          {"flat.hmap": ["floor", "things"], "floor.yaml": ["floor"], "things.yaml": ["things"],
                           self.lab.name: [*self.layers(self.lab)][:2] + ["octree", "objects", "topological_map"]})
         self.assertNotIn("session", run("query", self.output, "--why", "1").stdout)
-        self.imported(flat, f"other={flat}", "--frame", "other=yard")
+        self.imported(flat, f"other={flat}", "--frame", "other=yard", status=1)
         self.assertEqual({name: layer["frame_id"] for name, layer in self.layers().items()},
                          {"floor": "map", "things": "map", "other_floor": "yard", "other_things": "yard"})
 
@@ -122,6 +122,12 @@ class Import(unittest.TestCase):
         self.imported(config)
         self.assertEqual(list(self.layers()), ["plan", "named"])
 
+    def test_a_frame_that_nothing_connects_is_told(self):
+        told = run("import", self.floor, f"first={self.upper}", "--frame", "first=second", "--output", self.output)
+        self.assertEqual(told.returncode, 1, told.stderr)
+        self.assertIn("lies in frame second, which no transform connects with another one", told.stderr)
+        self.assertNotIn("frame map", told.stderr)
+
     def test_what_cannot_be_a_part_is_refused_and_nothing_is_written(self):
         image = self.folder / "floor.pgm"
         cut = self.folder / "cut.bt"
@@ -135,7 +141,8 @@ class Import(unittest.TestCase):
                  ([f"a/b={self.floor}"], 2, "a/b"),
                  ([self.floor, "--frame", "flor=x"], 4, "--frame"),
                  ([self.floor, "--transform", "map,x,1,2"], 4, "--transform"),
-                 ([self.floor, "--transform", "map,map,1,2,3"], 2, "map"),
+                 ([self.floor, "--transform", "map,map,1,2,3"], 2, "--transform: the frames are connected already"),
+                 ([f"={self.floor}"], 4, "files: must be FILE or NAME=FILE, is '="),
                  ([], 4, "files"))
         for arguments, status, told in cases:
             with self.subTest(arguments=arguments):

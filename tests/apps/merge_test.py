@@ -132,6 +132,24 @@ class Merge(unittest.TestCase):
         self.assertLess(abs(placed["yaw_deg"] - ORIGIN[2]), 1.0, placed)
         self.assertEqual(placed["z_m"], 0.0)
 
+    def test_other_rules_and_a_recording_that_may_count_twice_are_told(self):
+        part, output = self.folder / "part.hmap", self.folder / "told.hmap"
+        self.succeed("map", "--input", self.data, "--output", part, "--resolution", 0.1, "--max-frames", 10)
+        result = run("merge", self.first, part, "--output", output)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.stderr, f"warning: {part}: has frames of lab of the time of which {self.first} has some: "
+                                        "of one recording they count twice\n")
+        config = self.folder / "config.yaml"
+        config.write_text("association: {min_gain: 0.25}\n")
+        result = run("merge", self.first, self.second, "--config", config, "--output", output)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.stderr.splitlines(), [
+            f"warning: {path}: association.min_gain: was 0.05 when the map was made, is 0.25 now: objects are joined by other rules"
+            for path in (self.first, self.second)])
+        far = run("merge", self.first, self.second, "--transform", "second=2e6,0,0,0", "--output", output)
+        self.assertEqual(far.returncode, 2, far.stderr)
+        self.assertIn("second.hmap: --transform: must shift by at most 1e6 m", far.stderr)
+
     def test_what_cannot_be_merged_is_refused_and_nothing_is_written(self):
         output = self.folder / "none.hmap"
         fine = self.folder / "fine.hmap"

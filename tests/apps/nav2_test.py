@@ -48,9 +48,9 @@ def way_to(point, polygon):
 
 
 class Nav2(LaboratoryCase):
-    def exported(self, *more):
+    def exported(self, *more, status=0):
         result = run("export", self.map, "--format", "nav2", "--output", self.folder / "nav2", *more)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.returncode, status, result.stderr)
         return result
 
     def zones(self, text):
@@ -100,10 +100,12 @@ class Nav2(LaboratoryCase):
         words = self.folder / "words.yaml"
         words.write_text("aliases:\n  cup: [mug]\n")
         self.assertIn(EMPTY, self.exported("--zones", self.zones("zones: {seat: {keepout_m: 0.1}}\n"),
-                                           "--class-names", words).stderr)
+                                           "--class-names", words, status=1).stderr)
 
     def test_a_map_without_such_classes_is_told(self):
-        told = self.exported("--zones", self.zones("zones:\n  unicorn: {keepout_m: 1}\n"))
+        told = self.exported("--zones", self.zones("zones:\n  unicorn: {keepout_m: 1}\n  chiar: {keepout_m: 1}\n"), status=1)
+        self.assertIn("zones.yaml: unicorn: is no class of the map, nor of its vocabulary\n", told.stderr)
+        self.assertIn('zones.yaml: chiar: is no class of the map, nor of its vocabulary, did you mean "chair"?', told.stderr)
         self.assertIn(EMPTY, told.stderr)
         self.assertEqual(set(self.mask("keepout").cells.values()), {254})
         self.assertEqual(set(self.mask("speed").cells.values()), {0})

@@ -111,6 +111,24 @@ class Parts(unittest.TestCase):
         self.assertEqual(run("diff", self.map, back).returncode, 0)
         self.assertEqual(run("diff", self.map, there, "--transform", "0.4,1.2,-0.3,-90").returncode, 0)
         self.assertEqual(run("transform", self.map, "--by", "1,2,3", "--output", back).returncode, 4)
+        far = run("transform", self.map, "--by", "2e6,0,0,0", "--output", back)
+        self.assertEqual(far.returncode, 2, far.stderr)
+        self.assertIn("--by: must shift by at most 1e6 m", far.stderr)
+
+    def test_a_motion_by_nothing_leaves_the_file_as_it_is(self):
+        same = self.folder / "same.hmap"
+        moved = run("transform", self.map, "--by", "0,0,0,0", "--output", same)
+        self.assertEqual(moved.returncode, 0, moved.stderr)
+        self.assertEqual(digest(same), digest(self.map))
+
+    def test_a_map_in_tiles_is_told_from_what_info_knows(self):
+        tiles = self.folder / "told"
+        self.assertEqual(run("split", self.map, "--tile", 2.5, "--output", tiles).returncode, 0)
+        for path in (tiles, tiles / "tiles.json"):
+            told = run("info", path)
+            self.assertEqual(told.returncode, 2, told.stderr)
+            self.assertIn("is a map in tiles: query takes it as it is", told.stderr)
+        self.assertIn("kind 'tile-set'", run("export", tiles / "tiles.json", "--format", "ply", "--output", self.folder / "x.ply").stderr)
 
     def test_a_folder_with_anything_else_is_not_replaced(self):
         folder = self.folder / "kept"
@@ -123,13 +141,15 @@ class Parts(unittest.TestCase):
 
     def test_a_part_of_nothing_is_an_empty_map(self):
         part = self.folder / "nothing.hmap"
-        self.assertEqual(run("crop", self.map, "--area", "90 90,91 90,91 91", "--output", part).returncode, 0)
+        cropped = run("crop", self.map, "--area", "90 90,91 90,91 91", "--output", part)
+        self.assertEqual(cropped.returncode, 1, cropped.stderr)
+        self.assertIn("--area: nothing of the map lies in it", cropped.stderr)
         self.assertEqual(self.contents(part), {"voxels": 0, "free": 0, "cells": 0, "objects": set()})
 
     def test_wrong_command_lines_are_told_by_their_option(self):
         before = digest(self.map)
         for options, words in ((("--area", "0 0,1 1"), "--area: "), (("--area", "0 0,1 0,x 1"), "--area: "),
-                               (("--area", "0 0,1 0,1 1", "--min-z", 2, "--max-z", 1), "--max-z: must be above")):
+                               (("--area", "0 0,1 0,1 1", "--min-z", 2, "--max-z", 1), "--max-z: must be above --min-z (2), is 1")):
             refused = run("crop", self.map, *options, "--output", self.folder / "no.hmap")
             self.assertEqual(refused.returncode, 4, refused.stderr)
             self.assertIn(words, refused.stderr)

@@ -64,6 +64,16 @@ class Usage(unittest.TestCase):
                 self.assertNotIn('"--file"', result.stderr)
         self.assertIn('did you mean "--tiles"?', run("stack", "--tile", "drive", "--output", "grids").stderr)
 
+    def test_words_that_are_missing_are_told_with_what_they_are(self):
+        for arguments, words in ((["diff"], "missing: before (archive of the earlier map), after (archive of the later map)"),
+                                 (["diff", "monday.hmap"], "missing: after (archive of the later map)"),
+                                 (["crop", "--area", "0 0,1 0,1 1", "--output", "x.hmap"], "missing: map (archive)"),
+                                 (["merge", "--output", "x.hmap"], "missing: files (archives, two or more;")):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 4)
+                self.assertIn(words, result.stderr)
+
     def test_a_full_device_is_no_success(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             self.assertEqual(run("config", stdout=full).returncode, 3)

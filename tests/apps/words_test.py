@@ -231,6 +231,14 @@ class Names(Case):
         self.assertEqual(wrong.returncode, 4)
         self.assertIn('must be points "x y,x y,..."', wrong.stderr)
 
+    def test_a_palette_of_classes_that_the_map_does_not_have_is_told(self):
+        palette, names = self.folder / "palette.yaml", self.folder / "names.yaml"
+        palette.write_text("Seat: '#102030'\nchiar: '#102030'\n")
+        names.write_text("aliases: {chair: [seat]}\n")
+        result = run("snapshot", self.archive, "--output", self.folder / "drawn.png", "--palette", palette, "--class-names", names)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.stderr, f'warning: {palette}: chiar: is no class of the map, nor of its vocabulary, did you mean "chair"?\n')
+
     def test_a_palette_is_read_before_the_work(self):
         palette = self.folder / "palette.yaml"
         palette.write_text("chair: orange\n")

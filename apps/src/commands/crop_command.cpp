@@ -2,12 +2,16 @@
 #include "command.hpp"
 #include "edited_map.hpp"
 #include "hypermap/core/base/count_text.hpp"
+#include "hypermap/core/base/number_text.hpp"
 #include "hypermap/io/archive/cropped_map.hpp"
+#include "hypermap/projection/layers/occupancy_layer.hpp"
+#include "hypermap/projection/layers/semantic_layer.hpp"
 #include "load_arguments.hpp"
 #include "number_lists.hpp"
 #include "outputs.hpp"
 #include "part_text.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,10 +37,36 @@ Result<CropRegion> region_of(const CropArguments& arguments) {
   CropRegion region{.area = std::move(*area)};
   if (arguments.min_z_m) region.min_z_m = *arguments.min_z_m;
   if (arguments.max_z_m) region.max_z_m = *arguments.max_z_m;
-  if (auto checked = validate(region); !checked) {
-    return Unexpected(of_option(std::move(checked).error(), "--max-z"));
+  if (!(region.min_z_m < region.max_z_m)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be above --min-z (" + number_text(region.min_z_m) + "), is " +
+                    number_text(region.max_z_m),
+                "--max-z");
   }
   return region;
+}
+
+/// Whether a voxel, an object, a shape, a known cell, a vertex or a true object is there.
+bool has_content(const MapArchive& part) {
+  if (num_voxels(part) > 0 || !part.objects.empty() || !part.class_grids.empty()) return true;
+  if (part.topological_map && !part.topological_map->vertices().empty()) return true;
+  if (part.true_surfaces && !part.true_surfaces->objects.empty()) return true;
+  return std::ranges::any_of(part.hypermap.layers(), [](const Layer& layer) {
+    if (const auto* shapes = layer.content.as<SemanticLayer>()) return !shapes->objects().empty();
+    const auto* occupancy = layer.content.as<OccupancyLayer>();
+    return occupancy != nullptr &&
+           occupancy->grid.counts().unknown < occupancy->grid.cells().size();
+  });
+}
+
+/// Says on stderr what could not be divided, and when the part has nothing.
+ExitCode remark(const CroppedMap& part, const std::string& file) {
+  const ExitCode left_out = warn_of_left_out("crop", part.left_out);
+  if (has_content(part.map)) return left_out;
+  return report(Finding{.error = {.code = ErrorCode::kNotFound,
+                                  .what = "nothing of the map lies in it",
+                                  .file = file,
+                                  .field = "--area"}});
 }
 
 ExitCode run_crop(const CropArguments& arguments, const CropRegion& region) {
@@ -46,9 +76,8 @@ ExitCode run_crop(const CropArguments& arguments, const CropRegion& region) {
                        count_text(num_voxels(whole), "voxel") + ", " +
                        std::to_string(part.map.objects.size()) + " of " +
                        count_text(whole.objects.size(), "object") + "\n" + arguments.output + "\n";
-    return EditedMap{.map = std::move(part.map),
-                     .text = std::move(text),
-                     .findings = warn_of_left_out("crop", part.left_out)};
+    const ExitCode findings = remark(part, arguments.file);
+    return EditedMap{.map = std::move(part.map), .text = std::move(text), .findings = findings};
   };
   return run_edit(arguments.file, arguments.output, arguments.load, crop);
 }

@@ -70,7 +70,7 @@ Result<ComparedArchives> compare(const DiffArguments& arguments) {
   HYPERMAP_ASSIGN_OR_RETURN(auto after, load(arguments, arguments.after));
   if (placement) {
     auto moved = transformed(after.value, MapFromOldMap(isometry_of(*placement)));
-    if (!moved) return Unexpected(of_file(moved.error(), arguments));
+    if (!moved) return Unexpected(of_motion(of_file(moved.error(), arguments), "--transform"));
     after.value = std::move(*moved);
   }
   auto found = archive_changes(before.value, after.value, arguments.options);
@@ -91,6 +91,7 @@ Result<std::string> drawn(const ComparedArchives& compared,
                                   {},
                                   shown_leaves(compared.after),
                                   compared.found.frame_id);
+  if (compared.after.floor != MapFloor{}) scene.floor_m = compared.after.floor.height_m;
   scene.overlay = {};
   scene.semantic.assign(changes.objects().begin(), changes.objects().end());
   scene.title = std::filesystem::path(arguments.before).filename().string() + " to " +

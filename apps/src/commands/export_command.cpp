@@ -77,7 +77,26 @@ void remark(const MapArchive& archive, const ExportRequest& request) {
   }
 }
 
-Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments) {
+/// Warns of classes of the user's own files that nobody knows.
+ExitCode warn_of_files(const MapArchive& archive,
+                       const ExportArguments& arguments,
+                       const ExportRequest& request) {
+  std::vector<std::string> of_zones;
+  if (!arguments.zones.empty()) {
+    for (const auto& [name, rule] : request.zones.of_class) of_zones.push_back(name);
+  }
+  return std::max(
+      warn_of_unknown_classes(archive, arguments.zones, of_zones),
+      warn_of_unknown_classes(archive, arguments.palette, request.palette.class_names()));
+}
+
+/// The files that were written, and whether there was anything to warn of.
+struct Exported {
+  std::vector<std::filesystem::path> files;
+  ExitCode findings = ExitCode::kDone;
+};
+
+Result<Exported> run(const ExportArguments& arguments) {
   ExportRequest request = arguments.request;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(request.palette, read_palette(arguments.palette));
@@ -103,7 +122,8 @@ Result<std::vector<std::filesystem::path>> run(const ExportArguments& arguments)
   auto written = export_map(loaded.value, request);
   if (!written) return Unexpected(with_source(written.error(), {arguments.file}));
   remark(loaded.value, request);
-  return written;
+  return Exported{.files = std::move(*written),
+                  .findings = warn_of_files(loaded.value, arguments, request)};
 }
 
 /// Throws: CLI::ValidationError for a text that is no polygon.
@@ -240,8 +260,8 @@ void add_export_command(CLI::App& program, Action& action) {
     action = [arguments] {
       const auto written = run(*arguments);
       if (!written) return report(written.error());
-      for (const auto& path : *written) std::printf("%s\n", path.c_str());
-      if (!written->empty()) return ExitCode::kDone;
+      for (const auto& path : written->files) std::printf("%s\n", path.c_str());
+      if (!written->files.empty()) return written->findings;
       std::fprintf(stderr, "export: the map has nothing of that: no file was written\n");
       return ExitCode::kFindings;
     };

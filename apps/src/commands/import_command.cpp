@@ -28,11 +28,18 @@ struct ImportArguments {
   LoadArguments load;
 };
 
-/// "NAME=FILE" where no file is called so, else "FILE".
-ImportedFile parse_file(const std::string& text) {
+/// "NAME=FILE" where no file is called so, else "FILE". Errors: kInvalidArgument without NAME.
+Result<ImportedFile> parse_file(const std::string& text) {
   const auto equals = text.find('=');
-  if (equals == std::string::npos || std::filesystem::exists(text)) return {.path = text};
-  return {.path = text.substr(equals + 1), .name = text.substr(0, equals)};
+  if (equals == std::string::npos || std::filesystem::exists(text)) {
+    return ImportedFile{.path = text};
+  }
+  if (equals == 0 || equals + 1 == text.size()) {
+    return fail(ErrorCode::kInvalidArgument,
+                "must be FILE or NAME=FILE, is '" + printable(text) + "'",
+                "files");
+  }
+  return ImportedFile{.path = text.substr(equals + 1), .name = text.substr(0, equals)};
 }
 
 /// The file that `FILE=FRAME` speaks of: its name, that of its layer, or its place among them.
@@ -47,7 +54,10 @@ std::vector<ImportedFile>::iterator file_called(std::vector<ImportedFile>& files
 Result<std::vector<ImportedFile>> files_of(const ImportArguments& arguments) {
   std::vector<ImportedFile> files;
   files.reserve(arguments.files.size());
-  for (const std::string& text : arguments.files) files.push_back(parse_file(text));
+  for (const std::string& text : arguments.files) {
+    HYPERMAP_ASSIGN_OR_RETURN(ImportedFile file, parse_file(text));
+    files.push_back(std::move(file));
+  }
   for (const std::string& text : arguments.frames) {
     const auto equals = text.rfind('=');
     const auto file = file_called(files, text.substr(0, equals));
@@ -104,9 +114,18 @@ void print_layers(const MapArchive& archive) {
   }
 }
 
+/// Of the job's own transforms; those of files bear the file.
+bool is_of_transform(const Error& error) {
+  return error.file.empty() && (error.field == "frame_id" || error.field == "child_frame_id" ||
+                                error.field == "transform_pose");
+}
+
 ExitCode run_import_command(const ImportArguments& arguments, const ImportJob& job) {
   const auto imported = run_import(job);
-  if (!imported) return report(imported.error());
+  if (!imported) {
+    const Error& error = imported.error();
+    return report(is_of_transform(error) ? of_option(error, "--transform") : error);
+  }
   if (const auto saved =
           save_archive(imported->value, arguments.output, {.limits = arguments.load.limits});
       !saved) {

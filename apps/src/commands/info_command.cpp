@@ -3,6 +3,7 @@
 #include "dataset_arguments.hpp"
 #include "hypermap/core/base/count_text.hpp"
 #include "hypermap/core/base/number_text.hpp"
+#include "hypermap/io/archive/archive_floor.hpp"
 #include "hypermap/io/archive/archive_info.hpp"
 #include "hypermap/io/archive/archive_sizes.hpp"
 #include "hypermap/io/archive/map_sessions.hpp"
@@ -173,6 +174,10 @@ void print(const ArchiveInfo& info) {
                 info.num_vertices == 1 ? "1 vertex"
                                        : (std::to_string(info.num_vertices) + " vertices").c_str(),
                 count_text(info.num_edges, "edge").c_str());
+  }
+  const bool has_height = !std::ranges::all_of(info.layers, &LayerSummary::flat);
+  if (has_height) {
+    std::printf("floor %s\n", text_of(info.floor).c_str());
   }
   for (const FrameTransform& transform : info.transforms) {
     std::printf("%s in %s: x %.3f m, y %.3f m, yaw %.2f degrees\n",

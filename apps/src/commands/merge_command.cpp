@@ -89,7 +89,7 @@ ExitCode run_merge_command(const MergeArguments& arguments,
   Progress progress("merging", common.progress);
   const auto merged = run_merge(
       job, [&](std::size_t done, std::size_t total) { return progress.update(done, total); });
-  if (!merged) return report(merged.error());
+  if (!merged) return report(of_motion(merged.error(), "--transform"));
   if (const auto saved =
           save_archive(merged->map, arguments.output, {.limits = arguments.load.limits});
       !saved) {

@@ -80,14 +80,19 @@ SnapshotScene scene_of(const MapArchive& archive,
                        const SnapshotOptions& options) {
   SnapshotScene scene = map_scene(
       archive.hypermap, archive.classes, objects, shown_leaves(archive), shown_frame_id(archive));
+  if (archive.floor != MapFloor{}) scene.floor_m = archive.floor.height_m;
   const auto ways = archive_layer(archive, kTopologicalMapLayer);
   if (!ways || !options.layers || !options.layers->overlay) return scene;
   return with_layer(std::move(scene), *ways, archive.hypermap.frames());
 }
 
-/// Writes the image; gives what of the map it leaves out.
-Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
-                                     const SnapshotOptions& options) {
+/// What the user may want to know of an image that was written.
+struct Drawn {
+  std::vector<std::string> left_out;  ///< Layers of the map.
+  ExitCode findings = ExitCode::kDone;
+};
+
+Result<Drawn> run(const SnapshotArguments& arguments, const SnapshotOptions& options) {
   ClassPalette palette;
   if (!arguments.palette.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(palette, read_palette(arguments.palette));
@@ -110,7 +115,9 @@ Result<std::vector<std::string>> run(const SnapshotArguments& arguments,
   HYPERMAP_ASSIGN_OR_RETURN(const ColorImage image, render_snapshot(scene, options));
   HYPERMAP_ASSIGN_OR_RETURN(const std::string bytes, encode_png(image));
   HYPERMAP_TRY(write_file_atomically(arguments.output, bytes));
-  return scene.left_out;
+  return Drawn{
+      .left_out = std::move(scene.left_out),
+      .findings = warn_of_unknown_classes(archive, arguments.palette, palette.class_names())};
 }
 
 }  // namespace
@@ -158,10 +165,10 @@ void add_snapshot_command(CLI::App& program, Action& action) {
       const auto done = run(*arguments, options);
       if (!done) return report(done.error());
       std::printf("%s\n", arguments->output.c_str());
-      for (const std::string& layer : *done) {
+      for (const std::string& layer : done->left_out) {
         std::fprintf(stderr, "warning: not drawn: %s\n", layer.c_str());
       }
-      return done->empty() ? ExitCode::kDone : ExitCode::kFindings;
+      return done->left_out.empty() ? done->findings : ExitCode::kFindings;
     };
   });
 }

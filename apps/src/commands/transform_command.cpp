@@ -26,8 +26,9 @@ ExitCode run_transform(const TransformArguments& arguments) {
   if (!placement) return report(placement.error());
   const MapFromOldMap map_from_old(isometry_of(**placement));
   const auto transform = [&](const MapArchive& old) -> Result<EditedMap> {
-    HYPERMAP_ASSIGN_OR_RETURN(auto moved, transformed(old, map_from_old));
-    return EditedMap{.map = std::move(moved), .text = arguments.output + "\n"};
+    auto moved = transformed(old, map_from_old);
+    if (!moved) return Unexpected(of_motion(moved.error(), "--by"));
+    return EditedMap{.map = std::move(*moved), .text = arguments.output + "\n"};
   };
   return run_edit(arguments.file, arguments.output, arguments.load, transform);
 }

@@ -267,6 +267,7 @@ void add_tune_command(CLI::App& program, const CommonOptions& common, Action& ac
                  "hypermap tune --sweep octree.resolution_m=0.03,0.05 --seeds 1,2,3"});
   command.callback([arguments, &common, &action] {
     require_inputs(*arguments);
+    arguments->sweep.keep_to_rules();
     const auto options = map_options_of(arguments->options);
     if (!options) {
       const Error& error = options.error();

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -146,6 +147,21 @@ CLI::Validator sweep_axis() {
   return {check, "OPTION=a,b,c"};
 }
 
+/// What is given beside a sweep is meant for one of its maps.
+/// Throws: CLI::ValidationError where the option is swept without the value that takes the file.
+void refuse_idle_file(const std::vector<std::string>& axes,
+                      const char* flag,
+                      const std::string& option,
+                      const std::string& value) {
+  const bool is_idle = std::ranges::any_of(axes, [&](const std::string& text) {
+    const auto axis = parse_sweep_axis(text);
+    return axis && axis->option == option &&
+           std::ranges::find(axis->values, value) == axis->values.end();
+  });
+  if (!is_idle) return;
+  throw CLI::ValidationError(flag, "is used by no map: " + option + " is swept without " + value);
+}
+
 std::vector<std::string> score_cells(const SweepScores& scores) {
   return {fixed(scores.f1, 3),
           fixed(scores.precision, 3),
@@ -221,6 +237,17 @@ void SweepArguments::add_to(CLI::App& command) {
     asked->excludes(command.get_option(of_a_frame));
   }
   command.add_flag("--json", json, "with --sweep and --times: one JSON document");
+}
+
+void SweepArguments::keep_to_rules() const {
+  std::set<std::uint64_t> known;
+  for (const std::uint64_t seed : seeds) {
+    if (known.insert(seed).second) continue;
+    throw CLI::ValidationError(
+        "--seeds", "must name each seed once, names " + std::to_string(seed) + " twice");
+  }
+  if (!places.empty()) refuse_idle_file(axes, "--places", "prior.source", "places");
+  if (combiner) refuse_idle_file(axes, "--combiner", "stacking.rule", "trained");
 }
 
 ExitCode sweep(const SweepArguments& arguments,

@@ -31,6 +31,9 @@ struct SweepArguments {
   [[nodiscard]] bool is_asked() const { return !axes.empty(); }
   /// Without `--sweep`, what belongs to it is refused.
   void add_to(CLI::App& command);
+  /// Throws: CLI::ValidationError for a seed that is named twice, and for a file that no map of the
+  /// sweep would use. Requires: axes that parse_sweep_axis takes.
+  void keep_to_rules() const;
 };
 
 /// Sweeps over the given sequences, or over a scene at each of the seeds, which is simulated in a

@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/map_server.hpp"
 #include "hypermap/io/archive/octomap_file.hpp"
 #include "hypermap/io/codec/file_kind.hpp"
+#include "hypermap/io/jobs/tile_set.hpp"
 #include "hypermap/io/tiles/tile_map.hpp"
 
 #include <filesystem>
@@ -70,6 +71,12 @@ Result<Loaded<FileInfo>> describe_file(const std::filesystem::path& path,
                                        const ArchiveLimits& limits,
                                        const StopCheck& stop,
                                        const std::optional<std::filesystem::path>& description) {
+  if (is_tile_set(path)) {
+    return Unexpected(
+        Error{.code = ErrorCode::kUnsupported,
+              .what = "is a map in tiles: query takes it as it is, info tells of one tile (.hmap)",
+              .file = path.string()});
+  }
   HYPERMAP_ASSIGN_OR_RETURN(const FileKind kind, find_file_kind(path));
   switch (kind) {
     case FileKind::kDataset:

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -87,6 +88,27 @@ Result<std::vector<Finding>> add_part(MapArchive& whole, const Part& part) {
   return findings;
 }
 
+/// Files whose frame was given and that nothing connects with any other frame of the map: points of
+/// one are nowhere in the other.
+std::vector<Finding> unconnected(const ImportJob& job, const MapArchive& whole) {
+  std::set<std::string> frames;
+  for (const Layer& layer : whole.hypermap.layers()) frames.insert(layer.info.frame_id);
+  for (const OctomapExtension& octomap : whole.octomaps) frames.insert(octomap.entry.frame_id);
+  std::vector<Finding> findings;
+  for (const ImportedFile& file : job.files) {
+    const bool stands_alone = std::ranges::none_of(frames, [&](const std::string& frame) {
+      return frame != file.frame_id && whole.hypermap.frames().to_from(frame, file.frame_id);
+    });
+    const bool is_asked = file.frame_id != ImportedFile{}.frame_id;
+    if (!is_asked || !stands_alone || frames.size() < 2) continue;
+    findings.push_back({.error = {.code = ErrorCode::kNotFound,
+                                  .what = "lies in frame " + printable(file.frame_id) +
+                                          ", which no transform connects with another one",
+                                  .file = file.path.string()}});
+  }
+  return findings;
+}
+
 /// The part with objects or voxels, or an empty one.
 Result<std::optional<std::size_t>> whole_part(const std::vector<Part>& parts) {
   std::optional<std::size_t> whole;
@@ -126,6 +148,7 @@ Result<Loaded<MapArchive>> run_import(const ImportJob& job) {
   for (const FrameTransform& transform : job.transforms) {
     HYPERMAP_TRY(whole.hypermap.frames().add(transform));
   }
+  std::ranges::move(unconnected(job, whole), std::back_inserter(findings));
   return Loaded<MapArchive>{.value = std::move(whole), .findings = std::move(findings)};
 }
 

@@ -54,24 +54,24 @@ Result<void> check_frame(const MapArchive& map, const MapArchive& sum, const Mer
        .what = "lies in frame " + shown_frame_id(map) + ", the others in " + shown_frame_id(sum)});
 }
 
-/// A map as it lies in its file, where its voxels alone are asked for.
-Result<SemanticOctree> load_octree(const MergedFile& file, const MergeJob& job) {
+/// A map as it lies in its file, of which its voxels alone are asked for.
+Result<MapArchive> load_voxels(const MergedFile& file, const MergeJob& job) {
   auto loaded = load_archive_parts(file.path,
                                    {.octrees = true, .objects = false, .class_grids = false},
                                    job.limits,
                                    archive_layer_types(),
                                    job.stop);
   if (!loaded) return about_map(file, loaded.error());
-  return *std::move(loaded->value.map.octree);
+  return std::move(loaded->value.map);
 }
 
 /// Finds where maps without a placement lie in the first one.
 Result<void> register_all(std::vector<PlannedMap>& plan, const MergeJob& job) {
   const MergedFile& first = job.files.front();
-  HYPERMAP_ASSIGN_OR_RETURN(const SemanticOctree fixed, load_octree(first, job));
+  HYPERMAP_ASSIGN_OR_RETURN(const MapArchive fixed, load_voxels(first, job));
   for (PlannedMap& map : plan) {
     if (map.file == &first || map.file->placement) continue;
-    HYPERMAP_ASSIGN_OR_RETURN(const SemanticOctree moving, load_octree(*map.file, job));
+    HYPERMAP_ASSIGN_OR_RETURN(const MapArchive moving, load_voxels(*map.file, job));
     auto found = register_maps(moving, fixed, job.options.layers);
     if (!found) {
       Error error = found.error();
@@ -99,6 +99,7 @@ bool is_later(const PlannedMap& map, const Sum& sum, const MergeJob& job) {
 
 Result<void> add_map(Sum& sum, const PlannedMap& map, const MergeJob& job) {
   HYPERMAP_ASSIGN_OR_RETURN(auto loaded, load_placed(map, job));
+  note(sum.report.findings, map.findings, *map.file);
   note(sum.report.findings, std::move(loaded.findings), *map.file);
   MergedMap merged_map{.path = map.file->path,
                        .num_sessions = map.num_sessions,
@@ -115,6 +116,7 @@ Result<void> add_map(Sum& sum, const PlannedMap& map, const MergeJob& job) {
                        std::move(loaded.value),
                        {.association = job.options.mapper.objects.association,
                         .is_later = merged_map.is_later,
+                        .is_floor_stated = job.options.layers.floor_m.has_value(),
                         .name = map.file->path.stem().string()});
     if (!both) return about_map(*map.file, both.error());
     note(sum.report.findings, std::move(both->findings), *map.file);

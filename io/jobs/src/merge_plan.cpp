@@ -5,6 +5,7 @@
 #include "hypermap/io/archive/class_stack.hpp"
 #include "hypermap/io/archive/grid_stack_layer.hpp"
 #include "hypermap/io/archive/map_sessions.hpp"
+#include "merge_findings.hpp"
 
 #include <algorithm>
 #include <map>
@@ -141,6 +142,17 @@ void place(std::vector<LookedThrough>& maps, const MergeJob& job) {
   }
 }
 
+void remark(std::vector<LookedThrough>& maps, const MergeJob& job) {
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    std::vector<Finding>& findings = maps[i].plan.findings;
+    if (auto found = other_association(maps[i].runs, job.options)) findings.push_back(*found);
+    for (std::size_t k = 0; k < i; ++k) {
+      auto found = shared_recording(maps[i].runs, maps[k].runs, maps[k].plan.file->path);
+      if (found) findings.push_back(*found);
+    }
+  }
+}
+
 /// By what does not depend on the order in which they were given, as far as maps differ in it.
 void sort_by_time(std::vector<LookedThrough>& maps) {
   std::ranges::stable_sort(maps, {}, [](const LookedThrough& map) {
@@ -185,6 +197,7 @@ Result<std::vector<PlannedMap>> plan_merge(const MergeJob& job) {
   }
   HYPERMAP_TRY(refuse_same_runs(maps));
   HYPERMAP_TRY(refuse_other_voxels(maps));
+  remark(maps, job);
   place(maps, job);
   if (!job.in_order) sort_by_time(maps);
   std::vector<PlannedMap> plan;

@@ -27,6 +27,7 @@ struct PlannedMap {
   std::optional<MapFromOldMap> sum_from_map = std::nullopt;
   std::optional<MapPlacement> found = std::nullopt;  ///< Where that was found by registering.
   bool has_stack = false;                            ///< A layer `stack` of mapping.
+  std::vector<Finding> findings = {};                ///< What its runs tell.
 };
 
 /// The maps in the order in which they are added. Their voxels and objects are not read.

@@ -216,6 +216,7 @@ TEST(ClassPalette, AUsersColorHoldsForAllSpellings) {
   ASSERT_TRUE(palette.set("Potted Plant", {1, 2, 3}));
   EXPECT_EQ(palette.color_of("pottedplant"), (Rgb8{1, 2, 3}));
   EXPECT_EQ(palette.color_of("chair"), class_color("chair"));
+  EXPECT_EQ(palette.class_names(), std::vector<std::string>{"pottedplant"});
   EXPECT_FALSE(palette.set("potted-plant", {4, 5, 6}));
   EXPECT_FALSE(palette.set("", {4, 5, 6}));
 }

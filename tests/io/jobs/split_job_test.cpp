@@ -59,7 +59,8 @@ TEST_F(SplitJobTest, AnEmptyMapHasNoTiles) {
   const auto report = run_split(MapArchive{}, job);
   ASSERT_TRUE(report) << to_string(report.error());
   EXPECT_TRUE(report->tiles.empty());
-  EXPECT_EQ(test::files_below(job.output).at("tiles.json"), "{\"tile_m\":0.5,\"tiles\":[]}\n");
+  EXPECT_EQ(test::files_below(job.output).at("tiles.json"),
+            "{\"tile_m\":0.5,\"tiles\":[],\"ways\":[]}\n");
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ struct ImportJob {
 /// leaves these alone.
 ///
 /// Findings: those of reading, and what an archive has that only one can bring: its vocabulary,
-/// where another one's is there already, and members that nobody knows.
+/// where another one's is there already, and members that nobody knows; a frame that a file was
+/// given and that nothing connects with those of the others.
 /// Errors: those of find_file_kind and of the readers; kUnsupported for a file that is no part of a
 /// map, a labelled octree without its archive, a checkpoint, and for a second archive with objects
 /// or voxels of its own, each naming the file; kInvalidArgument for two layers of one name, a name

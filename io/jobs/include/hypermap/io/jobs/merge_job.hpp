@@ -83,9 +83,11 @@ struct MergeResult {
 /// order in which they are given does not matter but for the frame, which is the first's. Never
 /// more than two are held.
 /// Findings: those of reading, layers that cannot be made, whatever of one map another one has
-/// otherwise. Errors: kInvalidArgument for fewer than two files, a run that two maps have, voxels
-/// or objects made with other options; kUnsupported for a map without an octree, a checkpoint, and
-/// for frames of two names; with `registers`, those of `register_maps`; those of load_archive,
+/// otherwise, options of association that a map's newest run had otherwise, and runs that may be of
+/// one recording. Errors: kInvalidArgument for fewer than two files, a run that two maps have,
+/// voxels of another size or model, and a pair of objects whose beliefs, histograms or points were
+/// made with different options; kUnsupported for a map without an octree, a checkpoint, and for
+/// frames of two names; with `registers`, those of `register_maps`; those of load_archive,
 /// `transformed`, `merged` and `derive_layers`; kInterrupted. Each names the file. Threads: the
 /// same bytes at any number.
 [[nodiscard]] Result<MergeResult> run_merge(const MergeJob& job, const JobProgress& progress = {});
