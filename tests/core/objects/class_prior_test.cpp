@@ -47,14 +47,17 @@ TEST(ClassPrior, WhatIsNoPriorIsRefused) {
 }
 
 /// An object that one view showed so often as a cup and so often as a bottle.
-Object doubtful(int num_cup, int num_bottle, const ClassBeliefOptions& options = {}) {
+Object doubtful(int num_cup,
+                int num_bottle,
+                const ClassBeliefOptions& options = {},
+                const ClassPrior& prior = prior_for(4.0, 1.0)) {
   AssociationOptions association;
   association.belief = options;
   Observation observation;
   observation.segment.box = testing_support::box_at({0, 0, 1}, {0.1, 0.1, 0.1});
   observation.segment.points_in_map = testing_support::surface_of(observation.segment.box);
   observation.segment.box_confidence = Probability(0.8);
-  observation.prior = prior_for(4.0, 1.0);
+  observation.prior = prior;
   observation.num_classes = 2;
   Object object;
   for (int i = 0; i < num_cup + num_bottle; ++i) {
@@ -76,6 +79,14 @@ TEST(ClassPrior, ByViewsItIsAppliedOnceHoweverOftenTheObjectWasSeen) {
     const auto detected = detected_distribution(doubtful(6 * times, 4 * times));
     EXPECT_NEAR(detected[1].probability.value(), 0.16 / 0.52, 1e-9);
   }
+}
+
+TEST(ClassPrior, ByViewsItDoesNotSayWhichObservationsAreOfOneObject) {
+  const Object known = doubtful(6, 4);
+  const Object unknown = doubtful(6, 4, {}, {});
+  ASSERT_FALSE(known.prior.empty());
+  EXPECT_EQ(known.belief, unknown.belief);
+  EXPECT_EQ(known.observation_log, unknown.observation_log);
 }
 
 TEST(ClassPrior, UnderTheSumEachObservationBearsIt) {

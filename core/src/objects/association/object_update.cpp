@@ -5,16 +5,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace hypermap {
 namespace {
 
-/// Source: [smap] Eq. (3.17), (3.18); N is the number of classes of the combined set, of which a
-/// vector may name a part.
+/// The observation's classes as the belief takes them. By views it takes what was detected alone,
+/// and class_distribution applies what is known besides: a belief says, too, which observations are
+/// of one object, of which outside knowledge says nothing.
+///
+/// Source: [smap] Eq. (3.17).
+std::vector<ClassEvidence> believed_scores(const Observation& observation,
+                                           ClassTempering tempering) {
+  if (tempering == ClassTempering::kViews) return observation.class_scores;
+  return with_prior(observation.class_scores, observation.prior);
+}
+
+/// Source: [smap] Eq. (3.18); N is the number of classes of the combined set, of which a vector may
+/// name a part.
 void update_belief(Object& object, const Observation& observation) {
   const std::size_t num_classes =
       std::max({std::size_t{2}, observation.class_scores.size(), observation.num_classes});
-  object.belief.observe(with_prior(observation.class_scores, observation.prior),
+  object.belief.observe(believed_scores(observation, object.belief.options().tempering),
                         Probability(1.0 / static_cast<double>(num_classes)));
 }
 

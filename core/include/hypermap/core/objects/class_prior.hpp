@@ -42,8 +42,8 @@ class ClassPrior {
 /// The classes with the knowledge: each probability times its factor, normalised to the sum that
 /// was given.
 ///
-/// Source: [smap] Eq. (3.17); the result is what (3.18) observes. Boundary: a prior that says
-/// nothing changes no bit. Cost: linear, times the logarithm of the prior's classes.
+/// Source: [smap] Eq. (3.17); under tempering none (3.18) observes the result. Boundary: a prior
+/// that says nothing changes no bit. Cost: linear, times the logarithm of the prior's classes.
 [[nodiscard]] std::vector<ClassEvidence> with_prior(std::vector<ClassEvidence> classes,
                                                     const ClassPrior& prior);
 
