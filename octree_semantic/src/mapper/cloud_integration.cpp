@@ -85,7 +85,10 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
   report.seconds.segment = watch.lap();
 
   ObjectMap objects = objects_;
-  const auto association = associate(objects, seen.instances, options_.objects.association);
+  // A cloud does not say what was in view and not detected.
+  AssociationOptions of_clouds = options_.objects.association;
+  of_clouds.assignment.hidden_part_detections = 0;
+  const auto association = associate(objects, seen.instances, of_clouds);
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();

@@ -69,6 +69,36 @@ TEST(ForegroundPlanes, ThatCutASurfaceTakeNothingOfIt) {
   }
 }
 
+/// What is found of a chair that is pushed under a desk with a keyboard on it, from beyond the
+/// desk, from that height: its back is seen above the top, its legs below.
+Result<Segment> found_beyond_a_desk(double camera_height_m) {
+  BoxScene scene;
+  scene.add(kFloor, {-1, -4, -0.1}, {6, 4, 0}).add(kWall, {5, -4, 0}, {5.1, 4, 3});
+  scene.add(kTable, {1.7, -1.2, 0.66}, {2.4, 1.2, 0.72});
+  scene.add(kTable, {1.72, 1.1, 0}, {1.78, 1.16, 0.66});
+  scene.add(kKeyboard, {2.1, 0.7, 0.72}, {2.3, 1.0, 0.75});
+  scene.add(kChair, {2.6, 0.55, 0.42}, {2.65, 1.05, 1.0});
+  scene.add(kChair, {2.2, 0.55, 0.42}, {2.65, 1.05, 0.46});
+  scene.add(kChair, {2.2, 0.55, 0}, {2.25, 0.6, 0.42})
+      .add(kChair, {2.2, 1.0, 0}, {2.25, 1.05, 0.42});
+  const SceneView view =
+      scene.view(test::look_at({0.3, -1.0, camera_height_m}, {2.3, 0.8, 0.6}), 1);
+  return segment(view.frame, detection_of(view, kChair), {});
+}
+
+TEST(ForegroundChair, LacksTheRimOfTheDeskBeforeIt) {
+  const auto found = found_beyond_a_desk(1.5);
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GT(found->box.min_in_map.x(), 2.15) << "the rim is at 1.7";
+  EXPECT_GT(found->box.max_in_map.z(), 0.95);
+}
+
+TEST(ForegroundChair, LacksWhatLiesOnTheDeskBeforeIt) {
+  const auto found = found_beyond_a_desk(1.2);
+  ASSERT_TRUE(found.has_value()) << to_string(found.error());
+  EXPECT_GT(found->box.min_in_map.x(), 2.15) << "the keyboard begins at 2.1";
+}
+
 TEST(ForegroundPoints, AreFineOnSmallThingsAndBoundedOnLargeOnes) {
   const SceneView view = office_view(4);
   EXPECT_GE(segment(view.frame, detection_of(view, kMouse), {})->points_in_map.size(), 100U);

@@ -56,6 +56,11 @@ constexpr OptionRow kAssignmentRows[] = {
         "one_surface_share",
         {0, 1},
         {.effect = "unless each has this share of its points in the other."}),
+    option::count<&Assignment::hidden_part_detections>(
+        "hidden_part_detections",
+        {0, 64},
+        {.effect = "Objects of a class whose boxes touch, seen so often and not together, merge; "
+                   "0: none."}),
     option::number<&Assignment::apart_share>(
         "apart_share",
         {0, 1},

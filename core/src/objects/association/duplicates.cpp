@@ -20,6 +20,34 @@ bool frames_refute_merge(const Object& a,
   return num_common_frames(a.observation_log, b.observation_log) >= least;
 }
 
+/// Parts that hide each other are never detected in one frame, and one is in view of a detection of
+/// the other in no more frames, by this visible share: where one of them was cut out wrongly.
+constexpr std::size_t kMostFramesTogether = 2;
+constexpr double kLeastVisibleShare = 0.1;
+/// Both are real by this probability: what wrong segments left here and there does not add up.
+constexpr Probability kLeastReal(0.5);
+/// And what they make together is not much larger than the larger one, by its diagonal.
+constexpr double kMostGrowth = 1.45;
+
+/// Whether two objects are parts of one that were never in view together. Requires: they touch.
+bool are_hidden_parts(const Object& a, const Object& b, const AssignmentOptions& options) {
+  if (options.hidden_part_detections == 0 ||
+      std::min(a.num_observations, b.num_observations) < options.hidden_part_detections)
+    return false;
+  const auto best_of_a = a.belief.best();
+  const auto best_of_b = b.belief.best();
+  if (!best_of_a || !best_of_b || best_of_a->id != best_of_b->id) return false;
+  const double larger_m = std::max(a.box.extent().norm(), b.box.extent().norm());
+  if (bounding_box(a.box, b.box).extent().norm() > kMostGrowth * larger_m) return false;
+  if (std::min(real_probability(a), real_probability(b)) < kLeastReal) return false;
+  if (absence_run(a.observation_log).looks > 0 || absence_run(b.observation_log).looks > 0)
+    return false;
+  if (num_common_frames(a.observation_log, b.observation_log) > 0) return false;
+  const auto together =
+      num_frames_in_view_together(a.observation_log, b.observation_log, kLeastVisibleShare);
+  return together && *together <= kMostFramesTogether;
+}
+
 /// What `merged` of two objects requires; maps that were merged may have objects of two kinds.
 bool have_same_options(const Object& a, const Object& b) {
   return a.belief.options() == b.belief.options() &&
@@ -34,6 +62,7 @@ std::optional<ObjectId> duplicate_of(ObjectId id,
   const Box around = grown(run.objects.at(id).box, 2.0 * options.near_m);
   for (const ObjectId other : run.objects.query(around)) {
     if (other == id || !have_same_options(run.objects.at(id), run.objects.at(other))) continue;
+    if (are_hidden_parts(run.objects.at(id), run.objects.at(other), options)) return other;
     const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
     if (is_same_object(c, options, options.merge_factor) &&
         !frames_refute_merge(run.objects.at(id), run.objects.at(other), c, options)) {

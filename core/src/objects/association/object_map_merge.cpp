@@ -100,7 +100,10 @@ Result<ObjectMapMerge> merged(const ObjectMap& objects,
   HYPERMAP_TRY(check_embeddings(objects, added));
   const auto partner_of = partners(objects, added, options.assignment);
   ObjectMapMerge out{.objects = objects};
-  AssociationRun run{out.objects, {}, options, {}};
+  // What two runs saw was in view together in none of them.
+  AssociationOptions of_runs_apart = options;
+  of_runs_apart.assignment.hidden_part_detections = 0;
+  AssociationRun run{out.objects, {}, of_runs_apart, {}};
   std::size_t i = 0;
   for (const Object& object : added.objects()) {
     const std::optional<ObjectId> partner = partner_of[i++];

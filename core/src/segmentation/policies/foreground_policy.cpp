@@ -145,7 +145,7 @@ FoundObject find_object(const DepthWindow& window,
   }
   DepthComponents surfaces = surfaces_of(window, plane_of_cell, options);
   const ComponentIds chosen =
-      choose_surfaces(window, surfaces, gravity_aligned_from_camera, options);
+      choose_surfaces(window, surfaces, planes, gravity_aligned_from_camera, options);
   return found_in(std::move(surfaces), chosen);
 }
 

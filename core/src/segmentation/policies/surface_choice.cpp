@@ -2,6 +2,7 @@
 #include "surface_choice.hpp"
 
 #include "part_behind.hpp"
+#include "support_contacts.hpp"
 
 #include <Eigen/Geometry>
 
@@ -18,6 +19,8 @@ constexpr double kBackgroundPlaneScore = 0.05;
 /// A surface that overlaps another detection's box by this, and ours less, is that one's.
 constexpr double kCompetingOverlap = 0.5;
 constexpr double kCompetingScore = 0.1;
+/// The rim of a desk is what is before the object, unless nothing else is there.
+constexpr double kRimScore = 0.05;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
 constexpr double kPartMinGain = 0.03;
 /// Or it is a fragment of less than this share of the best surface and from above no larger than
@@ -59,13 +62,18 @@ bool is_of_competing_box(const DepthComponent& component, const DepthWindow& win
 
 /// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
 /// hidden by what surrounds it, and not what another box is about. 0 for what another has.
-double score(const DepthComponent& component, const DepthWindow& window) {
+double score(const DepthWindow& window,
+             const DepthComponents& labelled,
+             const SupportContacts& supports,
+             std::uint32_t id) {
+  const DepthComponent& component = labelled.components[id];
   if (component.kind == kOthersKind) return 0.0;
   const double outside = component.outside_share();
   return component.num_in_box * (1.0 - outside) * (1.0 - outside) *
          span_share(component.bounds_in_box, window.box) *
          std::min(1.0, 2.0 * component.outline_share()) *
          (component.kind != 0 ? kBackgroundPlaneScore : 1.0) *
+         (supports.is_rim(id) ? kRimScore : 1.0) *
          (is_of_competing_box(component, window) ? kCompetingScore : 1.0);
 }
 
@@ -146,11 +154,14 @@ double plan_size_m(const Columns& columns, double edge_m) {
 ComponentIds part_candidates(const DepthWindow& window,
                              const DepthComponents& labelled,
                              std::uint32_t best,
+                             const SupportContacts& supports,
                              const ForegroundOptions& options) {
   ComponentIds ids;
+  const std::vector<bool> is_of_passed_support = supports.of_passed_supports(best);
   for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
     const DepthComponent& component = labelled.components[id];
     if (id == best || component.kind != 0 || component.num_in_box < 6) continue;
+    if (is_of_passed_support[id] || supports.is_rim(id)) continue;
     if (is_of_competing_box(component, window) || component.outline_share() < kPartMinOutline)
       continue;
     if (component.outside_share() <= options.part_max_outside) ids.push_back(id);
@@ -166,11 +177,12 @@ ComponentIds part_candidates(const DepthWindow& window,
 ComponentIds with_parts(const DepthWindow& window,
                         const DepthComponents& labelled,
                         std::uint32_t best,
+                        const SupportContacts& supports,
                         const Eigen::Matrix3f& gravity_aligned_from_camera,
                         const ForegroundOptions& options) {
   ComponentIds chosen{best};
   if (options.part_gap_m <= 0.0) return chosen;
-  ComponentIds candidates = part_candidates(window, labelled, best, options);
+  ComponentIds candidates = part_candidates(window, labelled, best, supports, options);
   if (candidates.empty()) return chosen;
   const auto columns = [&](std::uint32_t id) {
     return columns_of(
@@ -207,12 +219,13 @@ ComponentIds with_parts(const DepthWindow& window,
 /// The component of the highest score; `only_planes` or else any.
 std::uint32_t best_component(const DepthWindow& window,
                              const DepthComponents& labelled,
+                             const SupportContacts& supports,
                              bool only_planes) {
   std::uint32_t best = kNoComponent;
   double best_score = 0.0;
   for (std::uint32_t id = 0; id < labelled.components.size(); ++id) {
     if (only_planes && labelled.components[id].kind == 0) continue;
-    const double value = score(labelled.components[id], window);
+    const double value = score(window, labelled, supports, id);
     if (value <= best_score) continue;
     best = id;
     best_score = value;
@@ -224,9 +237,12 @@ std::uint32_t best_component(const DepthWindow& window,
 
 ComponentIds choose_surfaces(const DepthWindow& window,
                              const DepthComponents& labelled,
+                             const std::vector<Plane>& planes,
                              const Eigen::Matrix3f& gravity_aligned_from_camera,
                              const ForegroundOptions& options) {
-  const std::uint32_t best = best_component(window, labelled, false);
+  const SupportContacts supports(
+      window, labelled, planes, gravity_aligned_from_camera.row(2).transpose());
+  const std::uint32_t best = best_component(window, labelled, supports, false);
   if (best == kNoComponent) return {};
   const std::vector<DepthComponent>& components = labelled.components;
   double num_in_box = 0.0;
@@ -234,12 +250,13 @@ ComponentIds choose_surfaces(const DepthWindow& window,
     if (component.kind != kOthersKind) num_in_box += component.num_in_box;
   }
   if (components[best].kind == 0 && !is_of_competing_box(components[best], window)) {
-    ComponentIds chosen = with_parts(window, labelled, best, gravity_aligned_from_camera, options);
+    ComponentIds chosen =
+        with_parts(window, labelled, best, supports, gravity_aligned_from_camera, options);
     double num_chosen = 0.0;
     for (const std::uint32_t id : chosen) num_chosen += components[id].num_in_box;
     if (num_chosen >= kStandsOutShare * num_in_box) return chosen;
   }
-  const std::uint32_t flat = best_component(window, labelled, true);
+  const std::uint32_t flat = best_component(window, labelled, supports, true);
   const bool is_flat =
       flat != kNoComponent && components[flat].num_in_box >= kFlatShare * num_in_box;
   return is_flat ? ComponentIds{flat} : ComponentIds{};

@@ -3,6 +3,7 @@
 /// Which of the surfaces in a detection's box are the detected object.
 #pragma once
 
+#include "segmentation/background_planes.hpp"
 #include "segmentation/depth_components.hpp"
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@ using ComponentIds = std::vector<std::uint32_t>;  ///< Positions in the componen
 /// `gravity_aligned_from_camera` turns the camera's axes so that z is up.
 [[nodiscard]] ComponentIds choose_surfaces(const DepthWindow& window,
                                            const DepthComponents& labelled,
+                                           const std::vector<Plane>& planes,
                                            const Eigen::Matrix3f& gravity_aligned_from_camera,
                                            const ForegroundOptions& options);
 

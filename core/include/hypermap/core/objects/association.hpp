@@ -107,6 +107,10 @@ struct AssignmentOptions {
   std::uint32_t apart_frames = 2;
   /// ... unless each has this share of its points in the other: one surface.
   double one_surface_share = 0.6;
+  /// Two real objects of one class that touch and were detected so often each are parts of one when
+  /// they were hardly ever in view together: the faces of a box, the back and the seat of a chair
+  /// under a table. Things that stand side by side come into view together. 0: never.
+  std::uint32_t hidden_part_detections = 4;
   /// Of two observations in one frame that might show the same object, the lesser one shows another
   /// object when neither has more than this share of its points in the other.
   double apart_share = 0.3;

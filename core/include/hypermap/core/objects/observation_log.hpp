@@ -172,6 +172,13 @@ struct GoneRule {
 /// objects with such frames were told apart by a detector.
 [[nodiscard]] std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b);
 
+/// Frames in which one of the logs had a detection while the other one had one, too, or should have
+/// had: at least this share of its object was visible, or the camera looked through its place. None
+/// when one of them no longer holds every frame since both began. Cost: linear in the kept entries.
+[[nodiscard]] std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
+                                                                     const ObservationLog& b,
+                                                                     double least_visible_share);
+
 /// Bin of 20 degrees that a bearing falls into; bin 0 starts at 0, counter-clockwise.
 [[nodiscard]] std::uint8_t log_bearing_bin(double bearing_rad);
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where surfaces touch the level planes beside an object: the top of the desk that a chair is
+/// pushed under.
+#pragma once
+
+#include "segmentation/background_planes.hpp"
+#include "segmentation/depth_components.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hypermap {
+
+/// Of a window's surfaces, how they touch its level background planes. Two neighbouring cells touch
+/// that differ in depth by no more than the step of one surface. A plane that ends with the box may
+/// be the object's own top, and none is counted that does.
+///
+/// Planes are numbered by the surfaces' kinds, from 1; `up_in_camera` is of length 1. The window,
+/// the surfaces and the planes must outlive it. Not in the sources.
+class SupportContacts {
+ public:
+  /// Cost: O(cells of the box).
+  SupportContacts(const DepthWindow& window,
+                  const DepthComponents& labelled,
+                  const std::vector<Plane>& planes,
+                  const Eigen::Vector3f& up_in_camera);
+
+  /// Whether the surface is the rim of a support that goes on outside the box, as that of a desk
+  /// with the legs below it: in most of its columns of the picture a thin run of cells touches a
+  /// plane above and ends over what is clearly farther away. Boundary: none is where the camera is
+  /// rolled by more than 30 degrees.
+  [[nodiscard]] bool is_rim(std::uint32_t id) const;
+
+  /// Per surface whether it is of a support that the object passes and does not stand on: the rim,
+  /// or what lies on it. Much of its border touches a plane below which much of the object's best
+  /// surface lies. Requires: `best` has cells in the box. Cost: O(surfaces), and O(cells of the
+  /// best one) for each level plane.
+  [[nodiscard]] std::vector<bool> of_passed_supports(std::uint32_t best) const;
+
+ private:
+  [[nodiscard]] bool is_level(const Plane& plane) const;
+  [[nodiscard]] bool touches_plane(std::size_t cell, std::size_t other) const;
+  /// Takes note of two neighbours.
+  void count_border(std::size_t cell, std::size_t other);
+  void count_rims_of_column(int x);
+  /// Whether what is measured below a cell is clearly farther away.
+  [[nodiscard]] bool is_ledge(int x, int y) const;
+  [[nodiscard]] bool is_passed_by(std::uint32_t best, const Plane& plane) const;
+  [[nodiscard]] std::uint32_t& num_contacts(std::uint32_t id, std::size_t plane) {
+    return num_contacts_[id * planes_.size() + plane];
+  }
+
+  const DepthWindow& window_;
+  const DepthComponents& labelled_;
+  const std::vector<Plane>& planes_;
+  Eigen::Vector3f up_in_camera_;
+  std::vector<bool> is_support_;  // per surface, that it is of a level plane beside the object
+  std::vector<std::uint32_t> num_borders_;      // per surface: neighbours of no or another surface
+  std::vector<std::uint32_t> num_contacts_;     // of these per surface and plane
+  std::vector<std::uint32_t> num_rim_columns_;  // per surface
+};
+
+}  // namespace hypermap

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of a thing that hide each other are one object; what stands side by side is not.
+#include "core/objects/association_cases.hpp"
+#include "hypermap/core/objects/object_map_merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace hypermap {
+namespace {
+
+using testing_support::box_at;
+using testing_support::kFridge;
+using testing_support::kOvenClass;
+using testing_support::seen;
+
+/// Two faces of an oven of 0.5 x 0.4 x 0.3 m that meet at an edge.
+const Box kFrontFace = box_at({0.25, 0.01, 0.15}, {0.5, 0.02, 0.3});
+const Box kSideFace = box_at({-0.01, 0.2, 0.15}, {0.02, 0.4, 0.3});
+
+void see(ObjectMap& map,
+         const Box& box,
+         std::uint64_t first_frame,
+         std::uint64_t end_frame,
+         ClassId id = kOvenClass,
+         const AssociationOptions& options = {}) {
+  for (std::uint64_t frame = first_frame; frame < end_frame; ++frame) {
+    (void)associate(map, std::array{seen(box, id, frame)}, options);
+  }
+}
+
+/// As when it is in view of a frame that shows another one, and not detected.
+void miss(ObjectMap& map, ObjectId id, std::uint64_t frame, float visible_share) {
+  map.modify(id, [&](Object& object) {
+    object.observation_log.add({.frame_index = frame,
+                                .stamp = Stamp{static_cast<std::int64_t>(frame) * 100'000'000},
+                                .kind = ObservationKind::kMissedDetection,
+                                .score = visible_share});
+  });
+}
+
+TEST(HiddenParts, FacesOfABoxThatWereNeverInViewTogetherAreOne) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  see(map, kSideFace, 6, 9);
+  EXPECT_EQ(map.size(), 2U) << "three detections are too few to tell";
+  see(map, kSideFace, 9, 10);
+  ASSERT_EQ(map.size(), 1U);
+  const Object& oven = *map.objects().begin();
+  EXPECT_EQ(oven.num_observations, 10U);
+  EXPECT_TRUE(oven.box.extent().isApprox(Eigen::Vector3d(0.52, 0.4, 0.3), 0.05))
+      << oven.box.extent().transpose();
+}
+
+TEST(HiddenParts, TheOptionLeavesThemTwo) {
+  AssociationOptions never;
+  never.assignment.hidden_part_detections = 0;
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6, kOvenClass, never);
+  see(map, kSideFace, 6, 20, kOvenClass, never);
+  EXPECT_EQ(map.size(), 2U);
+}
+
+/// Objects of two faces, the first of which was in view of three of the frames that show the other.
+std::size_t num_objects_if_visible_by(float visible_share) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  const ObjectId front = map.objects().begin()->id;
+  for (std::uint64_t frame = 6; frame < 10; ++frame) {
+    if (frame < 9) miss(map, front, frame, visible_share);
+    see(map, kSideFace, frame, frame + 1);
+  }
+  return map.size();
+}
+
+TEST(HiddenParts, WhatComesIntoViewTogetherStaysTwo) {
+  EXPECT_EQ(num_objects_if_visible_by(0.1F), 2U);
+  EXPECT_EQ(num_objects_if_visible_by(0.09F), 1U) << "a sliver is no view of it";
+}
+
+TEST(HiddenParts, WhatOneFrameShowedBesideEachOtherStaysTwo) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  (void)associate(
+      map, std::array{seen(kFrontFace, kOvenClass, 6), seen(kSideFace, kOvenClass, 6)}, {});
+  see(map, kSideFace, 7, 15);
+  EXPECT_EQ(map.size(), 2U);
+}
+
+TEST(HiddenParts, WhatIsLookedThroughIsNoPart) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  map.modify(map.objects().begin()->id, [](Object& object) {
+    object.observation_log.add({.frame_index = 6,
+                                .stamp = Stamp{600'000'000},
+                                .kind = ObservationKind::kMissedDetection,
+                                .visibility = Visibility::kAbsent,
+                                .score = 0.05F});
+  });
+  see(map, kSideFace, 7, 12);
+  EXPECT_EQ(map.size(), 2U) << "it may have been moved here";
+}
+
+TEST(HiddenParts, WhatIsHardlyRealIsNoPart) {
+  // Four detections of one view and two frames that missed nearly all of it:
+  // -2.24 + 2.59 ln 4 - 2.2 ln 2.8 = -0.91, so that P(real) is 0.29.
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  const ObjectId front = map.objects().begin()->id;
+  see(map, kSideFace, 6, 9);
+  ASSERT_EQ(map.size(), 2U);
+  const ObjectId side = (++map.objects().begin())->id;
+  ASSERT_NE(side, front);
+  for (const std::uint64_t frame : {9U, 10U}) miss(map, side, frame, 0.9F);
+  see(map, kSideFace, 11, 12);
+  EXPECT_EQ(map.size(), 2U);
+}
+
+TEST(HiddenParts, OfAnotherClassIsNoPart) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6, kOvenClass);
+  see(map, kSideFace, 6, 12, kFridge);
+  EXPECT_EQ(map.size(), 2U);
+}
+
+TEST(HiddenParts, WhatWouldMakeItMuchLargerIsNoPart) {
+  // Diagonals: 0.58 m alone, 1.05 m with as large a face beside it, 1.8 times as much.
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6);
+  see(map, box_at({0.76, 0.01, 0.15}, {0.5, 0.02, 0.3}), 6, 12);
+  EXPECT_EQ(map.size(), 2U);
+}
+
+TEST(HiddenParts, TwoRunsDoNotTellWhatIsInViewTogether) {
+  ObjectMap known;
+  see(known, kFrontFace, 0, 6);
+  ObjectMap added;
+  see(added, kSideFace, 100, 106);
+  see(added, kFrontFace, 106, 109);  // too seldom to be a part there
+  ASSERT_EQ(added.size(), 2U);
+  const auto together = merged(known, added, {});
+  ASSERT_TRUE(together.has_value());
+  EXPECT_EQ(together->objects.size(), 2U);
+}
+
+ObservationLog log_of_frames(std::uint64_t first,
+                             std::uint64_t end,
+                             ObservationKind kind = ObservationKind::kDetection,
+                             float score = 0.5F) {
+  ObservationLog log;
+  for (std::uint64_t frame = first; frame < end; ++frame) {
+    log.add({.frame_index = frame,
+             .stamp = Stamp{static_cast<std::int64_t>(frame)},
+             .kind = kind,
+             .score = score});
+  }
+  return log;
+}
+
+TEST(ObservationLog, InViewTogetherIsWhatWasDetectedBesideTheVisible) {
+  const ObservationLog log = log_of_frames(0, 10);
+  const auto missed = log_of_frames(6, 20, ObservationKind::kMissedDetection, 0.3F);
+  EXPECT_EQ(num_frames_in_view_together(log, log_of_frames(6, 20), 0.3), 4U);
+  EXPECT_EQ(num_frames_in_view_together(log, missed, 0.25), 4U);
+  EXPECT_EQ(num_frames_in_view_together(missed, log, 0.25), 4U);
+  EXPECT_EQ(num_frames_in_view_together(missed, log, 0.35), 0U) << "too little of it";
+  EXPECT_EQ(num_frames_in_view_together(missed, missed, 0.25), 0U) << "no detection";
+  ObservationLog absent;
+  absent.add({.frame_index = 3,
+              .stamp = Stamp{3},
+              .kind = ObservationKind::kMissedDetection,
+              .visibility = Visibility::kAbsent});
+  EXPECT_EQ(num_frames_in_view_together(log, absent, 0.25), 1U) << "its place was";
+}
+
+TEST(ObservationLog, WhoForgotFramesDoesNotKnowWhatWasInViewTogether) {
+  const ObservationLog longer = log_of_frames(0, 65);  // forgot frame 0
+  EXPECT_EQ(num_frames_in_view_together(longer, log_of_frames(0, 3), 0.3), std::nullopt);
+  EXPECT_EQ(num_frames_in_view_together(log_of_frames(0, 3), longer, 0.3), std::nullopt);
+  EXPECT_EQ(num_frames_in_view_together(longer, log_of_frames(1, 3), 0.3), 2U)
+      << "it holds all since both began";
+  EXPECT_EQ(num_frames_in_view_together(longer, ObservationLog(), 0.3), std::nullopt);
+  ObservationLog of_an_earlier_run;  // whose stamps were later
+  of_an_earlier_run.add({.frame_index = 0, .stamp = Stamp{5'000}});
+  EXPECT_EQ(num_frames_in_view_together(longer, of_an_earlier_run, 0.3), std::nullopt);
+}
+
+}  // namespace
+}  // namespace hypermap
