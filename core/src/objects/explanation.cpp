@@ -125,8 +125,7 @@ std::optional<PriorFactors> prior_factors_of(const Object& object,
   const PriorFactors factors{
       .best = object.prior.factor(classes[0].id),
       .runner_up = object.prior.factor(classes[1].id),
-      .is_of_each_observation = object.belief.options().tempering == ClassTempering::kNone ||
-                                object.observation_log.num_detections() == 0};
+      .is_of_each_observation = object.belief.options().tempering == ClassTempering::kNone};
   const auto is_one = [](double factor) { return std::abs(factor - 1.0) < kLeastPriorChange; };
   if (is_one(factors.best) && is_one(factors.runner_up)) return std::nullopt;
   return factors;

@@ -86,9 +86,8 @@ Result<FrameReport> SemanticMapper::integrate_cloud_or_throw(const LabelledCloud
 
   ObjectMap objects = objects_;
   // A cloud does not say what was in view and not detected.
-  AssociationOptions of_clouds = options_.objects.association;
-  of_clouds.assignment.hidden_part_detections = 0;
-  const auto association = associate(objects, seen.instances, of_clouds);
+  const auto association =
+      associate(objects, seen.instances, without_hidden_parts(options_.objects.association));
   report.num_created = association.created.size();
   report.num_matched = association.matched.size();
   report.num_merged = association.merged.size();

@@ -28,6 +28,15 @@ SegmentedDepth segmented_depth(const GeometricSegmentationOptions& options) {
   return {.min_m = options.min_range_m, .max_m = *options.max_range_m};
 }
 
+/// Hidden parts are told by missed detections: not where those are not noted.
+AssociationOptions association_options(const SemanticMapperOptions& options) {
+  const AbsenceOptions& absence = options.objects.absence;
+  const bool notes_misses = options.deadline.rule == DeadlineRule::kNone &&
+                            absence.missed_decay.value() > 0.0 && absence.unseen_side_factor > 0.0;
+  return notes_misses ? options.objects.association
+                      : without_hidden_parts(options.objects.association);
+}
+
 /// Errors: as asked_classes, naming the field.
 Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
                                     const ClassRegistry& classes,
@@ -172,7 +181,7 @@ Result<FrameReport> SemanticMapper::integrate_at_pose(const RgbdFrame& frame,
   const auto association =
       associate(objects,
                 observations,
-                options_.objects.association,
+                association_options(options_),
                 scope_of_candidates(frame, topological_map_, options_.objects));
   look_at_matched(objects, frame, observations, association, options_.objects.association);
   carve_by_boxes(objects, frame, observations, association, options_.objects.association);

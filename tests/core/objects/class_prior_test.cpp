@@ -89,6 +89,14 @@ TEST(ClassPrior, ByViewsItDoesNotSayWhichObservationsAreOfOneObject) {
   EXPECT_EQ(known.observation_log, unknown.observation_log);
 }
 
+TEST(ClassPrior, AMapIsAskedForTheClassThatObjectsAreReadAs) {
+  // Bottle 0.64 with what is known, cup by detections alone.
+  ObjectMap map;
+  const ObjectId id = map.add(doubtful(6, 4));
+  EXPECT_EQ(map.nearest({{0, 0, 0}}, kBottle), id);
+  EXPECT_EQ(map.nearest({{0, 0, 0}}, kMug), std::nullopt);
+}
+
 TEST(ClassPrior, UnderTheSumEachObservationBearsIt) {
   // [smap] Eq. (3.17), (3.18) with N = 2: bottle 0.1 * 4 / (0.9 + 0.4) = 4/13, logit ln(4/9).
   ClassBeliefOptions options;

@@ -90,6 +90,23 @@ TEST(HiddenParts, WhatOneFrameShowedBesideEachOtherStaysTwo) {
   EXPECT_EQ(map.size(), 2U);
 }
 
+TEST(HiddenParts, FewerDetectionsAllowFewerFramesInViewTogether) {
+  AssociationOptions soon;
+  soon.assignment.hidden_part_detections = 3;
+  const auto num_objects = [&](std::uint64_t num_misses) {
+    ObjectMap map;
+    see(map, kFrontFace, 0, 6, kOvenClass, soon);
+    const ObjectId front = map.objects().begin()->id;
+    for (std::uint64_t frame = 6; frame < 9; ++frame) {
+      if (frame < 6 + num_misses) miss(map, front, frame, 0.5F);
+      see(map, kSideFace, frame, frame + 1, kOvenClass, soon);
+    }
+    return map.size();
+  };
+  EXPECT_EQ(num_objects(2), 2U) << "it was in view of both frames that could say so";
+  EXPECT_EQ(num_objects(1), 1U);
+}
+
 TEST(HiddenParts, WhatIsLookedThroughIsNoPart) {
   ObjectMap map;
   see(map, kFrontFace, 0, 6);
@@ -186,6 +203,9 @@ TEST(ObservationLog, WhoForgotFramesDoesNotKnowWhatWasInViewTogether) {
   ObservationLog of_an_earlier_run;  // whose stamps were later
   of_an_earlier_run.add({.frame_index = 0, .stamp = Stamp{5'000}});
   EXPECT_EQ(num_frames_in_view_together(longer, of_an_earlier_run, 0.3), std::nullopt);
+  ObservationLog restarted = log_of_frames(0, 3);
+  restarted.add({.frame_index = 3, .stamp = Stamp{0}});
+  EXPECT_EQ(num_frames_in_view_together(restarted, log_of_frames(0, 3), 0.3), std::nullopt);
 }
 
 }  // namespace

@@ -166,6 +166,21 @@ TEST(SupportContacts, RolledCamerasSeeNoRim) {
   EXPECT_FALSE(is_rim({0.0F, 1.0F, 0.0F})) << "upside down";
 }
 
+TEST(SupportContacts, ARimIsAsHighFromAbove) {
+  // 2 rows of 0.025 at 2 m are 0.1 m across the line of sight: of a camera that looks down by 60
+  // degrees 0.2 m of height.
+  const std::vector<std::string_view> rows{"TTTTTTTTTT",  //
+                                           "TTTTTTTTTT",
+                                           "RRRRRRRRRR",
+                                           "RRRRRRRRRR",
+                                           "FFFFFFFFFF"};
+  EXPECT_TRUE(DrawnSurfaces(rows).has_rim());
+  const Eigen::Vector3f from_above{0.0F, -0.5F, -0.8660254F};
+  DrawnSurfaces drawn(rows);
+  for (Plane& plane : drawn.planes) plane.normal = from_above;
+  EXPECT_FALSE(drawn.contacts(from_above).is_rim(DrawnSurfaces::id_of('R')));
+}
+
 /// Whether the book on the top is of a support that the chair beside it passes, which has so many
 /// rows: the top is at the height of row 6, and row 8 is the first one more than 5 cm below.
 bool is_book_of_passed_support(std::size_t num_rows) {
@@ -185,6 +200,35 @@ TEST(SupportContacts, WhatLiesOnATopThatTheObjectPassesIsNotTheObjects) {
   EXPECT_FALSE(is_book_of_passed_support(4)) << "it stands beside the book";
   EXPECT_FALSE(is_book_of_passed_support(7)) << "1 of 7 is less than 0.15";
   EXPECT_TRUE(is_book_of_passed_support(8)) << "2 of 8";
+}
+
+TEST(SupportContacts, WhatTouchesATopAcrossTheBoxsEdgeIsAsMuchOfItOnEitherSide) {
+  // A quarter of the border: 3 cells of 12, all of them across one side of the box.
+  const auto is_of_support = [](const std::vector<std::string_view>& rows) -> bool {
+    const DrawnSurfaces drawn(rows);
+    const auto of_supports = drawn.contacts().of_passed_supports(DrawnSurfaces::id_of('C'));
+    return of_supports[DrawnSurfaces::id_of('B')];
+  };
+  EXPECT_TRUE(is_of_support({"TTTTTTTTTT",
+                             "FFFFFFFCCF",
+                             "TTBBBFFCCF",
+                             "TTBBBFFCCF",
+                             "TTBBBFFCCF",
+                             "FFFFFFFCCF",
+                             "FFFFFFFCCF",
+                             "FFFFFFFCCF",
+                             "FFFFFFFCCF",
+                             "FFFFFFFCCF"}));
+  EXPECT_TRUE(is_of_support({"TTTTTTTTTT",
+                             "FFCFFFFFFF",
+                             "FFCFFBBBTT",
+                             "FFCFFBBBTT",
+                             "FFCFFBBBTT",
+                             "FFCFFFFFFF",
+                             "FFCFFFFFFF",
+                             "FFCFFFFFFF",
+                             "FFCFFFFFFF",
+                             "FFCFFFFFFF"}));
 }
 
 TEST(SupportContacts, ASurfaceTouchesNoPlaneAcrossAStep) {

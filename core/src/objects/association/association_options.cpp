@@ -195,6 +195,11 @@ const OptionTable& option_table(const BoxCarvingOptions&) {
   return kTable;
 }
 
+AssociationOptions without_hidden_parts(AssociationOptions options) {
+  options.assignment.hidden_part_detections = 0;
+  return options;
+}
+
 const OptionTable& option_table(const AssociationOptions&) {
   static constexpr OptionTable kTable{kAssociationRows};
   return kTable;

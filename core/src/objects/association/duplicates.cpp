@@ -45,7 +45,9 @@ bool are_hidden_parts(const Object& a, const Object& b, const AssignmentOptions&
   if (num_common_frames(a.observation_log, b.observation_log) > 0) return false;
   const auto together =
       num_frames_in_view_together(a.observation_log, b.observation_log, kLeastVisibleShare);
-  return together && *together <= kMostFramesTogether;
+  // The newest frame's misses are not noted yet: of n frames with a detection n - 1 may have one.
+  return together && *together <= kMostFramesTogether &&
+         *together + 2 <= options.hidden_part_detections;
 }
 
 /// What `merged` of two objects requires; maps that were merged may have objects of two kinds.

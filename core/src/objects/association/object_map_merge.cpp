@@ -101,8 +101,7 @@ Result<ObjectMapMerge> merged(const ObjectMap& objects,
   const auto partner_of = partners(objects, added, options.assignment);
   ObjectMapMerge out{.objects = objects};
   // What two runs saw was in view together in none of them.
-  AssociationOptions of_runs_apart = options;
-  of_runs_apart.assignment.hidden_part_detections = 0;
+  const AssociationOptions of_runs_apart = without_hidden_parts(options);
   AssociationRun run{out.objects, {}, of_runs_apart, {}};
   std::size_t i = 0;
   for (const Object& object : added.objects()) {

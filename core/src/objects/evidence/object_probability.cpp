@@ -92,7 +92,8 @@ Probability confidence_of(Probability real, const std::optional<ClassEvidence>& 
 }  // namespace
 
 std::vector<ClassEvidence> class_distribution(const Object& object) {
-  if (!is_read_by_views(object)) return object.belief.distribution();
+  if (object.belief.options().tempering == ClassTempering::kNone)
+    return object.belief.distribution();
   return with_prior(detected_distribution(object), object.prior);
 }
 

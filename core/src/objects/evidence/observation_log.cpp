@@ -3,6 +3,7 @@
 
 #include "objects/evidence/gone_run.hpp"
 #include "objects/evidence/in_thousandths.hpp"
+#include "objects/evidence/log_frames.hpp"
 
 #include <algorithm>
 #include <bitset>
@@ -52,22 +53,6 @@ ObservationLogSummary summary_of(const ObservationLogEntry& e) {
 
 bool is_older(const ObservationLogEntry& a, const ObservationLogEntry& b) {
   return a.frame_index < b.frame_index;
-}
-
-/// Runs that were appended may count their frames anew.
-auto frame_of(const ObservationLogEntry& entry) {
-  return std::pair(entry.frame_index, entry.stamp);
-}
-
-/// Ascending.
-auto detected_frames(std::span<const ObservationLogEntry> entries) {
-  std::vector<std::pair<std::uint64_t, Stamp>> frames;
-  frames.reserve(entries.size());
-  for (const ObservationLogEntry& entry : entries) {
-    if (entry.kind == ObservationKind::kDetection) frames.push_back(frame_of(entry));
-  }
-  std::ranges::sort(frames);
-  return frames;
 }
 
 /// Moves what was missed in a frame with a detection to the end. Returns where that begins.
@@ -241,38 +226,6 @@ GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule) {
 
 bool is_gone(const ObservationLog& log, const GoneRule& rule) {
   return is_gone_by(absence_run(log), gone_rule_for(log.num_detections(), rule));
-}
-
-std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
-  const auto of_a = detected_frames(a.state().newest);
-  const auto of_b = detected_frames(b.state().newest);
-  return static_cast<std::size_t>(std::count_if(of_a.begin(), of_a.end(), [&](const auto& frame) {
-    return std::binary_search(of_b.begin(), of_b.end(), frame);
-  }));
-}
-
-std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
-                                                       const ObservationLog& b,
-                                                       double least_visible_share) {
-  const auto& of_a = a.state().newest;
-  const auto& of_b = b.state().newest;
-  if (of_a.empty() || of_b.empty()) return std::nullopt;
-  const auto holds_all_since = [&](const ObservationLogEntry& first) {
-    return std::max(of_a.front().stamp, of_b.front().stamp) <= first.stamp &&
-           std::max(of_a.front().frame_index, of_b.front().frame_index) <= first.frame_index;
-  };
-  if (!holds_all_since(*a.state().first) && !holds_all_since(*b.state().first)) return std::nullopt;
-  const auto num_missed_beside = [&](const auto& entries, const auto& detected) {
-    return std::ranges::count_if(entries, [&](const ObservationLogEntry& entry) {
-      return entry.kind == ObservationKind::kMissedDetection &&
-             (entry.visibility == Visibility::kAbsent ||
-              static_cast<double>(entry.score) >= least_visible_share) &&
-             std::ranges::binary_search(detected, frame_of(entry));
-    });
-  };
-  return num_common_frames(a, b) +
-         static_cast<std::size_t>(num_missed_beside(of_a, detected_frames(of_b)) +
-                                  num_missed_beside(of_b, detected_frames(of_a)));
 }
 
 std::uint64_t num_detections_from(const ObservationLog& log, double bearing_rad) {

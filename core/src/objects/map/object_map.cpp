@@ -136,7 +136,7 @@ std::optional<ObjectId> ObjectMap::nearest(const PointInMap& point,
                                            std::optional<ClassId> class_id) const {
   return nearest(point, [&](const Object& object) {
     if (!class_id) return true;
-    const auto best = object.belief.best();
+    const auto best = best_class(object);
     return best && best->id == *class_id;
   });
 }

@@ -66,16 +66,12 @@ SupportContacts::SupportContacts(const DepthWindow& window,
                       goes_on_beyond(component.bounds, window.box);
   }
   if (std::ranges::find(is_support_, true) == is_support_.end()) return;
-  const PixelRect& box = window.box;
-  for (int y = box.v_begin; y < box.v_end; ++y) {
-    for (int x = box.u_begin; x < box.u_end; ++x) {
-      if (x + 1 < window.width()) count_border(window.cell(x, y), window.cell(x + 1, y));
-      if (y + 1 < window.height()) count_border(window.cell(x, y), window.cell(x, y + 1));
-    }
-  }
+  count_borders();
   const float level = std::hypot(up_in_camera.x(), up_in_camera.y());
   if (level < kLeastLevel || -up_in_camera.y() < kLeastUpright * level) return;
-  for (int x = box.u_begin; x < box.u_end; ++x) count_rims_of_column(x);
+  for (int x = window.box.u_begin; x < window.box.u_end; ++x) {
+    count_rims_of_column(x, kMostRimHeightM * level);
+  }
 }
 
 bool SupportContacts::is_level(const Plane& plane) const {
@@ -90,17 +86,29 @@ bool SupportContacts::touches_plane(std::size_t cell, std::size_t other) const {
   return std::abs(depth_m - other_m) <= window_.step_m[depth_m < other_m ? cell : other];
 }
 
-void SupportContacts::count_border(std::size_t cell, std::size_t other) {
-  const auto count = [&](std::size_t from, std::size_t to) {
+void SupportContacts::count_borders() {
+  const PixelRect& box = window_.box;
+  const auto count = [&](int x, int y, std::size_t to) {
+    const std::size_t from = window_.cell(x, y);
     const std::uint32_t id = labelled_.of_cell[from];
-    if (id == kNoComponent || labelled_.components[id].kind != 0) return;
+    if (id == kNoComponent || labelled_.components[id].kind != 0 || !box.contains(x, y)) return;
     ++num_borders_[id];
     if (touches_plane(from, to))
       ++num_contacts(id, labelled_.components[labelled_.of_cell[to]].kind - 1U);
   };
-  if (labelled_.of_cell[cell] == labelled_.of_cell[other]) return;
-  count(cell, other);
-  count(other, cell);
+  const auto meet = [&](int x, int y, int to_x, int to_y) {
+    if (to_x >= window_.width() || to_y >= window_.height()) return;
+    const std::size_t to = window_.cell(to_x, to_y);
+    if (labelled_.of_cell[window_.cell(x, y)] == labelled_.of_cell[to]) return;
+    count(x, y, to);
+    count(to_x, to_y, window_.cell(x, y));
+  };
+  for (int y = std::max(0, box.v_begin - 1); y < box.v_end; ++y) {
+    for (int x = std::max(0, box.u_begin - 1); x < box.u_end; ++x) {
+      meet(x, y, x + 1, y);
+      meet(x, y, x, y + 1);
+    }
+  }
 }
 
 bool SupportContacts::is_ledge(int x, int y) const {
@@ -113,7 +121,7 @@ bool SupportContacts::is_ledge(int x, int y) const {
   return false;
 }
 
-void SupportContacts::count_rims_of_column(int x) {
+void SupportContacts::count_rims_of_column(int x, float most_across_ray_m) {
   if (window_.height() < 2) return;
   const float slope = window_.slope_y[1] - window_.slope_y[0];
   for (int y = std::max(1, window_.box.v_begin); y < window_.box.v_end;) {
@@ -124,9 +132,9 @@ void SupportContacts::count_rims_of_column(int x) {
     const bool hangs = id != kNoComponent && labelled_.components[id].kind == 0 &&
                        touches_plane(top, window_.cell(x, y - 1));
     if (hangs) {
-      const float height_m =
+      const float across_ray_m =
           static_cast<float>(end - y) * slope * window_.depth_m[window_.cell(x, end - 1)];
-      num_rim_columns_[id] += height_m <= kMostRimHeightM && is_ledge(x, end - 1) ? 1U : 0U;
+      num_rim_columns_[id] += across_ray_m <= most_across_ray_m && is_ledge(x, end - 1) ? 1U : 0U;
     }
     y = end;
   }

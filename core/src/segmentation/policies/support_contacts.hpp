@@ -23,7 +23,7 @@ namespace hypermap {
 /// the surfaces and the planes must outlive it. Not in the sources.
 class SupportContacts {
  public:
-  /// Cost: O(cells of the box).
+  /// Cost: O(cells of the box and below it), and O(surfaces) for each plane.
   SupportContacts(const DepthWindow& window,
                   const DepthComponents& labelled,
                   const std::vector<Plane>& planes,
@@ -44,9 +44,9 @@ class SupportContacts {
  private:
   [[nodiscard]] bool is_level(const Plane& plane) const;
   [[nodiscard]] bool touches_plane(std::size_t cell, std::size_t other) const;
-  /// Takes note of two neighbours.
-  void count_border(std::size_t cell, std::size_t other);
-  void count_rims_of_column(int x);
+  void count_borders();
+  /// `most_across_ray_m`: how far apart the ends of a rim are, across the line of sight.
+  void count_rims_of_column(int x, float most_across_ray_m);
   /// Whether what is measured below a cell is clearly farther away.
   [[nodiscard]] bool is_ledge(int x, int y) const;
   [[nodiscard]] bool is_passed_by(std::uint32_t best, const Plane& plane) const;

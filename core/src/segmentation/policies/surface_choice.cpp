@@ -19,7 +19,7 @@ constexpr double kBackgroundPlaneScore = 0.05;
 /// A surface that overlaps another detection's box by this, and ours less, is that one's.
 constexpr double kCompetingOverlap = 0.5;
 constexpr double kCompetingScore = 0.1;
-/// The rim of a desk is what is before the object, unless nothing else is there.
+/// The rim of a desk is before the object, and no more likely it than a background plane.
 constexpr double kRimScore = 0.05;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
 constexpr double kPartMinGain = 0.03;

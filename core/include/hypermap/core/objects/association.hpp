@@ -109,7 +109,8 @@ struct AssignmentOptions {
   double one_surface_share = 0.6;
   /// Two real objects of one class that touch and were detected so often each are parts of one when
   /// they were hardly ever in view together: the faces of a box, the back and the seat of a chair
-  /// under a table. Things that stand side by side come into view together. 0: never.
+  /// under a table. Things that stand side by side come into view together. 0: never; fewer than 4
+  /// ask for as many fewer frames in which one of them was in view beside the other.
   std::uint32_t hidden_part_detections = 4;
   /// Of two observations in one frame that might show the same object, the lesser one shows another
   /// object when neither has more than this share of its points in the other.
@@ -177,6 +178,10 @@ struct AssociationOptions {
 /// Errors: kInvalidArgument naming the first field out of its range.
 [[nodiscard]] Result<void> validate(const AssociationOptions& options);
 [[nodiscard]] const OptionTable& option_table(const AssociationOptions& options);
+
+/// The same options with `hidden_part_detections` 0: for observations beside which nobody notes
+/// what was in view and not detected.
+[[nodiscard]] AssociationOptions without_hidden_parts(AssociationOptions options);
 
 /// Two objects became one.
 struct ObjectMerge {

@@ -172,9 +172,11 @@ struct GoneRule {
 /// objects with such frames were told apart by a detector.
 [[nodiscard]] std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b);
 
-/// Frames in which one of the logs had a detection while the other one had one, too, or should have
-/// had: at least this share of its object was visible, or the camera looked through its place. None
-/// when one of them no longer holds every frame since both began. Cost: linear in the kept entries.
+/// Frames in which one of the logs had a detection while the other one had one, too, or noted that
+/// it missed one: at least this share of its object was visible, or the camera looked through its
+/// place. None when one of them may have forgotten such a frame, or runs restarted their stamps.
+/// Boundary: what is not noted is not counted, as misses of frames whose detections a deadline
+/// dropped. Cost: linear in the kept entries, times their logarithm.
 [[nodiscard]] std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
                                                                      const ObservationLog& b,
                                                                      double least_visible_share);
