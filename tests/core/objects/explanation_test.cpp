@@ -111,33 +111,36 @@ TEST(Explanation, OfADetectionThatIsNoLongerKeptTheFrameIsKnown) {
   EXPECT_EQ(why.last_seen_frame, 8U);
 }
 
+/// Whatever was detected how often: five looks over a second.
+constexpr ConfirmationOptions kOneForAll{.gone = {.rare_looks = 0}};
+
 TEST(Explanation, SaysWhatWouldRemoveIt) {
   Object object = cup();
-  EXPECT_EQ(explained(object).removal.looks_until_gone, 5U);
+  EXPECT_EQ(explained(object, kOneForAll).removal.looks_until_gone, 5U);
   // Existence 5, one less with each look, below -2 with the eighth.
-  EXPECT_EQ(explained(object).removal.looks_until_removed, 8U);
+  EXPECT_EQ(explained(object, kOneForAll).removal.looks_until_removed, 8U);
   object.observation_log.add(missed(9, Visibility::kAbsent, 0.0F));
   object.observation_log.add(missed(10, Visibility::kAbsent, 0.0F));
-  EXPECT_EQ(explained(object).removal.clear_looks.looks, 2U);
-  EXPECT_EQ(explained(object).removal.looks_until_gone, 3U);
-  EXPECT_EQ(explained(object).removal.seconds_until_gone, 1.0);
+  EXPECT_EQ(explained(object, kOneForAll).removal.clear_looks.looks, 2U);
+  EXPECT_EQ(explained(object, kOneForAll).removal.looks_until_gone, 3U);
+  EXPECT_EQ(explained(object, kOneForAll).removal.seconds_until_gone, 1.0);
   EXPECT_EQ(explained(object, {.gone = {.looks = 0}}).removal.looks_until_gone, std::nullopt);
 }
 
-TEST(Explanation, OfWhatWasRarelyDetectedAsksForAsManyLooksOverAnyTime) {
+TEST(Explanation, OfWhatWasRarelyDetectedAsksForFewerLooksOverAnyTime) {
   Object object = cup();
   object.observation_log = {};
   for (std::uint64_t frame = 0; frame < 4; ++frame)
     object.observation_log.add(detection(frame, kNamedCup, 0.1, 0.5F));
   object.observation_log.add(missed(9, Visibility::kAbsent, 0.0F));
-  EXPECT_EQ(explained(object).removal.looks_until_gone, 3U);
+  EXPECT_EQ(explained(object).removal.looks_until_gone, 2U);
   EXPECT_EQ(explained(object).removal.seconds_until_gone, 0.0);
-  for (std::uint64_t frame = 10; frame < 13; ++frame)
+  for (std::uint64_t frame = 10; frame < 12; ++frame)
     object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
   EXPECT_EQ(explained(object).removal.looks_until_gone, 0U);
   ASSERT_FALSE(explained(object).missed_conditions.empty());
   EXPECT_EQ(explained(object).missed_conditions[0],
-            (MissedCondition{.condition = Condition::kNotGone, .value = 4, .limit = 4}));
+            (MissedCondition{.condition = Condition::kNotGone, .value = 3, .limit = 3}));
 }
 
 // [smap] 3.5.2: looks from sides on which it was never detected take a third.
@@ -231,7 +234,7 @@ TEST(Explanation, OfWhatIsGoneSaysSo) {
   for (std::uint64_t frame = 10; frame < 22; ++frame) {
     object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
   }
-  const Explanation why = explained(object);
+  const Explanation why = explained(object, kOneForAll);
   EXPECT_EQ(why.removal.looks_until_gone, 0U);
   ASSERT_FALSE(why.missed_conditions.empty());
   EXPECT_EQ(why.missed_conditions[0],
@@ -243,7 +246,7 @@ TEST(Explanation, OfManyFastLooksWaitsForTheTime) {
   for (std::uint64_t frame = 10; frame < 16; ++frame) {  // six looks in half a second
     object.observation_log.add(missed(frame, Visibility::kAbsent, 0.0F));
   }
-  EXPECT_EQ(explained(object).removal.looks_until_gone, 1U);
+  EXPECT_EQ(explained(object, kOneForAll).removal.looks_until_gone, 1U);
 }
 
 TEST(Explanation, IsNoneOfAnObjectThatIsNotThere) {

@@ -143,6 +143,27 @@ TEST(HiddenParts, OfAnotherClassIsNoPart) {
   EXPECT_EQ(map.size(), 2U);
 }
 
+// Five frames of one view say fridge, up to four of four other views oven: by the sum of log-odds
+// a fridge still; by views, as it is shown, an oven by (4 sqrt(1))^2 to sqrt(5)^2 = 16 to 5.
+TEST(HiddenParts, TheClassIsTheOneThatViewsSay) {
+  ObjectMap map;
+  see(map, kFrontFace, 0, 6, kOvenClass);
+  const auto see_side = [&](ClassId id, std::uint64_t frame, double bearing_rad) {
+    Observation side = seen(kSideFace, id, frame);
+    side.bearing_rad = bearing_rad;
+    (void)associate(map, std::array{side}, {});
+  };
+  for (std::uint64_t frame = 6; frame < 11; ++frame) see_side(kFridge, frame, 3.0);
+  ASSERT_EQ(map.size(), 2U);
+  const ObjectId side = (++map.objects().begin())->id;
+  for (std::uint64_t frame = 11; frame < 15; ++frame) {
+    see_side(kOvenClass, frame, 0.5 * static_cast<double>(frame - 11));
+    if (map.size() == 1) break;
+    ASSERT_EQ(map.at(side).belief.best()->id, kFridge);
+  }
+  EXPECT_EQ(map.size(), 1U);
+}
+
 TEST(HiddenParts, WhatWouldMakeItMuchLargerIsNoPart) {
   // Diagonals: 0.58 m alone, 1.05 m with as large a face beside it, 1.8 times as much.
   ObjectMap map;

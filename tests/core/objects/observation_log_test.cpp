@@ -105,7 +105,7 @@ ObservationLogEntry not_seen(double at_s, Visibility visibility, float visible_s
 }
 
 /// After detections, looks through the object's place, `step_s` apart.
-ObservationLog looked_through(int looks, double step_s, std::uint32_t num_detections = 6) {
+ObservationLog looked_through(int looks, double step_s, std::uint32_t num_detections = 21) {
   ObservationLog log;
   for (std::uint32_t i = 0; i < num_detections; ++i) log.add(seen(i));
   for (int i = 0; i < looks; ++i) log.add(not_seen(step_s * i, Visibility::kAbsent));
@@ -161,18 +161,23 @@ TEST(Gone, NoLooksMeansNever) {
   EXPECT_TRUE(is_gone(looked_through(2, 0.0), {.looks = 2, .seconds = 0.0}));
 }
 
-// Seen n times, it is gone after max(n, 3) clear looks where five would be too many to ask.
-TEST(Gone, WhatWasRarelyDetectedAfterAsManyLooksButThreeAtLeast) {
+// Seen n times, it is gone after max(ceil(n / 5), 3) clear looks where that is less than five.
+TEST(Gone, WhatWasRarelyDetectedAfterALookForFiveOfThemButThreeAtLeast) {
   for (const auto& [num_detections, looks] :
-       {std::pair(1U, 3), {2U, 3}, {3U, 3}, {4U, 4}, {5U, 5}}) {
+       {std::pair(1U, 3), {3U, 3}, {4U, 3}, {15U, 3}, {16U, 4}, {20U, 4}}) {
     EXPECT_FALSE(is_gone(looked_through(looks - 1, 1.0, num_detections))) << num_detections;
     EXPECT_TRUE(is_gone(looked_through(looks, 0.01, num_detections))) << num_detections;
     EXPECT_FALSE(is_gone(looked_through(looks, 0.01, num_detections), {.rare_looks = 0}));
   }
-  EXPECT_FALSE(is_gone(looked_through(5, 0.1, 6)));
+  EXPECT_FALSE(is_gone(looked_through(5, 0.1, 21)));
   EXPECT_FALSE(is_gone(looked_through(60, 1.0, 1), {.looks = 0}));
   EXPECT_TRUE(is_gone(looked_through(2, 0.0, 1), {.looks = 2})) << "never more than others";
   EXPECT_EQ(gone_rule_for(0, {}), GoneRule{}) << "who was never detected";
+  EXPECT_EQ(gone_rule_for(21, {}), GoneRule{});
+  EXPECT_EQ(gone_rule_for(std::numeric_limits<std::uint64_t>::max(), {}), GoneRule{});
+  const GoneRule one_for_one{.detections_per_look = 1};
+  EXPECT_EQ(gone_rule_for(4, one_for_one).looks, 4U);
+  EXPECT_EQ(gone_rule_for(5, one_for_one), one_for_one);
 }
 
 TEST(Gone, StampsOfAFileMayBeAnyNumbers) {

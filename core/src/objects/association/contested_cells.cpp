@@ -14,8 +14,8 @@ namespace {
 /// Fewer observations agree on nothing yet.
 constexpr std::uint32_t kLeastObservations = 4;
 
-std::optional<ClassId> best_class_of(const Object& object) {
-  const auto best = object.belief.best();
+std::optional<ClassId> class_of(const Object& object) {
+  const auto best = best_detected_class(object);
   return best ? std::optional(best->id) : std::nullopt;
 }
 
@@ -24,7 +24,7 @@ std::optional<Object> without_cells_of(const Object& object,
                                        const Object& other,
                                        const AssociationOptions& options) {
   // Of one class, what was taken for both once may lie beside the other's cells.
-  const bool is_of_one_class = best_class_of(object) == best_class_of(other);
+  const bool is_of_one_class = class_of(object) == class_of(other);
   const ContestedPlace place = is_of_one_class ? ContestedPlace::kBlock : ContestedPlace::kCell;
   OccupancyVotes points = object.points;
   if (points.yield_to(other.points, options.assignment.contested_factor, place) == 0) {

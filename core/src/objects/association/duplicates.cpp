@@ -34,8 +34,8 @@ bool are_hidden_parts(const Object& a, const Object& b, const AssignmentOptions&
   if (options.hidden_part_detections == 0 ||
       std::min(a.num_observations, b.num_observations) < options.hidden_part_detections)
     return false;
-  const auto best_of_a = a.belief.best();
-  const auto best_of_b = b.belief.best();
+  const auto best_of_a = best_detected_class(a);
+  const auto best_of_b = best_detected_class(b);
   if (!best_of_a || !best_of_b || best_of_a->id != best_of_b->id) return false;
   const double larger_m = std::max(a.box.extent().norm(), b.box.extent().norm());
   if (bounding_box(a.box, b.box).extent().norm() > kMostGrowth * larger_m) return false;

@@ -84,6 +84,12 @@ struct LessLikely {
   }
 };
 
+std::optional<ClassEvidence> most_likely(std::span<const ClassEvidence> classes,
+                                         const ClassBelief& belief) {
+  if (classes.empty()) return std::nullopt;
+  return *std::ranges::max_element(classes, LessLikely{belief});
+}
+
 /// Of what is real with `real` and, if so, most likely of class `best`.
 Probability confidence_of(Probability real, const std::optional<ClassEvidence>& best) {
   return Probability(best ? real.value() * best->probability.value() : 0.0);
@@ -111,9 +117,11 @@ std::vector<ClassEvidence> detected_distribution(const Object& object) {
 }
 
 std::optional<ClassEvidence> best_class(const Object& object) {
-  const std::vector<ClassEvidence> classes = class_distribution(object);
-  if (classes.empty()) return std::nullopt;
-  return *std::ranges::max_element(classes, LessLikely{object.belief});
+  return most_likely(class_distribution(object), object.belief);
+}
+
+std::optional<ClassEvidence> best_detected_class(const Object& object) {
+  return most_likely(detected_distribution(object), object.belief);
 }
 
 std::optional<double> entropy_nats(std::span<const ClassEvidence> distribution) {

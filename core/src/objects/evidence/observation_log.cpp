@@ -217,11 +217,14 @@ bool is_gone_by(const AbsenceRun& run, const GoneRule& rule) {
 }
 
 GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule) {
-  if (rule.rare_looks == 0 || num_detections == 0 || num_detections > rule.looks) return rule;
-  const auto detections = static_cast<std::uint32_t>(num_detections);  // at most `looks`
-  return {.looks = std::min(rule.looks, std::max(detections, rule.rare_looks)),
-          .seconds = 0.0,
-          .rare_looks = rule.rare_looks};
+  if (rule.rare_looks == 0 || num_detections == 0) return rule;
+  const std::uint64_t outweighed_by = 1 + (num_detections - 1) / rule.detections_per_look;
+  if (outweighed_by >= rule.looks) return rule;
+  GoneRule of_rare = rule;
+  of_rare.looks =
+      std::min(rule.looks, std::max(static_cast<std::uint32_t>(outweighed_by), rule.rare_looks));
+  of_rare.seconds = 0.0;
+  return of_rare;
 }
 
 bool is_gone(const ObservationLog& log, const GoneRule& rule) {

@@ -124,14 +124,18 @@ constexpr OptionRow kGoneRows[] = {
     option::number<&GoneRule::seconds>(
         "seconds",
         {0, 3600},
-        {.unit = "s", .effect = "Time over which they are, at least; not asked by `rare_looks`."}),
+        {.unit = "s",
+         .effect = "Time over which they are, at least; not asked of what was rarely detected."}),
+    option::count<&GoneRule::detections_per_look>(
+        "detections_per_look",
+        {1, 1000},
+        {.effect = "Detections that a clear look outweighs: what fewer than `looks` outweigh ends "
+                   "after those, over any time. P(real) goes by the defaults."}),
     option::count<&GoneRule::rare_looks>(
         "rare_looks",
         {0, ObservationLog::kMaxNewest},
-        {.effect =
-             "What was detected no more often than `looks` ends after as many as it was detected, "
-             "but not fewer than these, over any time; 0: as all else. P(real) goes by the "
-             "defaults."}),
+        {.effect = "The fewest looks that end what was rarely detected; 0: as all else. P(real) "
+                   "goes by the defaults."}),
 };
 
 constexpr OptionRow kPublicationRows[] = {

@@ -75,6 +75,9 @@ struct Object {
 /// most believed in, then the lowest id. None without any evidence.
 [[nodiscard]] std::optional<ClassEvidence> best_class(const Object& object);
 
+/// The same of `detected_distribution`: what decides which observations are of one object.
+[[nodiscard]] std::optional<ClassEvidence> best_detected_class(const Object& object);
+
 /// Probability that a detected object is one real object, not a false alarm or a part of another:
 /// logistic in how often, from how many directions it was detected, and how visible it was when it
 /// was not. An object that is gone (GoneRule's defaults) has the odds e^-looks at most.

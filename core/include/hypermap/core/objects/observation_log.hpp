@@ -156,9 +156,10 @@ struct AbsenceRun {
 struct GoneRule {
   std::uint32_t looks = 5;  ///< 0: never. At most ObservationLog::kMaxNewest.
   double seconds = 1.0;     ///< Not asked of a run of kMaxNewest looks, the most that are kept.
-  /// What was detected no more often than `looks` is gone after as many clear looks as it was
-  /// detected, so many at least, over any time: nothing speaks for it any more. 0: the rule is one
-  /// for all.
+  /// A clear look outweighs so many detections, 1 at least: what was detected so rarely that fewer
+  /// than `looks` outweigh it is gone after those, over any time.
+  std::uint32_t detections_per_look = 5;
+  /// The fewest looks that end what was rarely detected; 0: the rule is one for all.
   std::uint32_t rare_looks = 3;
   friend bool operator==(const GoneRule&, const GoneRule&) = default;
 };
