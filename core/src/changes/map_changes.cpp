@@ -48,22 +48,17 @@ SpaceShares shares_of(const ObjectInPlace& object, const MapOfPlace& other) {
           .unknown = share(SpaceState::kUnknown)};
 }
 
-/// The objects of a map, what the two maps know of their places, and of which of them nothing is
+/// The objects of a map, what the other map knows of their places, and of which of them nothing is
 /// said yet.
 struct Side {
   std::span<const ObjectInPlace> objects;
-  std::vector<SpaceShares> own_places;  ///< In this map.
-  std::vector<SpaceShares> places;      ///< In the other one.
+  std::vector<SpaceShares> places;
   std::vector<bool> is_open;
 
   Side(const MapOfPlace& map, const MapOfPlace& other)
       : objects(map.objects), is_open(map.objects.size(), true) {
-    own_places.reserve(objects.size());
     places.reserve(objects.size());
-    for (const ObjectInPlace& object : objects) {
-      own_places.push_back(shares_of(object, map));
-      places.push_back(shares_of(object, other));
-    }
+    for (const ObjectInPlace& object : objects) places.push_back(shares_of(object, other));
   }
 
   [[nodiscard]] std::vector<std::size_t> open() const {
@@ -113,7 +108,7 @@ std::vector<IndexPair> closed_pairs(Side& before, Side& after, const Cost& cost)
 class Comparison {
  public:
   Comparison(const MapOfPlace& before, const MapOfPlace& after, const ChangeOptions& options)
-      : before_(before, after), after_(after, before), options_(&options) {}
+      : before_(before, after), after_(after, before), before_map_(&before), options_(&options) {}
 
   void pair_in_place() {
     const auto pairs = closed_pairs(before_, after_, [this](std::size_t i, std::size_t j) {
@@ -128,7 +123,7 @@ class Comparison {
   void pair_across_classes() {
     std::vector<bool> is_left(before_.objects.size(), false);
     for (const std::size_t i : before_.open()) {
-      is_left[i] = before_.objects[i].was_seen_gone || is_emptied(before_, i);
+      is_left[i] = before_.objects[i].was_seen_gone || is_empty(before_.places[i], *options_);
     }
     const auto pairs = closed_pairs(before_, after_, [&](std::size_t i, std::size_t j) {
       const double overlap = intersection_over_union(before_.objects[i].box, after_.objects[j].box);
@@ -189,14 +184,16 @@ class Comparison {
   /// A thing that was pushed aside by less than its size has left its old place, too.
   [[nodiscard]] ChangeKind kind_in_place(const IndexPair& pair) const {
     if (!after_.objects[pair.column].was_looked_at) return ChangeKind::kNotLookedAt;
-    const bool has_left = is_emptied(before_, pair.row) && !is_filled(after_.places[pair.column]);
+    const bool has_left = is_empty(before_.places[pair.row], *options_) &&
+                          !is_filled(after_.places[pair.column]) &&
+                          !is_seen_through(before_.objects[pair.row]);
     return has_left ? ChangeKind::kMoved : ChangeKind::kSame;
   }
 
-  /// Empty in the other map and not in its own: rays that end behind a pane of glass pass through
-  /// it in every map.
-  [[nodiscard]] bool is_emptied(const Side& side, std::size_t index) const {
-    return is_empty(side.places[index], *options_) && !is_empty(side.own_places[index], *options_);
+  /// Whether the earlier map itself shows its surface as free: rays end behind a pane of glass in
+  /// every map. Not asked of corners of a box, which are free beside most things.
+  [[nodiscard]] bool is_seen_through(const ObjectInPlace& object) const {
+    return !object.points_in_map.empty() && is_empty(shares_of(object, *before_map_), *options_);
   }
 
   [[nodiscard]] bool is_filled(const SpaceShares& shares) const {
@@ -209,7 +206,7 @@ class Comparison {
     const SpaceShares& place = side.places[index];
     if (side.objects[index].was_seen_gone) return kinds.empty;
     if (!is_known(place, *options_)) return kinds.unknown;
-    return is_emptied(side, index) ? kinds.empty : kinds.filled;
+    return is_empty(place, *options_) ? kinds.empty : kinds.filled;
   }
 
   [[nodiscard]] PairCost cost_of_move(std::size_t i, std::size_t j) const {
@@ -234,6 +231,7 @@ class Comparison {
 
   Side before_;
   Side after_;
+  const MapOfPlace* before_map_;
   const ChangeOptions* options_;
   std::vector<ObjectChange> changes_;
 };

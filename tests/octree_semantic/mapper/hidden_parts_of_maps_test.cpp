@@ -60,14 +60,6 @@ TEST(HiddenPartsOfMaps, WhereMissesAreNotNotedTheyStayTwo) {
   SemanticMapperOptions none_noted;
   none_noted.objects.absence.missed_decay = LogOdds(0.0);
   EXPECT_EQ(num_objects(none_noted), 2U);
-
-  SemanticMapperOptions of_sides_seen;
-  of_sides_seen.objects.absence.unseen_side_factor = 0.0;
-  EXPECT_EQ(num_objects(of_sides_seen), 2U);
-
-  SemanticMapperOptions some_dropped;
-  some_dropped.deadline = {.rule = DeadlineRule::kFixed, .frame_s = 1000.0};
-  EXPECT_EQ(num_objects(some_dropped), 2U);
 }
 
 }  // namespace

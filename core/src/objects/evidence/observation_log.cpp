@@ -218,7 +218,8 @@ bool is_gone_by(const AbsenceRun& run, const GoneRule& rule) {
 
 GoneRule gone_rule_for(std::uint64_t num_detections, const GoneRule& rule) {
   if (rule.rare_looks == 0 || num_detections == 0) return rule;
-  const std::uint64_t outweighed_by = 1 + (num_detections - 1) / rule.detections_per_look;
+  const std::uint64_t outweighed_by =
+      1 + (num_detections - 1) / std::max(1U, rule.detections_per_look);
   if (outweighed_by >= rule.looks) return rule;
   GoneRule of_rare = rule;
   of_rare.looks =

@@ -121,9 +121,8 @@ struct ChangeOptions {
 /// free and whose new place was not filled has moved. Of what is left, boxes of two classes that
 /// overlap are one thing, unless its old place is free; the others are judged by the space that the
 /// other map knows there; what is gone and what was added, of one class and about one size, moved.
-/// Boundary: at most 1,024 points of an object are asked for, spread evenly. A place that is free
-/// in the object's own map, too, as behind glass, counts as filled: a map has no change against
-/// itself.
+/// Boundary: at most 1,024 points of an object are asked for, spread evenly. What is in place and
+/// whose surface is free in the earlier map, too, as that of glass, has not moved.
 /// Requires: validate(options). Cost: a question for each such point, a look at each pair of
 /// objects, and that of `assign` for those that are near each other.
 [[nodiscard]] std::vector<ObjectChange> find_changes(const MapOfPlace& before,
