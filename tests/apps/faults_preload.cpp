@@ -7,8 +7,10 @@
 //   HYPERMAP_FAULT       "<number, from 1 on> <errno>", or "<number> kill"; a full disk (ENOSPC)
 //   stays full
 //   HYPERMAP_FAULT_AT_EXIT  set: what libraries do after main() ends in abort()
+//   HYPERMAP_FAULT_AFTER_POLL_MS  so long after poll() saw something the program goes on
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
@@ -17,6 +19,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <csignal>
 #include <cstdarg>
@@ -24,6 +27,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace {
 
@@ -170,6 +174,13 @@ ssize_t write(int descriptor, const void* bytes, std::size_t num_bytes) {
 ssize_t writev(int descriptor, const iovec* parts, int num_parts) {
   if (fails("write", path_of(descriptor))) return -1;
   return real<ssize_t(int, const iovec*, int)>("writev")(descriptor, parts, num_parts);
+}
+int poll(pollfd* waiting, nfds_t count, int limit_ms) {
+  const int ready = real<int(pollfd*, nfds_t, int)>("poll")(waiting, count, limit_ms);
+  const std::string_view pause_ms = environment("HYPERMAP_FAULT_AFTER_POLL_MS");
+  if (ready > 0 && !pause_ms.empty())
+    std::this_thread::sleep_for(std::chrono::milliseconds(std::atol(pause_ms.data())));
+  return ready;
 }
 int fsync(int descriptor) {
   if (fails("fsync", path_of(descriptor))) return -1;

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The shell as somebody who types sees it.
 
-Usage: shell_terminal_test.py PROGRAM [unittest args]"""
+Usage: shell_terminal_test.py PROGRAM [unittest args]. Environment HYPERMAP_FAULTS_PRELOAD names the library that
+holds the program up between seeing keys and reading them."""
 
 import os
 import pathlib
@@ -22,11 +23,11 @@ FILES = SOURCE / "tests/apps/shell"
 class Terminal:
     """The program at a terminal of its own."""
 
-    def __init__(self, folder, *arguments):
+    def __init__(self, folder, *arguments, **env):
         self.child, self.screen = pty.fork()
         if self.child == 0:
             os.chdir(folder)
-            os.environ.update(TERM="xterm", XDG_STATE_HOME=str(folder / "state"), HOME=str(folder))
+            os.environ.update(TERM="xterm", XDG_STATE_HOME=str(folder / "state"), HOME=str(folder), **env)
             os.execv(str(PROGRAM), [str(PROGRAM), "shell", *arguments])
         self.text = ""
 
@@ -124,6 +125,18 @@ class ShellTerminal(unittest.TestCase):
         terminal.type("getLayerCount\r")
         terminal.until("\n2\r\n")
         terminal.until(PROMPT)
+        terminal.type("\x04")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_ctrl_c_that_drops_what_was_seen_but_not_read_is_answered(self):
+        terminal = Terminal(self.folder, LD_PRELOAD=os.environ["HYPERMAP_FAULTS_PRELOAD"],
+                            HYPERMAP_FAULT_AFTER_POLL_MS="200")
+        terminal.until(PROMPT)
+        for _ in range(3):
+            terminal.type("x")
+            time.sleep(0.1)
+            terminal.type("\x03")
+            terminal.until(PROMPT)
         terminal.type("\x04")
         self.assertEqual(terminal.status(), 0)
 

@@ -5,6 +5,7 @@
 #include "shell_history.hpp"
 #include "shell_input.hpp"
 
+#include <fcntl.h>
 #include <histedit.h>
 #include <unistd.h>
 
@@ -19,13 +20,34 @@ namespace {
 
 constexpr char kEndOfInput = '\x04';
 
+/// Reading of the terminal that never waits. Ctrl-C drops what was typed, also after poll() saw it:
+/// a read that waits would then miss the interruption. All that have standard input share its
+/// flags, so the terminal is opened a second time; -1 where it may not be, as after su.
+class TerminalInput {
+ public:
+  TerminalInput() : own_(::open("/dev/stdin", O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
+  ~TerminalInput() {
+    if (own_ >= 0) ::close(own_);
+  }
+  TerminalInput(const TerminalInput&) = delete;
+  TerminalInput& operator=(const TerminalInput&) = delete;
+  TerminalInput(TerminalInput&&) = delete;
+  TerminalInput& operator=(TerminalInput&&) = delete;
+
+  [[nodiscard]] int descriptor() const { return own_ >= 0 ? own_ : STDIN_FILENO; }
+
+ private:
+  int own_;
+};
+
 }  // namespace
 
 /// The editor of libedit, and what its callbacks need.
 struct LineEditor::Terminal {
   std::string prompt;
   Completer completer;
-  ShellInput input{STDIN_FILENO};
+  TerminalInput opened;
+  ShellInput input{opened.descriptor()};
   bool is_interrupted = false;
   EditLine* editor = nullptr;
   ::History* history = nullptr;
