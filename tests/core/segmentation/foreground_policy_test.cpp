@@ -99,6 +99,26 @@ TEST(ForegroundChair, LacksWhatLiesOnTheDeskBeforeIt) {
   EXPECT_GT(found->box.min_in_map.x(), 2.15) << "the keyboard begins at 2.1";
 }
 
+/// How low a cupboard reaches that is seen over a table and, between the boards below its top,
+/// under it. Before it stands, as deep, what the table hides on all sides but the lowest.
+double foot_beyond_a_table_m(double depth_m) {
+  BoxScene scene;
+  scene.add(kFloor, {-1, -4, -0.1}, {6, 4, 0}).add(kWall, {5, -4, 0}, {5.1, 4, 3});
+  scene.add(kTable, {1.5, -1.2, 0.7}, {2.3, 1.2, 0.75});
+  scene.add(kTable, {2.25, -1.2, 0}, {2.3, -0.18, 0.7});
+  scene.add(kTable, {2.25, 0.18, 0}, {2.3, 1.2, 0.7});
+  scene.add(kCupboard, {3.2, -0.3, 0}, {3.8, 0.3, 1.6});
+  scene.add(kCupboard, {3.2 - depth_m, -0.3, 0}, {3.2, 0.3, 0.3});
+  const SceneView view = scene.view(test::look_at({0, 0, 0.95}, {3.2, 0, 0.7}), 1);
+  const auto found = segment(view.frame, detection_of(view, kCupboard), {});
+  return found ? found->box.min_in_map.z() : 0.0;
+}
+
+TEST(ForegroundPart, ThatSomethingHidesAllAroundStandsUnderTheRest) {
+  EXPECT_LT(foot_beyond_a_table_m(0.02), 0.1);
+  EXPECT_GT(foot_beyond_a_table_m(0.5), 0.6) << "a thing beside it";
+}
+
 TEST(ForegroundPoints, AreFineOnSmallThingsAndBoundedOnLargeOnes) {
   const SceneView view = office_view(4);
   EXPECT_GE(segment(view.frame, detection_of(view, kMouse), {})->points_in_map.size(), 100U);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +30,9 @@ constexpr double kFragmentShare = 0.2;
 constexpr double kFragmentSizeM = 0.5;
 /// A part is not the background seen through the object.
 constexpr double kPartMinOutline = 0.3;
+/// What something nearer hides on most sides is of the object where this share of it stands over or
+/// under the best surface: the foot of a refrigerator below the table before it.
+constexpr double kUprightShare = 0.9;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
@@ -142,6 +146,15 @@ bool are_near(const Columns& a, const Columns& b, float height_gap_m) {
   });
 }
 
+/// Whether a part and the best surface may be pieces of one upright thing.
+bool is_over_or_under(const Columns& part, const Columns& best) {
+  const auto is_met = [&](const Column& column) {
+    return are_near({column}, best, std::numeric_limits<float>::infinity());
+  };
+  const auto num_met = std::count_if(part.begin(), part.end(), is_met);
+  return static_cast<double>(num_met) >= kUprightShare * static_cast<double>(part.size());
+}
+
 /// The diagonal of the rectangle along the axes that they cover of the plan.
 double plan_size_m(const Columns& columns, double edge_m) {
   Eigen::AlignedBox2i cover;
@@ -162,8 +175,7 @@ ComponentIds part_candidates(const DepthWindow& window,
     const DepthComponent& component = labelled.components[id];
     if (id == best || component.kind != 0 || component.num_in_box < 6) continue;
     if (is_of_passed_support[id] || supports.is_rim(id)) continue;
-    if (is_of_competing_box(component, window) || component.outline_share() < kPartMinOutline)
-      continue;
+    if (is_of_competing_box(component, window)) continue;
     if (component.outside_share() <= options.part_max_outside) ids.push_back(id);
   }
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -173,7 +185,8 @@ ComponentIds part_candidates(const DepthWindow& window,
 }
 
 /// Adds surfaces near the best one that widen what is covered of the box, until none does: the seat
-/// to the back of a chair, not the cup in front of a screen. And those that stand free behind it.
+/// to the back of a chair, not the cup in front of a screen. And those that stand free behind it,
+/// and below or above it what the same thing hides.
 ComponentIds with_parts(const DepthWindow& window,
                         const DepthComponents& labelled,
                         std::uint32_t best,
@@ -188,7 +201,8 @@ ComponentIds with_parts(const DepthWindow& window,
     return columns_of(
         window, labelled, id, gravity_aligned_from_camera, static_cast<float>(options.part_gap_m));
   };
-  Columns reached = columns(best);
+  const Columns own = columns(best);
+  Columns reached = own;
   PixelRect covered = labelled.components[best].bounds_in_box;
   const auto joins = [&](std::uint32_t id) {
     const PixelRect bounds = labelled.components[id].bounds_in_box;
@@ -201,6 +215,8 @@ ComponentIds with_parts(const DepthWindow& window,
     const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
+    const bool is_hidden = labelled.components[id].outline_share() < kPartMinOutline;
+    if (is_hidden && (!widens || is_small || !is_over_or_under(part, own))) return false;
     if (!are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id))
       return false;
