@@ -104,6 +104,39 @@ TEST(SupportContacts, ALegBelowItLeavesARimARim) {
                   .has_rim());
 }
 
+TEST(SupportContacts, TheFrameBelowTheEdgeOfATopIsARim) {
+  const DrawnSurfaces drawn({"TTTTTTTTTT",  //
+                             "TTTTTTTTTT",
+                             "RRRRRRRRRR",
+                             "BBBBBBBBBB",
+                             "FFFFFFFFFF"});
+  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('R')));
+  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B')));
+}
+
+TEST(SupportContacts, WhatIsFarBehindARimIsNoFrame) {
+  DrawnSurfaces drawn({"TTTTTTTTTT",  //
+                       "TTTTTTTTTT",
+                       "RRRRRRRRRR",
+                       "BBBBBBBBBB",
+                       "FFFFFFFFFF"});
+  for (int x = 0; x < 10; ++x) drawn.window.depth_m[drawn.window.cell(x, 3)] = kNearM + 0.2F;
+  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('R')));
+  EXPECT_FALSE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B')));
+}
+
+/// A rim over the floor, below so many rows in which nothing is measured.
+bool is_rim_below(std::size_t num_unmeasured) {
+  std::vector<std::string_view> rows(1 + num_unmeasured, "..........");
+  rows.insert(rows.end(), {"RRRRRRRRRR", "FFFFFFFFFF"});
+  return DrawnSurfaces(rows).has_rim();
+}
+
+TEST(SupportContacts, ARimHangsFromATopThatIsSeenTooFlatToBeMeasured) {
+  EXPECT_TRUE(is_rim_below(20));
+  EXPECT_FALSE(is_rim_below(10)) << "sensors lose so much at edges";
+}
+
 TEST(SupportContacts, WhatIsHighIsNoRim) {
   // 3 rows of 0.025 at 2 m are 0.15 m.
   EXPECT_FALSE(DrawnSurfaces({"TTTTTTTTTT",  //

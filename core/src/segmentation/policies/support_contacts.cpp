@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hypermap {
 namespace {
@@ -23,6 +24,10 @@ constexpr float kMostRimHeightM = 0.12F;
 constexpr double kLeastRimColumns = 0.5;
 /// ... and has this share of its cells outside the box.
 constexpr double kLeastRimOutside = 0.03;
+/// The frame of a table is no farther from the edge of its top,
+constexpr float kMostSetBackM = 0.1F;
+/// and that is seen so flat that nothing is measured on it: at edges sensors lose half of this.
+constexpr int kUnmeasuredTopPx = 20;
 /// What lies below a ledge is measured within so many cells of it.
 constexpr int kLedgeReachCells = 4;
 /// Cosine of the roll up to which a column of the picture stands upright: 30 degrees. A camera that
@@ -65,8 +70,7 @@ SupportContacts::SupportContacts(const DepthWindow& window,
                       is_level(planes[component.kind - 1U]) &&
                       goes_on_beyond(component.bounds, window.box);
   }
-  if (std::ranges::find(is_support_, true) == is_support_.end()) return;
-  count_borders();
+  if (std::ranges::find(is_support_, true) != is_support_.end()) count_borders();
   const float level = std::hypot(up_in_camera.x(), up_in_camera.y());
   if (level < kLeastLevel || -up_in_camera.y() < kLeastUpright * level) return;
   for (int x = window.box.u_begin; x < window.box.u_end; ++x) {
@@ -111,32 +115,60 @@ void SupportContacts::count_borders() {
   }
 }
 
-bool SupportContacts::is_ledge(int x, int y) const {
-  const std::size_t bottom = window_.cell(x, y);
+std::optional<int> SupportContacts::next_below(int x, int y) const {
   const int end = std::min(y + 1 + kLedgeReachCells, window_.height());
   for (int below = y + 1; below < end; ++below) {
-    const float depth_m = window_.depth_m[window_.cell(x, below)];
-    if (depth_m > 0.0F) return depth_m > window_.depth_m[bottom] + window_.step_m[bottom];
+    if (window_.depth_m[window_.cell(x, below)] > 0.0F) return below;
   }
-  return false;
+  return std::nullopt;
+}
+
+int SupportContacts::end_of_run(int x, int y) const {
+  const std::uint32_t id = labelled_.of_cell[window_.cell(x, y)];
+  int end = y + 1;
+  while (end < window_.height() && labelled_.of_cell[window_.cell(x, end)] == id) ++end;
+  return end;
+}
+
+bool SupportContacts::is_of_no_plane(int x, int y) const {
+  const std::uint32_t id = labelled_.of_cell[window_.cell(x, y)];
+  return id != kNoComponent && labelled_.components[id].kind == 0;
+}
+
+bool SupportContacts::is_below_unmeasured(int x, int y) const {
+  const int num_rows = kUnmeasuredTopPx / window_.block_px;
+  if (y < num_rows) return false;
+  for (int above = y - num_rows; above < y; ++above) {
+    if (window_.depth_m[window_.cell(x, above)] > 0.0F) return false;
+  }
+  return true;
+}
+
+int SupportContacts::end_of_rims(int x, int y, float most_across_ray_m) const {
+  const float slope = window_.slope_y[1] - window_.slope_y[0];
+  int last = y;
+  for (int end = end_of_run(x, y);;) {
+    const std::size_t bottom = window_.cell(x, end - 1);
+    const float across_ray_m = static_cast<float>(end - y) * slope * window_.depth_m[bottom];
+    const std::optional<int> below = next_below(x, end - 1);
+    if (across_ray_m > most_across_ray_m || !below) return last;
+    const float behind_m = window_.depth_m[window_.cell(x, *below)] - window_.depth_m[bottom];
+    if (behind_m > window_.step_m[bottom]) last = end;
+    if (std::abs(behind_m) > kMostSetBackM || !is_of_no_plane(x, *below)) return last;
+    end = end_of_run(x, *below);
+  }
 }
 
 void SupportContacts::count_rims_of_column(int x, float most_across_ray_m) {
   if (window_.height() < 2) return;
-  const float slope = window_.slope_y[1] - window_.slope_y[0];
-  for (int y = std::max(1, window_.box.v_begin); y < window_.box.v_end;) {
-    const std::size_t top = window_.cell(x, y);
-    const std::uint32_t id = labelled_.of_cell[top];
-    int end = y + 1;
-    while (end < window_.height() && labelled_.of_cell[window_.cell(x, end)] == id) ++end;
-    const bool hangs = id != kNoComponent && labelled_.components[id].kind == 0 &&
-                       touches_plane(top, window_.cell(x, y - 1));
-    if (hangs) {
-      const float across_ray_m =
-          static_cast<float>(end - y) * slope * window_.depth_m[window_.cell(x, end - 1)];
-      num_rim_columns_[id] += across_ray_m <= most_across_ray_m && is_ledge(x, end - 1) ? 1U : 0U;
+  for (int y = std::max(1, window_.box.v_begin); y < window_.box.v_end; y = end_of_run(x, y)) {
+    const bool hangs =
+        is_of_no_plane(x, y) &&
+        (touches_plane(window_.cell(x, y), window_.cell(x, y - 1)) || is_below_unmeasured(x, y));
+    const int end = hangs ? end_of_rims(x, y, most_across_ray_m) : y;
+    for (int rim = y; rim < end; rim = end_of_run(x, rim)) {
+      if (is_of_no_plane(x, rim)) ++num_rim_columns_[labelled_.of_cell[window_.cell(x, rim)]];
     }
-    y = end;
   }
 }
 

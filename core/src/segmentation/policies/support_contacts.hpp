@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace hypermap {
@@ -30,8 +31,9 @@ class SupportContacts {
                   const Eigen::Vector3f& up_in_camera);
 
   /// Whether the surface is the rim of a support that goes on outside the box, as that of a desk
-  /// with the legs below it: in most of its columns of the picture a thin run of cells touches a
-  /// plane above and ends over what is clearly farther away. Boundary: none is where the camera is
+  /// with the legs below it: in most of its columns of the picture thin runs of cells, one below
+  /// the other (the edge of the top, the frame), begin at a plane, or at a top seen too flat to be
+  /// measured, and end over what is clearly farther away. Boundary: none is where the camera is
   /// rolled by more than 30 degrees.
   [[nodiscard]] bool is_rim(std::uint32_t id) const;
 
@@ -45,10 +47,17 @@ class SupportContacts {
   [[nodiscard]] bool is_level(const Plane& plane) const;
   [[nodiscard]] bool touches_plane(std::size_t cell, std::size_t other) const;
   void count_borders();
-  /// `most_across_ray_m`: how far apart the ends of a rim are, across the line of sight.
   void count_rims_of_column(int x, float most_across_ray_m);
-  /// Whether what is measured below a cell is clearly farther away.
-  [[nodiscard]] bool is_ledge(int x, int y) const;
+  /// The row of the next measured cell below; none within reach.
+  [[nodiscard]] std::optional<int> next_below(int x, int y) const;
+  /// The row after the cells of one surface that a cell begins.
+  [[nodiscard]] int end_of_run(int x, int y) const;
+  [[nodiscard]] bool is_of_no_plane(int x, int y) const;
+  [[nodiscard]] bool is_below_unmeasured(int x, int y) const;
+  /// The row after the last of the rims that begin with a cell, one below the other: what is
+  /// measured there is clearly farther away. `y` where there are none. `most_across_ray_m`: how far
+  /// apart their ends are at most, across the line of sight.
+  [[nodiscard]] int end_of_rims(int x, int y, float most_across_ray_m) const;
   [[nodiscard]] bool is_passed_by(std::uint32_t best, const Plane& plane) const;
   [[nodiscard]] std::uint32_t& num_contacts(std::uint32_t id, std::size_t plane) {
     return num_contacts_[id * planes_.size() + plane];
