@@ -119,6 +119,24 @@ TEST(ForegroundPart, ThatSomethingHidesAllAroundStandsUnderTheRest) {
   EXPECT_GT(foot_beyond_a_table_m(0.5), 0.6) << "a thing beside it";
 }
 
+/// How wide a cupboard is found behind a post that parts it in the picture; of what is to the right
+/// of the post everything is so much farther back.
+double width_behind_a_post_m(double back_m) {
+  BoxScene scene;
+  scene.add(kFloor, {-1, -4, -0.1}, {6, 4, 0}).add(kWall, {5, -4, 0}, {5.1, 4, 3});
+  scene.add(kCup, {1.5, -0.12, 0}, {1.7, 0.12, 2});
+  scene.add(kCupboard, {3.0, 0, 0}, {3.5, 0.7, 1.2});
+  scene.add(kCupboard, {3.0 + back_m, -0.5, 0}, {3.5 + back_m, 0, 1.2});
+  const SceneView view = scene.view(test::look_at({0, 0, 1}, {3, 0, 0.7}), 1);
+  const auto found = segment(view.frame, detection_of(view, kCupboard), {});
+  return found ? found->box.extent().y() : 0.0;
+}
+
+TEST(ForegroundPart, BesideTheRestBehindSomethingNearer) {
+  EXPECT_NEAR(width_behind_a_post_m(0.0), 1.2, 0.03);
+  EXPECT_LT(width_behind_a_post_m(0.4), 0.6) << "another thing";
+}
+
 TEST(ForegroundPoints, AreFineOnSmallThingsAndBoundedOnLargeOnes) {
   const SceneView view = office_view(4);
   EXPECT_GE(segment(view.frame, detection_of(view, kMouse), {})->points_in_map.size(), 100U);

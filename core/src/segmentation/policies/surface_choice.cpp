@@ -2,6 +2,7 @@
 #include "surface_choice.hpp"
 
 #include "part_behind.hpp"
+#include "part_beside.hpp"
 #include "support_contacts.hpp"
 
 #include <Eigen/Geometry>
@@ -218,7 +219,7 @@ ComponentIds with_parts(const DepthWindow& window,
     const bool is_hidden = labelled.components[id].outline_share() < kPartMinOutline;
     if (is_hidden && (!widens || is_small || !is_over_or_under(part, own))) return false;
     if (!are_near(part, reached, static_cast<float>(height_gap_m)) &&
-        !is_part_behind(window, labelled, best, id))
+        !is_part_behind(window, labelled, best, id) && !is_part_beside(window, labelled, best, id))
       return false;
     reached.insert(reached.end(), part.begin(), part.end());
     reached = united(std::move(reached));
