@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/policies/support_contacts.hpp"
 
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -14,13 +16,15 @@ namespace {
 const Eigen::Vector3f kUp{0, -1, 0};
 constexpr float kNearM = 2.0F;
 constexpr float kFarM = 3.0F;
+constexpr float kOutOfRangeM = 9.0F;
 
 /// A picture of letters: T the top of a desk, its plane 0.3 m below the camera; R its rim; B a
-/// book; C a chair; F the floor, far behind; . nothing measured. A row falls by 0.025 per metre.
-/// The box has the columns 2 to 8 of ten and all rows but the first.
+/// book; C a chair; F the floor, far behind; . nothing measured; X what is out of range. A row
+/// falls by 0.025 per metre. The box has the columns 2 to 8 of ten and all rows but the first.
 class DrawnSurfaces {
  public:
-  explicit DrawnSurfaces(const std::vector<std::string_view>& rows) {
+  explicit DrawnSurfaces(const std::vector<std::string_view>& rows)
+      : depth_m(10, static_cast<int>(rows.size())) {
     window.rect = {0, 0, 10, static_cast<int>(rows.size())};
     window.box = {2, 1, 8, static_cast<int>(rows.size())};
     window.tolerant_box = window.box;
@@ -35,13 +39,14 @@ class DrawnSurfaces {
   DrawnSurfaces& operator=(const DrawnSurfaces&) = delete;
 
   [[nodiscard]] SupportContacts contacts(const Eigen::Vector3f& up_in_camera = kUp) const {
-    return {window, surfaces, planes, up_in_camera};
+    return {depth_m, window, surfaces, planes, up_in_camera};
   }
   [[nodiscard]] bool has_rim() const { return contacts().is_rim(id_of('R')); }
   [[nodiscard]] static std::uint32_t id_of(char letter) {
     return static_cast<std::uint32_t>(kLetters.find(letter));
   }
 
+  DepthImage depth_m;
   DepthWindow window;
   DepthComponents surfaces{.of_cell = {}, .components = {{.kind = 1}, {}, {}, {}, {.kind = 2}}};
   std::vector<Plane> planes{{.normal = {0, -1, 0}, .offset_m = 0.3F},
@@ -53,9 +58,11 @@ class DrawnSurfaces {
   void draw(char letter, std::size_t x, std::size_t y) {
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);
-    window.depth_m.push_back(letter == '.' ? 0.0F : letter == 'F' ? kFarM : kNearM);
-    surfaces.of_cell.push_back(letter == '.' ? kNoComponent : id_of(letter));
-    if (letter == '.') return;
+    const bool is_in_range = letter != '.' && letter != 'X';
+    window.depth_m.push_back(!is_in_range ? 0.0F : letter == 'F' ? kFarM : kNearM);
+    depth_m.at(column, row) = letter == 'X' ? kOutOfRangeM : window.depth_m.back();
+    surfaces.of_cell.push_back(is_in_range ? id_of(letter) : kNoComponent);
+    if (!is_in_range) return;
     DepthComponent& surface = surfaces.components[id_of(letter)];
     const PixelRect cell{column, row, column + 1, row + 1};
     surface.bounds = surface.bounds.empty() ? cell : united(surface.bounds, cell);
@@ -105,36 +112,50 @@ TEST(SupportContacts, ALegBelowItLeavesARimARim) {
 }
 
 TEST(SupportContacts, TheFrameBelowTheEdgeOfATopIsARim) {
-  const DrawnSurfaces drawn({"TTTTTTTTTT",  //
-                             "TTTTTTTTTT",
-                             "RRRRRRRRRR",
-                             "BBBBBBBBBB",
-                             "FFFFFFFFFF"});
-  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('R')));
-  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B')));
-}
-
-TEST(SupportContacts, WhatIsFarBehindARimIsNoFrame) {
   DrawnSurfaces drawn({"TTTTTTTTTT",  //
                        "TTTTTTTTTT",
                        "RRRRRRRRRR",
                        "BBBBBBBBBB",
                        "FFFFFFFFFF"});
+  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('R')));
+  EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B')));
   for (int x = 0; x < 10; ++x) drawn.window.depth_m[drawn.window.cell(x, 3)] = kNearM + 0.2F;
   EXPECT_TRUE(drawn.contacts().is_rim(DrawnSurfaces::id_of('R')));
-  EXPECT_FALSE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B')));
+  EXPECT_FALSE(drawn.contacts().is_rim(DrawnSurfaces::id_of('B'))) << "it is far behind";
 }
 
-/// A rim over the floor, below so many rows in which nothing is measured.
-bool is_rim_below(std::size_t num_unmeasured) {
-  std::vector<std::string_view> rows(1 + num_unmeasured, "..........");
+TEST(SupportContacts, ARimWithAHoleCountsOnceInAColumn) {
+  // Two of six columns; the rest goes on.
+  EXPECT_FALSE(DrawnSurfaces({"TTTTTTTTTT",  //
+                              "TTTTTTTTTT",
+                              "RRRRRRRRRR",
+                              "RR..RRRRRR",
+                              "RRRRRRRRRR",
+                              "FFFFRRRRRR",
+                              "FFFFFFFFFF"})
+                   .has_rim());
+}
+
+/// A rim over the floor, below so many rows of nothing or of what is out of range.
+bool is_rim_below(std::size_t num_rows, std::string_view row) {
+  std::vector<std::string_view> rows(1 + num_rows, row);
   rows.insert(rows.end(), {"RRRRRRRRRR", "FFFFFFFFFF"});
   return DrawnSurfaces(rows).has_rim();
 }
 
 TEST(SupportContacts, ARimHangsFromATopThatIsSeenTooFlatToBeMeasured) {
-  EXPECT_TRUE(is_rim_below(20));
-  EXPECT_FALSE(is_rim_below(10)) << "sensors lose so much at edges";
+  EXPECT_TRUE(is_rim_below(20, ".........."));
+  EXPECT_FALSE(is_rim_below(10, "..........")) << "sensors lose so much at edges";
+  EXPECT_FALSE(is_rim_below(20, "XXXXXXXXXX")) << "a hall behind a bench";
+}
+
+TEST(SupportContacts, WhatIsDeepIsNoRimBelowAnUnmeasuredTop) {
+  std::vector<std::string_view> rows(21, "..........");
+  rows.insert(rows.end(), {"RRRRRRRRRR", "RRRRRRRRRR", "FFFFFFFFFF"});
+  DrawnSurfaces bench(rows);
+  EXPECT_TRUE(bench.has_rim());
+  for (int x = 0; x < 10; ++x) bench.window.depth_m[bench.window.cell(x, 21)] = kNearM + 0.3F;
+  EXPECT_FALSE(bench.has_rim()) << "its seat, and the edge of it";
 }
 
 TEST(SupportContacts, WhatIsHighIsNoRim) {

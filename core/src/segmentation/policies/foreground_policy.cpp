@@ -129,10 +129,10 @@ struct FoundObject {
   std::vector<std::uint8_t> is_object;
 };
 
-FoundObject find_object(const DepthWindow& window,
+FoundObject find_object(const RgbdFrame& frame,
+                        const DepthWindow& window,
                         const std::vector<Plane>& planes,
                         const std::vector<std::uint8_t>& plane_of_cell,
-                        const Eigen::Matrix3f& gravity_aligned_from_camera,
                         const ForegroundOptions& options) {
   const auto found_in = [&](DepthComponents surfaces, const ComponentIds& chosen) {
     std::vector<std::uint8_t> is_object = cells_of_object(window, surfaces, chosen);
@@ -144,8 +144,7 @@ FoundObject find_object(const DepthWindow& window,
     return found_in(std::move(surfaces), chosen);
   }
   DepthComponents surfaces = surfaces_of(window, plane_of_cell, options);
-  const ComponentIds chosen =
-      choose_surfaces(window, surfaces, planes, gravity_aligned_from_camera, options);
+  const ComponentIds chosen = choose_surfaces(frame, window, surfaces, planes, options);
   return found_in(std::move(surfaces), chosen);
 }
 
@@ -264,12 +263,11 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
   notes.step(
       "planes", planes.size(), [&](std::size_t cell) { return if_measured(cell, kind[cell]); });
 
-  FoundObject found = find_object(window, planes, kind, gravity_aligned_from_camera, foreground);
+  FoundObject found = find_object(frame, window, planes, kind, foreground);
   BackgroundCells background =
       background_surfaces(window, found.surfaces, found.is_object, foreground);
   const auto grown = grown_planes(window, planes, kind, found.is_object, foreground);
-  if (grown != kind)
-    found = find_object(window, planes, grown, gravity_aligned_from_camera, foreground);
+  if (grown != kind) found = find_object(frame, window, planes, grown, foreground);
   if (window.is_masked()) {
     notes.step("mask", 1, [&](std::size_t cell) {
       return if_measured(cell, window.may_be_object(cell) ? 1 : kLabelAbsent);

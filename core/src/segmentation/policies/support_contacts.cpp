@@ -24,10 +24,12 @@ constexpr float kMostRimHeightM = 0.12F;
 constexpr double kLeastRimColumns = 0.5;
 /// ... and has this share of its cells outside the box.
 constexpr double kLeastRimOutside = 0.03;
-/// The frame of a table is no farther from the edge of its top,
-constexpr float kMostSetBackM = 0.1F;
-/// and that is seen so flat that nothing is measured on it: at edges sensors lose half of this.
+/// The edge of a table's top and the frame below it are no farther apart in depth.
+constexpr float kMostRimDepthM = 0.1F;
+/// A top that is seen so flat that nothing is measured on it has so many pixels: at edges sensors
+/// lose half of this.
 constexpr int kUnmeasuredTopPx = 20;
+constexpr int kNoColumn = -1;
 /// What lies below a ledge is measured within so many cells of it.
 constexpr int kLedgeReachCells = 4;
 /// Cosine of the roll up to which a column of the picture stands upright: 30 degrees. A camera that
@@ -52,18 +54,21 @@ bool leaves_box(const DepthComponent& component, const DepthWindow& window) {
 
 }  // namespace
 
-SupportContacts::SupportContacts(const DepthWindow& window,
+SupportContacts::SupportContacts(const DepthImage& depth_m,
+                                 const DepthWindow& window,
                                  const DepthComponents& labelled,
                                  const std::vector<Plane>& planes,
                                  const Eigen::Vector3f& up_in_camera)
-    : window_(window),
+    : depth_m_(depth_m),
+      window_(window),
       labelled_(labelled),
       planes_(planes),
       up_in_camera_(up_in_camera),
       is_support_(labelled.components.size(), false),
       num_borders_(labelled.components.size(), 0),
       num_contacts_(labelled.components.size() * planes.size(), 0),
-      num_rim_columns_(labelled.components.size(), 0) {
+      num_rim_columns_(labelled.components.size(), 0),
+      last_rim_column_(labelled.components.size(), kNoColumn) {
   for (std::size_t id = 0; id < is_support_.size(); ++id) {
     const DepthComponent& component = labelled.components[id];
     is_support_[id] = component.kind != 0 && component.kind != kOthersKind &&
@@ -139,22 +144,25 @@ bool SupportContacts::is_below_unmeasured(int x, int y) const {
   const int num_rows = kUnmeasuredTopPx / window_.block_px;
   if (y < num_rows) return false;
   for (int above = y - num_rows; above < y; ++above) {
-    if (window_.depth_m[window_.cell(x, above)] > 0.0F) return false;
+    if (is_measured(depth_m_.at(window_.pixel_u(x), window_.pixel_v(above)))) return false;
   }
   return true;
 }
 
 int SupportContacts::end_of_rims(int x, int y, float most_across_ray_m) const {
   const float slope = window_.slope_y[1] - window_.slope_y[0];
+  const float first_m = window_.depth_m[window_.cell(x, y)];
+  const auto is_far = [&](float depth_m) { return std::abs(depth_m - first_m) > kMostRimDepthM; };
   int last = y;
   for (int end = end_of_run(x, y);;) {
     const std::size_t bottom = window_.cell(x, end - 1);
-    const float across_ray_m = static_cast<float>(end - y) * slope * window_.depth_m[bottom];
+    const float bottom_m = window_.depth_m[bottom];
+    const float across_ray_m = static_cast<float>(end - y) * slope * bottom_m;
     const std::optional<int> below = next_below(x, end - 1);
-    if (across_ray_m > most_across_ray_m || !below) return last;
-    const float behind_m = window_.depth_m[window_.cell(x, *below)] - window_.depth_m[bottom];
-    if (behind_m > window_.step_m[bottom]) last = end;
-    if (std::abs(behind_m) > kMostSetBackM || !is_of_no_plane(x, *below)) return last;
+    if (across_ray_m > most_across_ray_m || is_far(bottom_m) || !below) return last;
+    const float below_m = window_.depth_m[window_.cell(x, *below)];
+    if (below_m > bottom_m + window_.step_m[bottom]) last = end;
+    if (is_far(below_m) || !is_of_no_plane(x, *below)) return last;
     end = end_of_run(x, *below);
   }
 }
@@ -167,9 +175,14 @@ void SupportContacts::count_rims_of_column(int x, float most_across_ray_m) {
         (touches_plane(window_.cell(x, y), window_.cell(x, y - 1)) || is_below_unmeasured(x, y));
     const int end = hangs ? end_of_rims(x, y, most_across_ray_m) : y;
     for (int rim = y; rim < end; rim = end_of_run(x, rim)) {
-      if (is_of_no_plane(x, rim)) ++num_rim_columns_[labelled_.of_cell[window_.cell(x, rim)]];
+      if (is_of_no_plane(x, rim)) count_rim(labelled_.of_cell[window_.cell(x, rim)], x);
     }
   }
+}
+
+void SupportContacts::count_rim(std::uint32_t id, int x) {
+  num_rim_columns_[id] += last_rim_column_[id] == x ? 0U : 1U;
+  last_rim_column_[id] = x;
 }
 
 bool SupportContacts::is_rim(std::uint32_t id) const {

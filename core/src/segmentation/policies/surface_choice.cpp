@@ -2,14 +2,13 @@
 #include "surface_choice.hpp"
 
 #include "part_behind.hpp"
-#include "part_beside.hpp"
+#include "parted_surfaces.hpp"
 #include "support_contacts.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -29,11 +28,9 @@ constexpr double kPartMinGain = 0.03;
 /// this: a leaf, a blade, a leg, not what stands beside a bed.
 constexpr double kFragmentShare = 0.2;
 constexpr double kFragmentSizeM = 0.5;
-/// A part is not the background seen through the object.
+/// A part is not the background seen through the object: of what is hidden more, only what is of an
+/// upright face with the best surface.
 constexpr double kPartMinOutline = 0.3;
-/// What something nearer hides on most sides is of the object where this share of it stands over or
-/// under the best surface: the foot of a refrigerator below the table before it.
-constexpr double kUprightShare = 0.9;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
@@ -147,15 +144,6 @@ bool are_near(const Columns& a, const Columns& b, float height_gap_m) {
   });
 }
 
-/// Whether a part and the best surface may be pieces of one upright thing.
-bool is_over_or_under(const Columns& part, const Columns& best) {
-  const auto is_met = [&](const Column& column) {
-    return are_near({column}, best, std::numeric_limits<float>::infinity());
-  };
-  const auto num_met = std::count_if(part.begin(), part.end(), is_met);
-  return static_cast<double>(num_met) >= kUprightShare * static_cast<double>(part.size());
-}
-
 /// The diagonal of the rectangle along the axes that they cover of the plan.
 double plan_size_m(const Columns& columns, double edge_m) {
   Eigen::AlignedBox2i cover;
@@ -202,24 +190,27 @@ ComponentIds with_parts(const DepthWindow& window,
     return columns_of(
         window, labelled, id, gravity_aligned_from_camera, static_cast<float>(options.part_gap_m));
   };
-  const Columns own = columns(best);
-  Columns reached = own;
+  Columns reached = columns(best);
   PixelRect covered = labelled.components[best].bounds_in_box;
+  const auto is_upright_with_best = [&](std::uint32_t id) {
+    return are_one_upright_face(window, labelled, best, id, gravity_aligned_from_camera);
+  };
   const auto joins = [&](std::uint32_t id) {
-    const PixelRect bounds = labelled.components[id].bounds_in_box;
-    const PixelRect wider = united(covered, bounds);
+    const DepthComponent& component = labelled.components[id];
+    const PixelRect wider = united(covered, component.bounds_in_box);
     const double gain = span_share(wider, window.box) - span_share(covered, window.box);
     const bool widens = gain >= kPartMinGain;
     const bool is_small =
-        labelled.components[id].num_in_box < kFragmentShare * labelled.components[best].num_in_box;
+        component.num_in_box < kFragmentShare * labelled.components[best].num_in_box;
+    const bool is_hidden = component.outline_share() < kPartMinOutline;
     if (!widens && !is_small) return false;
+    if (is_hidden && (!widens || is_small || !is_upright_with_best(id))) return false;
     const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
-    const bool is_hidden = labelled.components[id].outline_share() < kPartMinOutline;
-    if (is_hidden && (!widens || is_small || !is_over_or_under(part, own))) return false;
-    if (!are_near(part, reached, static_cast<float>(height_gap_m)) &&
-        !is_part_behind(window, labelled, best, id) && !is_part_beside(window, labelled, best, id))
+    if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
+        !is_part_behind(window, labelled, best, id) &&
+        !are_ends_of_one_face(window, labelled, best, id))
       return false;
     reached.insert(reached.end(), part.begin(), part.end());
     reached = united(std::move(reached));
@@ -252,13 +243,15 @@ std::uint32_t best_component(const DepthWindow& window,
 
 }  // namespace
 
-ComponentIds choose_surfaces(const DepthWindow& window,
+ComponentIds choose_surfaces(const RgbdFrame& frame,
+                             const DepthWindow& window,
                              const DepthComponents& labelled,
                              const std::vector<Plane>& planes,
-                             const Eigen::Matrix3f& gravity_aligned_from_camera,
                              const ForegroundOptions& options) {
+  const Eigen::Matrix3f gravity_aligned_from_camera =
+      frame.map_from_camera.isometry().linear().cast<float>();
   const SupportContacts supports(
-      window, labelled, planes, gravity_aligned_from_camera.row(2).transpose());
+      frame.depth_m, window, labelled, planes, gravity_aligned_from_camera.row(2).transpose());
   const std::uint32_t best = best_component(window, labelled, supports, false);
   if (best == kNoComponent) return {};
   const std::vector<DepthComponent>& components = labelled.components;

@@ -3,6 +3,7 @@
 /// Which of the surfaces in a detection's box are the detected object.
 #pragma once
 
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
 #include "segmentation/background_planes.hpp"
 #include "segmentation/depth_components.hpp"
 
@@ -18,11 +19,11 @@ using ComponentIds = std::vector<std::uint32_t>;  ///< Positions in the componen
 /// The surface that explains the box best (large in it, absent outside it, from edge to edge) and
 /// the parts that complete it; a flat patch of its support when nothing stands out. Empty when
 /// nothing lies in the box, or only background and other detections' objects.
-/// `gravity_aligned_from_camera` turns the camera's axes so that z is up.
-[[nodiscard]] ComponentIds choose_surfaces(const DepthWindow& window,
+/// `frame` is what the window was cut out of.
+[[nodiscard]] ComponentIds choose_surfaces(const RgbdFrame& frame,
+                                           const DepthWindow& window,
                                            const DepthComponents& labelled,
                                            const std::vector<Plane>& planes,
-                                           const Eigen::Matrix3f& gravity_aligned_from_camera,
                                            const ForegroundOptions& options);
 
 /// Calls `visit(x, y)` for each cell of a component that lies in the box, row by row.
