@@ -51,8 +51,9 @@ def truths_of(report_path):
 def features_of(map_path):
     """Features of each object of a map, by its id."""
     with zipfile.ZipFile(map_path) as archive:
-        lines = archive.read("objects.jsonl").decode().splitlines()[1:]
-    return {one["id"]: features(one["ledger"]) for one in map(json.loads, lines)}
+        head, *lines = archive.read("objects.jsonl").decode().splitlines()
+    objects = map(json.loads, lines[:json.loads(head)["num_objects"]])  # Their voted cells follow, a line each.
+    return {one["id"]: features(one["ledger"]) for one in objects}
 
 
 def cases_of(map_path, report_path):

@@ -64,8 +64,10 @@ class Folder(unittest.TestCase):
         (self.folder / f"{name}.json").write_text(json.dumps({"objects": rows}))
         kind = 0 if detections else 1
         objects = [json.dumps({"id": r["id"], "ledger": {"summaries": [row(kind, 3, detections, 1.0)]}}) for r in rows]
+        head = json.dumps({"format": "hypermap-objects", "version": 4, "num_objects": len(objects)})
+        cells = [json.dumps("AAYSkf0hpDPyOguH01jBuA==") for _ in objects]
         with zipfile.ZipFile(self.folder / f"{name}.hmap", "w") as archive:
-            archive.writestr("objects.jsonl", "\n".join(["{}", *objects]))
+            archive.writestr("objects.jsonl", "\n".join([head, *objects, *cells]))
 
     def run_script(self, folder=None):
         return subprocess.run([sys.executable, "-B", ROOT / "scripts/fit_real_probability.py", folder or self.folder],
