@@ -3,10 +3,12 @@
 """Fits P(real), `real_probability` of the library, to maps whose objects were held against the truth.
 
 Usage: fit_real_probability.py FOLDER, with pairs of a map NAME.hmap and the report NAME.json that `hypermap eval --json` writes of it.
-Prints a coefficient a line: of a constant, and of the natural logarithms of the detections, of the directions from which
-they came, and of 1 + the visibility in frames without one, all as the observation log of an object sums them up.
+Prints a coefficient a line: of a constant; of the natural logarithms of the detections, of the directions from which
+they came, and of 1 + the visibility in frames without one; of the share of detections that name another class than their
+detector does most often; and of whether there is one detection alone. All as the observation log of an object sums it up.
 What cannot be fitted to is said in a sentence that names folder or file, and the rule; exit status 2."""
 
+import collections
 import json
 import math
 import pathlib
@@ -18,7 +20,19 @@ class UnfitInput(Exception):
 
 
 DETECTION = 0
-NAMES = ("intercept", "per detections", "per directions", "per missed visibility")
+NAMES = ("intercept", "per detections", "per directions", "per missed visibility", "per named otherwise",
+         "detected once")
+
+
+def num_of_usual_names(detections):
+    """Detections of the classes that each detector named most often."""
+    counts = collections.Counter()
+    for row in detections:
+        counts[row[1], row[2]] += row[4]
+    most = {}
+    for (detector, _), count in counts.items():
+        most[detector] = max(most.get(detector, 0), count)
+    return sum(most.values())
 
 
 def features(log):
@@ -30,7 +44,8 @@ def features(log):
         return None
     count = sum(row[4] for row in detections)
     directions = len({row[3] for row in detections})
-    return [1.0, math.log(count), math.log(directions), math.log1p(missed)]
+    named_otherwise = 1.0 - num_of_usual_names(detections) / count
+    return [1.0, math.log(count), math.log(directions), math.log1p(missed), named_otherwise, 1.0 if count == 1 else 0.0]
 
 
 def read_by(reader, path, kind):

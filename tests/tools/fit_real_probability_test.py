@@ -18,14 +18,21 @@ sys.path.insert(0, str(ROOT / "scripts"))
 import fit_real_probability  # noqa: E402  (found only now)
 
 
-def row(kind, bearing_bin, count, score_sum):
-    return [kind, 0, 7, bearing_bin, count, score_sum, 0.0, 0]
+def row(kind, bearing_bin, count, score_sum, class_id=7, detector=0):
+    return [kind, detector, class_id, bearing_bin, count, score_sum, 0.0, 0]
 
 
 class Fit(unittest.TestCase):
     def test_features_are_logarithms_of_sums(self):
         log = {"summaries": [row(0, 3, 4, 2.5), row(0, 5, 2, 1.0), row(0, 5, 1, 0.5), row(1, 3, 9, 1.25), row(1, 4, 1, 0.5)]}
-        self.assertEqual(fit_real_probability.features(log), [1.0, math.log(7), math.log(2), math.log1p(1.75)])
+        self.assertEqual(fit_real_probability.features(log), [1.0, math.log(7), math.log(2), math.log1p(1.75), 0.0, 0.0])
+
+    def test_one_detection_alone_is_told(self):
+        self.assertEqual(fit_real_probability.features({"summaries": [row(0, 3, 1, 0.5)]}), [1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+
+    def test_what_is_named_otherwise_is_counted_for_each_detector(self):
+        log = {"summaries": [row(0, 3, 3, 2.0), row(0, 3, 1, 0.5, class_id=8), row(0, 4, 4, 2.0, class_id=9, detector=1)]}
+        self.assertEqual(fit_real_probability.features(log)[4], 1.0 - 7 / 8)
 
     def test_what_was_never_detected_says_nothing(self):
         self.assertIsNone(fit_real_probability.features({"summaries": [row(1, 3, 9, 1.25)]}))

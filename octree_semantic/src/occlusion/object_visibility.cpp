@@ -2,13 +2,20 @@
 #include "hypermap/octree_semantic/occlusion/object_visibility.hpp"
 
 #include "hypermap/core/objects/association.hpp"
+#include "hypermap/core/objects/observation_log.hpp"
+#include "occlusion/known_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 namespace hypermap {
 namespace {
+
+/// Cells of an object's own surface are no finer, whatever the tolerance.
+constexpr double kLeastSurfaceEdgeM = 0.01;
 
 /// Result of a ray to one point of the object.
 enum class RayOutcome : std::uint8_t { kOutside, kNoDepth, kOpen, kThrough, kHidden };
@@ -28,14 +35,16 @@ double share(int part, int whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Points of the object, at most `max_points`, spread evenly.
-std::vector<Eigen::Vector3d> sample_points(const Object& object, int max_points) {
-  std::vector<Eigen::Vector3d> points = object.points.agreed_points();
-  if (points.empty()) {
-    const auto corners = object.box.corners();
-    points.assign(corners.begin(), corners.end());
-    points.push_back(object.box.centre());
-  }
+/// Points that stand for an object without points of its own.
+std::vector<Eigen::Vector3d> box_points(const Box& box) {
+  const auto corners = box.corners();
+  std::vector<Eigen::Vector3d> points(corners.begin(), corners.end());
+  points.push_back(box.centre());
+  return points;
+}
+
+/// At most `max_points` of them, spread evenly.
+std::vector<Eigen::Vector3d> sample_of(std::vector<Eigen::Vector3d> points, int max_points) {
   const auto limit = static_cast<std::size_t>(max_points);
   if (points.size() <= limit) return points;
   for (std::size_t i = 0; i < limit; ++i) points[i] = points[i * points.size() / limit];
@@ -66,8 +75,11 @@ class RayEvaluator {
         camera_from_map_(frame.map_from_camera.inverse()),
         camera_in_map_(frame.map_from_camera.origin()) {}
 
-  /// kNoDepth: the last of `rays()` ends at this point.
-  [[nodiscard]] RayOutcome evaluate(const Eigen::Vector3d& point_in_map, const Box& box) {
+  /// kNoDepth: the last of `rays()` ends at this point. `near_side`: where what is measured in
+  /// front of the point, within the box, is the object's own; everywhere when null.
+  [[nodiscard]] RayOutcome evaluate(const Eigen::Vector3d& point_in_map,
+                                    const Box& box,
+                                    const KnownSurface* near_side) {
     const PointInCamera point = camera_from_map_ * PointInMap{point_in_map};
     const auto pixel = frame_->camera.project(point);
     if (!pixel || !(point.xyz.norm() <= max_range_m_)) return RayOutcome::kOutside;
@@ -82,8 +94,11 @@ class RayEvaluator {
       return RayOutcome::kNoDepth;
     }
     if (*measured > depth_m + tolerance_m) return RayOutcome::kThrough;
-    // In front of the point but within the object's box: its own near side.
-    return *measured < entry_m - tolerance_m ? RayOutcome::kHidden : RayOutcome::kOpen;
+    if (*measured < entry_m - tolerance_m) return RayOutcome::kHidden;
+    if (near_side == nullptr || *measured >= depth_m - tolerance_m) return RayOutcome::kOpen;
+    const Eigen::Vector3d& camera = camera_in_map_.xyz;
+    const Eigen::Vector3d surface = camera + *measured / depth_m * (point_in_map - camera);
+    return near_side->is_near(surface) ? RayOutcome::kOpen : RayOutcome::kHidden;
   }
 
   [[nodiscard]] const std::vector<OcclusionRay>& rays() const { return rays_; }
@@ -139,17 +154,44 @@ Result<void> query_occlusion(std::vector<RayOutcome>& outcomes,
   return {};
 }
 
+/// Whether it was detected from that direction or from one beside it, which shows the same sides.
+bool was_detected_from_about(const ObservationLog& log, double bearing_rad) {
+  constexpr double kBinRad = 2.0 * std::numbers::pi / ObservationLog::kNumBearingBins;
+  for (const double aside_rad : {0.0, -kBinRad, kBinRad}) {
+    if (num_detections_from(log, bearing_rad + aside_rad) > 0) return true;
+  }
+  return false;
+}
+
+/// Where the object's surface is that turns to the camera; none where that may never have been
+/// seen.
+std::optional<KnownSurface> known_near_side(const Object& object,
+                                            std::span<const Eigen::Vector3d> points_in_map,
+                                            const Eigen::Vector3d& camera_in_map,
+                                            double tolerance_m) {
+  const double bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera_in_map);
+  if (points_in_map.empty() || !was_detected_from_about(object.observation_log, bearing_rad))
+    return std::nullopt;
+  return KnownSurface(points_in_map, object.box, std::max(tolerance_m, kLeastSurfaceEdgeM));
+}
+
 Result<RayOutcomes> cast_rays(const ObjectMap& objects,
                               std::span<const ObjectId> ids,
                               const RgbdFrame& frame,
                               const OcclusionQuery& query,
                               const VisibilityOptions& options) {
   RayEvaluator evaluator(frame, options);
+  const Eigen::Vector3d camera_in_map = frame.map_from_camera.origin().xyz;
   RayOutcomes outcomes;
   for (const ObjectId id : ids) {
     const Object& object = objects.at(id);
-    for (const Eigen::Vector3d& point : sample_points(object, options.max_rays)) {
-      outcomes.all.push_back(evaluator.evaluate(point, object.box));
+    std::vector<Eigen::Vector3d> points = object.points.agreed_points();
+    const auto near_side =
+        known_near_side(object, points, camera_in_map, options.depth_tolerance_m);
+    if (points.empty()) points = box_points(object.box);
+    for (const Eigen::Vector3d& point : sample_of(std::move(points), options.max_rays)) {
+      outcomes.all.push_back(
+          evaluator.evaluate(point, object.box, near_side ? &*near_side : nullptr));
     }
     outcomes.ends.push_back(outcomes.all.size());
   }

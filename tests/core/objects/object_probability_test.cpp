@@ -127,14 +127,41 @@ TEST(ClassDistribution, OfEqualsTheMoreBelievedIsTheBest) {
 }
 
 TEST(RealProbability, IsLogisticInDetectionsDirectionsAndMisses) {
-  // docs/EVALUATION.md, "Calibration": -2.24 + 2.59 ln 4 + 2.14 ln 2 = 2.8338; 1 / (1 + e^-2.8338).
+  // docs/EVALUATION.md, "Calibration": -0.08 + 2.62 ln 4 + 1.52 ln 2 = 4.6057; 1 / (1 + e^-4.6057).
   Object object = unseen();
   name(object, kNamedTv, 3, 0);
   name(object, kNamedTv, 1, 1);
-  EXPECT_NEAR(real_probability(object).value(), 0.94449, 1e-4);
-  // - 2.20 ln(1 + 4 * 0.75) = -3.0499.
+  EXPECT_NEAR(real_probability(object).value(), 0.99010, 1e-4);
+  // - 2.18 ln(1 + 4 * 0.75) = -3.0221.
   miss(object, 0.75F, 4);
-  EXPECT_NEAR(real_probability(object).value(), 0.44619, 1e-4);
+  EXPECT_NEAR(real_probability(object).value(), 0.82973, 1e-4);
+}
+
+TEST(RealProbability, IsLessForWhatIsNamedOtherwise) {
+  // The same with one of four of another class: 4.6057 - 4.76 / 4 = 3.4157.
+  Object object = unseen();
+  name(object, kNamedTv, 3, 0);
+  name(object, kNamedOven, 1, 1);
+  EXPECT_NEAR(real_probability(object).value(), 0.96819, 1e-4);
+}
+
+TEST(RealProbability, ADetectorWithOtherWordsNamesNothingOtherwise) {
+  Object object = unseen();
+  name(object, kNamedTv, 4);
+  for (int i = 0; i < 4; ++i)
+    object.observation_log.add({.detector = DetectorId{1}, .class_id = kNamedOven});
+  EXPECT_EQ(detection_regularity(object.observation_log).num_named_otherwise, 0U);
+  name(object, kNamedOven, 1);
+  EXPECT_EQ(detection_regularity(object.observation_log).num_named_otherwise, 1U);
+}
+
+TEST(RealProbability, OfOneDetectionAloneIsSmall) {
+  // -0.08 - 2.47 = -2.55; two of one view: -0.08 + 2.62 ln 2 = 1.7360.
+  Object object = unseen();
+  name(object, kNamedTv, 1);
+  EXPECT_NEAR(real_probability(object).value(), 0.07243, 1e-4);
+  name(object, kNamedTv, 1);
+  EXPECT_NEAR(real_probability(object).value(), 0.85018, 1e-4);
 }
 
 TEST(RealProbability, WhatIsSeenAndSeldomDetectedIsAFalseAlarmAtAnyCount) {
@@ -143,7 +170,7 @@ TEST(RealProbability, WhatIsSeenAndSeldomDetectedIsAFalseAlarmAtAnyCount) {
   name(often, kNamedTv, 8);
   name(seldom, kNamedTv, 8);
   miss(often, 1.0F, 3);
-  miss(seldom, 1.0F, 30);
+  miss(seldom, 1.0F, 40);
   EXPECT_GT(real_probability(often).value(), 0.5);
   EXPECT_LT(real_probability(seldom).value(), 0.1);
 }

@@ -119,9 +119,11 @@ TEST(DetectionRegularity, CountsDetectionsDirectionsAndWhatWasVisibleWithoutOne)
   log.add(seen(2, ClassId{1}, 3.0F));
   log.add(not_seen(3, Visibility::kVisible, 0.75F));
   log.add(not_seen(4, Visibility::kPartlyOccluded, 0.5F));
-  EXPECT_EQ(
-      detection_regularity(log),
-      (DetectionRegularity{.num_detections = 3, .num_directions = 2, .missed_visibility = 1.25}));
+  EXPECT_EQ(detection_regularity(log),
+            (DetectionRegularity{.num_detections = 3,
+                                 .num_directions = 2,
+                                 .num_named_otherwise = 1,
+                                 .missed_visibility = 1.25}));
   EXPECT_EQ(detection_regularity({}), DetectionRegularity{});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/occlusion/object_visibility.hpp"
 
+#include "hypermap/core/objects/association.hpp"
 #include "hypermap/octree_semantic/integration/frame_integrator.hpp"
 
 #include <gtest/gtest.h>
@@ -149,6 +150,47 @@ TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
   object.points = {};
   object.points.observe(far_side);
   EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
+}
+
+/// A cube of 0.4 m of which only the far side has points, detected from a bearing so far to the
+/// side of the camera's.
+Object far_side_of_cube(double aside_rad) {
+  Object object = cube_ahead();
+  std::vector<Eigen::Vector3f> far_side;
+  for (int i = 0; i < 20; ++i)
+    far_side.emplace_back(2.39F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
+  object.points = {};
+  object.points.observe(far_side);
+  const double bearing_rad = bearing_from_object_rad(object.centroid_in_map, {0, 0, 0});
+  object.observation_log.add({.bearing_rad = static_cast<float>(bearing_rad + aside_rad)});
+  return object;
+}
+
+TEST(ObjectVisibility, WhatReachesIntoItsBoxHidesItWhereItsNearSideIsKnown) {
+  World world;
+  const RgbdFrame near_side = frame_with_depth(2.0F);
+  for (const double aside_deg : {0.0, 25.0, -25.0}) {
+    const Object object = far_side_of_cube(aside_deg * std::numbers::pi / 180);
+    const VisibilityResult result = evaluate(world, near_side, object);
+    EXPECT_EQ(result.state, Visibility::kOccluded) << aside_deg;
+    EXPECT_EQ(result.visible_fraction, 0.0) << aside_deg;
+    EXPECT_EQ(evaluate(world, frame_with_depth(2.39F), object).state, Visibility::kVisible);
+  }
+  const Object from_the_side = far_side_of_cube(std::numbers::pi / 2);
+  EXPECT_EQ(evaluate(world, near_side, from_the_side).state, Visibility::kVisible)
+      << "that may be its own";
+}
+
+TEST(ObjectVisibility, PointsOfItsNearSideMakeThatItsOwn) {
+  World world;
+  Object object = far_side_of_cube(0.0);
+  std::vector<Eigen::Vector3f> near_side;
+  for (int i = 0; i < 20; ++i)
+    near_side.emplace_back(2.01F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
+  object.points.observe(near_side);
+  const VisibilityResult result = evaluate(world, frame_with_depth(2.0F), object);
+  EXPECT_EQ(result.state, Visibility::kVisible);
+  EXPECT_EQ(result.visible_fraction, 1.0);
 }
 
 TEST(ObjectVisibility, WhereNothingIsMeasuredTheMapTellsWhatMustHideIt) {

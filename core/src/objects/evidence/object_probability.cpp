@@ -16,10 +16,14 @@ namespace {
 
 /// Coefficients of P(real), of the natural logarithms of what they are named after. Fitted by
 /// `scripts/fit_real_probability` to rooms and seeds that no reported figure is of.
-constexpr double kRealIntercept = -2.24;
-constexpr double kRealPerDetections = 2.59;
-constexpr double kRealPerDirections = 2.14;
-constexpr double kRealPerMissedVisibility = -2.20;  ///< Of 1 + it.
+constexpr double kRealIntercept = -0.08;
+constexpr double kRealPerDetections = 2.62;
+constexpr double kRealPerDirections = 1.52;
+constexpr double kRealPerMissedVisibility = -2.18;  ///< Of 1 + it.
+/// Of the share of the detections that name another class; no logarithm.
+constexpr double kRealPerNamedOtherwise = -4.76;
+/// What was detected once and never again is a false alarm more often than the rest lets expect.
+constexpr double kRealDetectedOnce = -2.47;
 
 /// Weight of all classes together that no detection named.
 constexpr double kNeverNamed = 0.2;
@@ -90,6 +94,16 @@ std::optional<ClassEvidence> most_likely(std::span<const ClassEvidence> classes,
   return *std::ranges::max_element(classes, LessLikely{belief});
 }
 
+/// Requires: at least one detection.
+double regularity_log_odds(const DetectionRegularity& seen) {
+  const auto num_detections = static_cast<double>(seen.num_detections);
+  return kRealIntercept + kRealPerDetections * std::log(num_detections) +
+         kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
+         kRealPerMissedVisibility * std::log1p(seen.missed_visibility) +
+         kRealPerNamedOtherwise * static_cast<double>(seen.num_named_otherwise) / num_detections +
+         (seen.num_detections == 1 ? kRealDetectedOnce : 0.0);
+}
+
 /// Of what is real with `real` and, if so, most likely of class `best`.
 Probability confidence_of(Probability real, const std::optional<ClassEvidence>& best) {
   return Probability(best ? real.value() * best->probability.value() : 0.0);
@@ -137,10 +151,7 @@ std::optional<double> entropy_nats(std::span<const ClassEvidence> distribution) 
 Probability real_probability(const Object& object) {
   const DetectionRegularity seen = detection_regularity(object.observation_log);
   if (seen.num_detections == 0) return object.existence.probability();
-  double log_odds = kRealIntercept +
-                    kRealPerDetections * std::log(static_cast<double>(seen.num_detections)) +
-                    kRealPerDirections * std::log(static_cast<double>(seen.num_directions)) +
-                    kRealPerMissedVisibility * std::log1p(seen.missed_visibility);
+  double log_odds = regularity_log_odds(seen);
   const AbsenceRun run = absence_run(object.observation_log);
   if (is_gone_by(run, gone_rule_for(seen.num_detections, {})))
     log_odds = std::min(log_odds, -static_cast<double>(run.looks));

@@ -9,6 +9,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <span>
 #include <string>
@@ -181,6 +182,25 @@ std::uint64_t ObservationLog::num_detections(std::optional<ClassId> class_id) co
   return count;
 }
 
+namespace {
+
+/// Detections of the classes that each detector named most often.
+std::uint64_t num_of_usual_names(const ObservationLog& log) {
+  std::map<std::pair<DetectorId, ClassId>, std::uint64_t> counts;
+  for (const ObservationLogSummary& s : log.state().summaries) {
+    if (s.kind == ObservationKind::kDetection) counts[{s.detector, s.class_id}] += s.count;
+  }
+  std::map<DetectorId, std::uint64_t> most;
+  for (const auto& [name, count] : counts) {
+    most[name.first] = std::max(most[name.first], count);
+  }
+  std::uint64_t sum = 0;
+  for (const auto& [detector, count] : most) sum += count;
+  return sum;
+}
+
+}  // namespace
+
 DetectionRegularity detection_regularity(const ObservationLog& log) {
   DetectionRegularity regularity;
   std::bitset<ObservationLog::kNumBearingBins> directions;
@@ -193,6 +213,7 @@ DetectionRegularity detection_regularity(const ObservationLog& log) {
     }
   }
   regularity.num_directions = static_cast<int>(directions.count());
+  regularity.num_named_otherwise = regularity.num_detections - num_of_usual_names(log);
   return regularity;
 }
 

@@ -4,6 +4,8 @@
 #include "surface_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hypermap {
 namespace {
@@ -19,6 +21,16 @@ constexpr double kBehindMinOutline = 0.65;
 constexpr float kBehindMaxOfWidth = 0.65F;
 /// Something nearer hides the foot of what stands behind an object, not that of its parts.
 constexpr double kBehindMaxHiddenFoot = 0.25;
+/// A box ends where its object ends: without its top so much of the box's height would be empty,
+/// and the top ends no farther from the box's edge.
+constexpr double kLeastUncovered = 0.15;
+constexpr double kMostBesideEdge = 0.08;
+/// It is so wide, of the box: no other thing that looks over the object.
+constexpr double kLeastTopWidth = 0.4;
+/// What is so flat in the picture has no upper end of its own.
+constexpr double kLeastBoxHeight = 0.4;
+/// With it the object is no deeper than this many times the box's width there.
+constexpr float kMostDepthOfWidth = 1.5F;
 /// What hides a foot is measured within so many cells of it.
 constexpr int kFootReachCells = 3;
 
@@ -27,6 +39,30 @@ float mean_depth_m(const DepthWindow& window, const DepthComponents& labelled, s
   for_each_cell_of(
       window, labelled, id, [&](int x, int y) { sum_m += window.depth_m[window.cell(x, y)]; });
   return sum_m / static_cast<float>(labelled.components[id].num_in_box);
+}
+
+struct DepthRange {
+  float nearest_m = std::numeric_limits<float>::infinity();
+  float farthest_m = 0.0F;
+};
+
+DepthRange depth_range(const DepthWindow& window,
+                       const DepthComponents& labelled,
+                       std::uint32_t id) {
+  DepthRange range;
+  for_each_cell_of(window, labelled, id, [&](int x, int y) {
+    const float depth_m = window.depth_m[window.cell(x, y)];
+    range.nearest_m = std::min(range.nearest_m, depth_m);
+    range.farthest_m = std::max(range.farthest_m, depth_m);
+  });
+  return range;
+}
+
+/// Of the box at a depth.
+float box_width_m(const DepthWindow& window, float depth_m) {
+  const auto end = static_cast<std::size_t>(window.box.u_end - 1);
+  const auto begin = static_cast<std::size_t>(window.box.u_begin);
+  return (window.slope_x[end] - window.slope_x[begin]) * depth_m;
 }
 
 /// Of the columns of a surface in the box, the share below whose last cell something nearer was
@@ -56,6 +92,27 @@ double hidden_foot_share(const DepthWindow& window,
 
 }  // namespace
 
+bool is_top_of_box(const DepthWindow& window,
+                   const DepthComponents& labelled,
+                   const PixelRect& covered,
+                   std::uint32_t best,
+                   std::uint32_t id) {
+  const DepthComponent& component = labelled.components[id];
+  const PixelRect& box = window.box;
+  const double height = box.height();
+  if (window.box_px.v_min_px < 1.0 || component.num_in_box < kBehindMinCells) return false;
+  if (height < kLeastBoxHeight * box.width()) return false;
+  if (component.bounds_in_box.width() < kLeastTopWidth * box.width()) return false;
+  if (covered.v_begin - box.v_begin < kLeastUncovered * height) return false;
+  if (std::abs(component.bounds.v_begin - box.v_begin) > std::max(1.0, kMostBesideEdge * height))
+    return false;
+  const float best_m = mean_depth_m(window, labelled, best);
+  const DepthRange of_best = depth_range(window, labelled, best);
+  const DepthRange of_top = depth_range(window, labelled, id);
+  return of_top.farthest_m >= of_best.farthest_m &&
+         of_top.farthest_m - of_best.nearest_m <= kMostDepthOfWidth * box_width_m(window, best_m);
+}
+
 bool is_part_behind(const DepthWindow& window,
                     const DepthComponents& labelled,
                     std::uint32_t best,
@@ -67,10 +124,7 @@ bool is_part_behind(const DepthWindow& window,
     return false;
   const float depth_m = mean_depth_m(window, labelled, best);
   const float behind_m = mean_depth_m(window, labelled, id) - depth_m;
-  const auto end = static_cast<std::size_t>(window.box.u_end - 1);
-  const auto begin = static_cast<std::size_t>(window.box.u_begin);
-  const float width_m = (window.slope_x[end] - window.slope_x[begin]) * depth_m;
-  return behind_m >= 0.0F && behind_m <= kBehindMaxOfWidth * width_m;
+  return behind_m >= 0.0F && behind_m <= kBehindMaxOfWidth * box_width_m(window, depth_m);
 }
 
 }  // namespace hypermap

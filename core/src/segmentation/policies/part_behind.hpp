@@ -22,4 +22,16 @@ namespace hypermap {
                                   std::uint32_t best,
                                   std::uint32_t id);
 
+/// Whether surface `id` is the upper end of the object though it stands apart behind it and the
+/// object hides its foot: the head of a bed behind its pillows.
+///
+/// The detector's box ends with it at the top, far above what is `covered`, and it is no farther
+/// behind than a part is. Requires: both have cells in the box. Cost: O(cells of the bounds of
+/// both).
+[[nodiscard]] bool is_top_of_box(const DepthWindow& window,
+                                 const DepthComponents& labelled,
+                                 const PixelRect& covered,
+                                 std::uint32_t best,
+                                 std::uint32_t id);
+
 }  // namespace hypermap

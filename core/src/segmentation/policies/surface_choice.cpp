@@ -210,6 +210,7 @@ ComponentIds with_parts(const DepthWindow& window,
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
     if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id) &&
+        !is_top_of_box(window, labelled, covered, best, id) &&
         !are_ends_of_one_face(window, labelled, best, id))
       return false;
     reached.insert(reached.end(), part.begin(), part.end());

@@ -20,8 +20,9 @@ struct ConfirmationOptions {
   /// Existence must be above. None: no condition.
   std::optional<LogOdds> min_existence = std::nullopt;
   /// P(real) must not be below. None: no condition. Deviation: the sources ask for existence or
-  /// confidence, which do not know how often a detection was to be expected.
-  std::optional<Probability> min_real_probability = Probability(0.5);
+  /// confidence, which do not know how often a detection was to be expected. Above a half: a false
+  /// object misleads more than one that is shown a few frames later.
+  std::optional<Probability> min_real_probability = Probability(0.75);
   GoneRule gone = {};  ///< What is gone is not confirmed.
   /// Object confidence must not be below, o_valid. None: no condition.
   std::optional<Probability> min_confidence = std::nullopt;

@@ -79,8 +79,9 @@ struct Object {
 [[nodiscard]] std::optional<ClassEvidence> best_detected_class(const Object& object);
 
 /// Probability that a detected object is one real object, not a false alarm or a part of another:
-/// logistic in how often, from how many directions it was detected, and how visible it was when it
-/// was not. An object that is gone (GoneRule's defaults) has the odds e^-looks at most.
+/// logistic in how often, from how many directions it was detected, how visible it was when it was
+/// not, and how often it was named otherwise than mostly. An object that is gone (GoneRule's
+/// defaults) has the odds e^-looks at most.
 ///
 /// Source: ours; the coefficients are fitted, see docs/EVALUATION.md, "Calibration".
 /// Boundary: without recorded detections, the probability of its existence.

@@ -134,6 +134,8 @@ static_assert(sizeof(ObservationLogEntry) * (ObservationLog::kMaxNewest + 1) +
 struct DetectionRegularity {
   std::uint64_t num_detections = 0;
   int num_directions = 0;  ///< Bearing bins with a detection.
+  /// Detections with another class than the one that the same detector named most often.
+  std::uint64_t num_named_otherwise = 0;
   /// Sum of the visible shares of the frames that should have shown it to the detector and did not.
   double missed_visibility = 0.0;
   friend bool operator==(const DetectionRegularity&, const DetectionRegularity&) = default;
