@@ -11,8 +11,7 @@ KnownSurface::KnownSurface(std::span<const Eigen::Vector3d> points_in_map,
     : origin_in_map_(box.min_in_map),
       edge_m_(std::max(min_edge_m, (box.max_in_map - box.min_in_map).maxCoeff() / kCellsPerSide)) {
   for (const Eigen::Vector3d& point : points_in_map) {
-    const auto index = index_of(cell_of(point).cwiseMax(0).cwiseMin(kCellsPerSide - 1));
-    cells_.set(*index);
+    if (const auto index = index_of(cell_of(point))) cells_.set(*index);
   }
 }
 
@@ -30,7 +29,9 @@ bool KnownSurface::is_near(const Eigen::Vector3d& point_in_map) const {
 }
 
 Eigen::Array3i KnownSurface::cell_of(const Eigen::Vector3d& point_in_map) const {
-  return ((point_in_map - origin_in_map_) / edge_m_).array().floor().cast<int>();
+  // Bounded before the cast: points of a file may lie anywhere.
+  const Eigen::Array3d cells = ((point_in_map - origin_in_map_) / edge_m_).array().floor();
+  return cells.cwiseMax(-2.0).cwiseMin(kCellsPerSide + 1.0).cast<int>();
 }
 
 std::optional<std::size_t> KnownSurface::index_of(const Eigen::Array3i& cell) {

@@ -14,7 +14,8 @@
 
 namespace hypermap {
 
-/// Cells of a box, 16 along its longest side, that a point of the object lies in. Frame: Map.
+/// Cells of a box, 16 along its longest side, that a point of the object lies in; points beside the
+/// box are left out. Frame: Map.
 class KnownSurface {
  public:
   /// Cells are `min_edge_m` wide at least. Requires: min_edge_m > 0. Cost: O(points).

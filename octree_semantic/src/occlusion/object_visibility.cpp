@@ -65,6 +65,10 @@ double entry_share(const Box& box, const Eigen::Vector3d& from, const Eigen::Vec
   return std::min(entry, 1.0);
 }
 
+double depth_tolerance_m(const VisibilityOptions& options, double depth_m) {
+  return options.depth_tolerance_m + options.depth_tolerance_per_m2 * depth_m * depth_m;
+}
+
 /// Evaluates rays of one frame by its depth; those without depth become occlusion rays in the map.
 class RayEvaluator {
  public:
@@ -85,8 +89,7 @@ class RayEvaluator {
     if (!pixel || !(point.xyz.norm() <= max_range_m_)) return RayOutcome::kOutside;
     if (!in_image(*pixel)) return RayOutcome::kOutside;
     const double depth_m = point.xyz.z();
-    const double tolerance_m =
-        options_->depth_tolerance_m + options_->depth_tolerance_per_m2 * depth_m * depth_m;
+    const double tolerance_m = depth_tolerance_m(*options_, depth_m);
     const double entry_m = depth_m * entry_share(box, camera_in_map_.xyz, point_in_map);
     const auto measured = measured_around(*pixel, depth_m);
     if (!measured) {
@@ -154,13 +157,13 @@ Result<void> query_occlusion(std::vector<RayOutcome>& outcomes,
   return {};
 }
 
-/// Whether it was detected from that direction or from one beside it, which shows the same sides.
+/// Whether it was detected from within 40 to 60 degrees of that direction, by where in its bin each
+/// lies: from there mostly the same sides are seen.
 bool was_detected_from_about(const ObservationLog& log, double bearing_rad) {
   constexpr double kBinRad = 2.0 * std::numbers::pi / ObservationLog::kNumBearingBins;
-  for (const double aside_rad : {0.0, -kBinRad, kBinRad}) {
-    if (num_detections_from(log, bearing_rad + aside_rad) > 0) return true;
-  }
-  return false;
+  // Each count is of a bin and those beside it.
+  return num_detections_from(log, bearing_rad - kBinRad) > 0 ||
+         num_detections_from(log, bearing_rad + kBinRad) > 0;
 }
 
 /// Where the object's surface is that turns to the camera; none where that may never have been
@@ -168,11 +171,15 @@ bool was_detected_from_about(const ObservationLog& log, double bearing_rad) {
 std::optional<KnownSurface> known_near_side(const Object& object,
                                             std::span<const Eigen::Vector3d> points_in_map,
                                             const Eigen::Vector3d& camera_in_map,
-                                            double tolerance_m) {
+                                            const VisibilityOptions& options) {
   const double bearing_rad = bearing_from_object_rad(object.centroid_in_map, camera_in_map);
   if (points_in_map.empty() || !was_detected_from_about(object.observation_log, bearing_rad))
     return std::nullopt;
-  return KnownSurface(points_in_map, object.box, std::max(tolerance_m, kLeastSurfaceEdgeM));
+  const double tolerance_m =
+      depth_tolerance_m(options, (object.centroid_in_map - camera_in_map).norm());
+  return KnownSurface(points_in_map,
+                      object.box,
+                      std::max({tolerance_m, object.points.state().edge_m, kLeastSurfaceEdgeM}));
 }
 
 Result<RayOutcomes> cast_rays(const ObjectMap& objects,
@@ -186,8 +193,7 @@ Result<RayOutcomes> cast_rays(const ObjectMap& objects,
   for (const ObjectId id : ids) {
     const Object& object = objects.at(id);
     std::vector<Eigen::Vector3d> points = object.points.agreed_points();
-    const auto near_side =
-        known_near_side(object, points, camera_in_map, options.depth_tolerance_m);
+    const auto near_side = known_near_side(object, points, camera_in_map, options);
     if (points.empty()) points = box_points(object.box);
     for (const Eigen::Vector3d& point : sample_of(std::move(points), options.max_rays)) {
       outcomes.all.push_back(

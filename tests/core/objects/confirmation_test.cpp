@@ -79,6 +79,25 @@ TEST(Confirmation, WhatIsSeenAndSeldomDetectedIsAFalseAlarm) {
   EXPECT_EQ(confirmed_objects(map, {.min_real_probability = std::nullopt}).size(), 1U);
 }
 
+TEST(Confirmation, AProbabilityOfTwoThirdsIsNotEnough) {
+  // Three detections of one view: -0.08 + 2.62 ln 3 - 2.18 ln(1 + m) is 1.29 for m = 1, so that
+  // P(real) is 0.78, and 0.80 for m = 1.5, P(real) 0.69.
+  for (const float last_visible_share : {0.0F, 0.5F}) {
+    ObjectMap map;
+    Object object = seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 3);
+    for (const float visible_share : {1.0F, last_visible_share}) {
+      object.observation_log.add({.frame_index = 8,
+                                  .kind = ObservationKind::kMissedDetection,
+                                  .visibility = Visibility::kVisible,
+                                  .class_id = kSeenCup,
+                                  .score = visible_share});
+    }
+    (void)map.add(std::move(object));
+    EXPECT_EQ(confirmed_objects(map, {}).size(), last_visible_share == 0.0F ? 1U : 0U);
+    EXPECT_EQ(confirmed_objects(map, {.min_real_probability = Probability(0.5)}).size(), 1U);
+  }
+}
+
 TEST(Confirmation, WhatIsGoneIsNotConfirmedUntilItIsDetectedAgain) {
   ObjectMap map;
   const ObjectId id = map.add(seen_times(box_at({0, 0, 0}, {0.4, 0.4, 0.4}), kSeenCup, 40));

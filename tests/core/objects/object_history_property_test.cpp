@@ -62,6 +62,7 @@ TEST(ObjectHistory, EachMomentIsThatOfALogThatEndedThen) {
       const auto is = detection_regularity(past->log);
       EXPECT_EQ(is.num_detections, was.num_detections);
       EXPECT_EQ(is.num_directions, was.num_directions);
+      EXPECT_EQ(is.num_named_otherwise, was.num_named_otherwise);
       EXPECT_NEAR(is.missed_visibility, was.missed_visibility, 1e-4);
       EXPECT_EQ(absence_run(past->log), absence_run(then));
     }

@@ -155,6 +155,14 @@ TEST(RealProbability, ADetectorWithOtherWordsNamesNothingOtherwise) {
   EXPECT_EQ(detection_regularity(object.observation_log).num_named_otherwise, 1U);
 }
 
+TEST(RealProbability, OfAFileThatSaysThatLessThanNothingWasVisibleIsANumber) {
+  Object object = unseen();
+  name(object, kNamedTv, 4);
+  const double before = real_probability(object).value();
+  miss(object, -5.0F);
+  EXPECT_EQ(real_probability(object).value(), before);
+}
+
 TEST(RealProbability, OfOneDetectionAloneIsSmall) {
   // -0.08 - 2.47 = -2.55; two of one view: -0.08 + 2.62 ln 2 = 1.7360.
   Object object = unseen();

@@ -139,17 +139,18 @@ TEST(ForegroundPart, BesideTheRestBehindSomethingNearer) {
   EXPECT_LT(width_behind_a_post_m(0.3, 0.0), 0.6) << "0.6 m apart, they may be two";
 }
 
-/// How high a bed of 2.1 m is found whose head is seen over its cushions, from beyond its foot; the
-/// head stands so much farther back and is so wide.
-double height_of_bed_m(double farther_m, double head_width_m) {
+/// How high a bed of 2.1 m is found whose head is seen over its cushions; the head stands so much
+/// farther back and is so wide and high: over 1 m the picture cuts it, and the box begins below.
+double height_of_bed_m(double back_m, double width_m, double height_m = 1.0) {
   BoxScene scene;
   scene.add(kFloor, {-1, -4, -0.1}, {6, 4, 0}).add(kWall, {4.8, -4, 0}, {4.9, 4, 3});
   scene.add(kCupboard, {1.4, -0.7, 0}, {3.0, 0.7, 0.5});
   scene.add(kCupboard, {3.0, -0.6, 0.3}, {3.2, 0.6, 0.62});
-  const double head_x_m = 3.45 + farther_m;
-  scene.add(kCupboard, {head_x_m, -head_width_m / 2, 0}, {head_x_m + 0.05, head_width_m / 2, 1.0});
+  scene.add(kCupboard, {3.45 + back_m, -width_m / 2, 0}, {3.5 + back_m, width_m / 2, height_m});
   const SceneView view = scene.view(test::look_at({0, 0, 1.1}, {2.4, 0, 0.3}), 1);
-  const auto found = segment(view.frame, detection_of(view, kCupboard), {});
+  Detection bed = detection_of(view, kCupboard);
+  if (height_m > 1.0) bed.box_px.v_min_px = 20.0;
+  const auto found = segment(view.frame, bed, {});
   return found ? found->box.max_in_map.z() : 0.0;
 }
 
@@ -157,6 +158,7 @@ TEST(ForegroundPart, ThatEndsTheBoxAtTheTopIsItsOwn) {
   EXPECT_GT(height_of_bed_m(0.0, 1.4), 0.95);
   EXPECT_LT(height_of_bed_m(1.2, 2.0), 0.7) << "deeper than beds are";
   EXPECT_LT(height_of_bed_m(0.0, 0.3), 0.7) << "a narrow thing that looks over it";
+  EXPECT_LT(height_of_bed_m(0.0, 1.4, 3.0), 0.7) << "a wall that the picture cuts";
 }
 
 /// A bench without a back in a hall that is deeper than depth counts, before a camera this high.

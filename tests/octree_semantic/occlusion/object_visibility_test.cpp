@@ -44,6 +44,15 @@ Object cube_ahead(double aside = 0.0) {
   return object;
 }
 
+/// Across a cube of 0.4 m, so far ahead.
+std::vector<Eigen::Vector3f> row_of_points(float ahead_m) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(20);
+  for (int i = 0; i < 20; ++i)
+    points.emplace_back(ahead_m, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
+  return points;
+}
+
 struct World {
   ObjectMap objects;
   OcclusionScene scene = OcclusionScene::create().value();
@@ -143,12 +152,8 @@ TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
   // Points of the far side only, as once seen from behind; the measured near side is 0.39 m nearer.
   World world;
   Object object = cube_ahead();
-  std::vector<Eigen::Vector3f> far_side;
-  far_side.reserve(20);
-  for (int i = 0; i < 20; ++i)
-    far_side.emplace_back(2.39F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
   object.points = {};
-  object.points.observe(far_side);
+  object.points.observe(row_of_points(2.39F));
   EXPECT_EQ(evaluate(world, frame_with_depth(2.0F), object).state, Visibility::kVisible);
 }
 
@@ -156,11 +161,8 @@ TEST(ObjectVisibility, ItsOwnNearSideDoesNotHideItsFarSide) {
 /// side of the camera's.
 Object far_side_of_cube(double aside_rad) {
   Object object = cube_ahead();
-  std::vector<Eigen::Vector3f> far_side;
-  for (int i = 0; i < 20; ++i)
-    far_side.emplace_back(2.39F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
   object.points = {};
-  object.points.observe(far_side);
+  object.points.observe(row_of_points(2.39F));
   const double bearing_rad = bearing_from_object_rad(object.centroid_in_map, {0, 0, 0});
   object.observation_log.add({.bearing_rad = static_cast<float>(bearing_rad + aside_rad)});
   return object;
@@ -169,25 +171,24 @@ Object far_side_of_cube(double aside_rad) {
 TEST(ObjectVisibility, WhatReachesIntoItsBoxHidesItWhereItsNearSideIsKnown) {
   World world;
   const RgbdFrame near_side = frame_with_depth(2.0F);
-  for (const double aside_deg : {0.0, 25.0, -25.0}) {
+  for (const double aside_deg : {0.0, 35.0, -35.0}) {
     const Object object = far_side_of_cube(aside_deg * std::numbers::pi / 180);
     const VisibilityResult result = evaluate(world, near_side, object);
     EXPECT_EQ(result.state, Visibility::kOccluded) << aside_deg;
     EXPECT_EQ(result.visible_fraction, 0.0) << aside_deg;
     EXPECT_EQ(evaluate(world, frame_with_depth(2.39F), object).state, Visibility::kVisible);
   }
-  const Object from_the_side = far_side_of_cube(std::numbers::pi / 2);
-  EXPECT_EQ(evaluate(world, near_side, from_the_side).state, Visibility::kVisible)
-      << "that may be its own";
+  for (const double aside_deg : {65.0, -65.0, 180.0}) {
+    const Object object = far_side_of_cube(aside_deg * std::numbers::pi / 180);
+    EXPECT_EQ(evaluate(world, near_side, object).state, Visibility::kVisible)
+        << "that may be its own: " << aside_deg;
+  }
 }
 
 TEST(ObjectVisibility, PointsOfItsNearSideMakeThatItsOwn) {
   World world;
   Object object = far_side_of_cube(0.0);
-  std::vector<Eigen::Vector3f> near_side;
-  for (int i = 0; i < 20; ++i)
-    near_side.emplace_back(2.01F, 0.02F * static_cast<float>(i) - 0.19F, 0.0F);
-  object.points.observe(near_side);
+  object.points.observe(row_of_points(2.01F));
   const VisibilityResult result = evaluate(world, frame_with_depth(2.0F), object);
   EXPECT_EQ(result.state, Visibility::kVisible);
   EXPECT_EQ(result.visible_fraction, 1.0);

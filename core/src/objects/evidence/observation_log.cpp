@@ -212,6 +212,8 @@ DetectionRegularity detection_regularity(const ObservationLog& log) {
       regularity.missed_visibility += static_cast<double>(s.score_sum);
     }
   }
+  // A file may say less than nothing, and sums that entries left are off by their rounding.
+  regularity.missed_visibility = std::max(0.0, regularity.missed_visibility);
   regularity.num_directions = static_cast<int>(directions.count());
   regularity.num_named_otherwise = regularity.num_detections - num_of_usual_names(log);
   return regularity;

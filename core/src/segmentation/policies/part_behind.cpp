@@ -100,7 +100,8 @@ bool is_top_of_box(const DepthWindow& window,
   const DepthComponent& component = labelled.components[id];
   const PixelRect& box = window.box;
   const double height = box.height();
-  if (window.box_px.v_min_px < 1.0 || component.num_in_box < kBehindMinCells) return false;
+  const bool is_cut = window.box_px.v_min_px < 1.0 || component.bounds.v_begin == 0;
+  if (is_cut || component.num_in_box < kBehindMinCells) return false;
   if (height < kLeastBoxHeight * box.width()) return false;
   if (component.bounds_in_box.width() < kLeastTopWidth * box.width()) return false;
   if (covered.v_begin - box.v_begin < kLeastUncovered * height) return false;

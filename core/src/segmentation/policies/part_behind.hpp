@@ -22,12 +22,14 @@ namespace hypermap {
                                   std::uint32_t best,
                                   std::uint32_t id);
 
-/// Whether surface `id` is the upper end of the object though it stands apart behind it and the
-/// object hides its foot: the head of a bed behind its pillows.
+/// Whether surface `id` is the upper end of the object though it stands apart behind it: the head
+/// of a bed behind its pillows.
 ///
-/// The detector's box ends with it at the top, far above what is `covered`, and it is no farther
-/// behind than a part is. Requires: both have cells in the box. Cost: O(cells of the bounds of
-/// both).
+/// The detector's box ends with it at the top, far above what is `covered`. It is wide, reaches
+/// farther back than the best surface, and with it the object is no deeper than one and a half
+/// times the box's width. Boundary: none where the picture or the window cuts it or the box, and
+/// none of a box much wider than high. Requires: both have cells in the box. Cost: O(cells of the
+/// bounds of both).
 [[nodiscard]] bool is_top_of_box(const DepthWindow& window,
                                  const DepthComponents& labelled,
                                  const PixelRect& covered,

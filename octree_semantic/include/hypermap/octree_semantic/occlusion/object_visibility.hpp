@@ -6,8 +6,8 @@
 /// `rays`: rays from the camera to points of the object, against what this frame measured along
 /// them and, where it measured nothing, against the map's own geometry. So an object behind a table
 /// is occluded, and one that is only seen from behind is not absent. What is measured inside an
-/// object's box, before its points, is its own near side, unless it was detected from about there
-/// and has no points there: then it is the table that the box reaches into.
+/// object's box, before its points, is its own near side, unless it was detected from within 40 to
+/// 60 degrees of there and has no points there: then it is the table that the box reaches into.
 #pragma once
 
 #include "hypermap/core/base/ids.hpp"
