@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "background_planes.hpp"
 
+#include "floor_plane.hpp"
 #include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/core/segmentation/masks.hpp"
+#include "plane_points.hpp"
 #include "plane_test.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -25,43 +27,6 @@ constexpr double kFreePlaneWeight = 0.75;
 /// Cosine of 3 degrees, what the up axis of a map may be off.
 constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
-
-/// Points side by side, so that a plane is tested against several of them at once.
-class Points {
- public:
-  void add(const Eigen::Vector3f& point, float noise_m) {
-    x_.push_back(point.x());
-    y_.push_back(point.y());
-    z_.push_back(point.z());
-    noise_m_.push_back(noise_m);
-  }
-  [[nodiscard]] std::size_t size() const { return x_.size(); }
-  [[nodiscard]] Eigen::Vector3f operator[](std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-  [[nodiscard]] bool lies_on(const PlaneTest& test, std::size_t i) const {
-    return test.holds(x_[i], y_[i], z_[i], noise_m_[i]);
-  }
-  /// How many of [begin, end) lie on the plane.
-  [[nodiscard]] std::size_t count(const PlaneTest& test, std::size_t begin, std::size_t end) const {
-    std::int32_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) count += lies_on(test, i) ? 1 : 0;
-    return static_cast<std::size_t>(count);
-  }
-  void erase_on(const PlaneTest& test) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (lies_on(test, i)) continue;
-      for (auto* values : {&x_, &y_, &z_, &noise_m_}) (*values)[kept] = (*values)[i];
-      ++kept;
-    }
-    for (auto* values : {&x_, &y_, &z_, &noise_m_}) values->resize(kept);
-  }
-
- private:
-  std::vector<float> x_;
-  std::vector<float> y_;
-  std::vector<float> z_;
-  std::vector<float> noise_m_;
-};
 
 /// The measured cells outside the mask, and not so near that they may be the object's.
 std::vector<std::uint32_t> cells_around_mask(const DepthWindow& window) {
@@ -92,10 +57,10 @@ std::vector<std::uint32_t> cells_around_box(const DepthWindow& window) {
 }
 
 /// Evenly chosen measured points around the object.
-Points surroundings(const DepthWindow& window, const ForegroundOptions& options) {
+PlanePoints surroundings(const DepthWindow& window, const ForegroundOptions& options) {
   const std::vector<std::uint32_t> cells =
       window.is_masked() ? cells_around_mask(window) : cells_around_box(window);
-  Points points;
+  PlanePoints points;
   const std::size_t count = std::min(cells.size(), kMaxSamples);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t cell = cells[i * cells.size() / count];
@@ -117,7 +82,7 @@ std::optional<Plane> plane_through(const Eigen::Vector3f& a,
 }
 
 /// Least squares through the points on `plane`.
-Plane refined(const Plane& plane, const Points& points, const ForegroundOptions& options) {
+Plane refined(const Plane& plane, const PlanePoints& points, const ForegroundOptions& options) {
   const PlaneTest test = test_of(plane, options);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -140,7 +105,7 @@ Plane refined(const Plane& plane, const Points& points, const ForegroundOptions&
 /// The best of planes that were tried.
 class PlaneSelection {
  public:
-  PlaneSelection(const Points& points, const ForegroundOptions& options)
+  PlaneSelection(const PlanePoints& points, const ForegroundOptions& options)
       : points_(points), options_(options) {}
 
   /// `plane_weight` times its support is what counts.
@@ -180,14 +145,14 @@ class PlaneSelection {
     return support;
   }
 
-  const Points& points_;
+  const PlanePoints& points_;
   const ForegroundOptions& options_;
   Plane best_;
   double best_value_ = 0.0;
   double plane_weight_ = 1.0;
 };
 
-Plane best_plane(const Points& points,
+Plane best_plane(const PlanePoints& points,
                  const Eigen::Vector3f& up_in_camera,
                  const ForegroundOptions& options,
                  SplitMix64& random) {
@@ -216,7 +181,8 @@ Plane best_plane(const Points& points,
 std::vector<Plane> background_planes(const DepthWindow& window,
                                      const Eigen::Vector3f& up_in_camera,
                                      const ForegroundOptions& options) {
-  Points points = surroundings(window, options);
+  const PlanePoints all = surroundings(window, options);
+  PlanePoints points = all;
   const auto least = std::max(
       kLeastSupport,
       static_cast<std::size_t>(options.plane_min_share * static_cast<double>(points.size())));
@@ -230,6 +196,8 @@ std::vector<Plane> background_planes(const DepthWindow& window,
     test.scale = 2.0F;
     points.erase_on(test);
   }
+  const auto floor = floor_around(all, points, up_in_camera, kLeastSupport, options);
+  if (floor) planes.push_back(*floor);
   return planes;
 }
 

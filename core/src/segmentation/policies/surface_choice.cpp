@@ -20,6 +20,12 @@ constexpr double kBackgroundPlaneScore = 0.05;
 /// A surface that overlaps another detection's box by this, and ours less, is that one's.
 constexpr double kCompetingOverlap = 0.5;
 constexpr double kCompetingScore = 0.1;
+/// A detector's box ends with its object: what reaches beyond it by this share of its side stands
+/// before or behind the object.
+constexpr double kMaxOverhang = 0.15;
+constexpr double kOverhangScore = 0.25;
+/// But for a box that is too narrow at one end: the object ends with it, by this, at the other.
+constexpr double kSameEnd = 0.05;
 /// The rim of a desk is before the object, and no more likely it than a background plane.
 constexpr double kRimScore = 0.05;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
@@ -35,7 +41,7 @@ constexpr double kPartMinOutline = 0.3;
 constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
 /// and to say that nothing was found is better than to put the object in the wrong place.
-constexpr double kFlatShare = 0.6;
+constexpr double kFlatShare = 0.8;
 
 /// Share of the box that the rectangle spans: a detector's box is tight around its object.
 double span_share(const PixelRect& rect, const PixelRect& box) {
@@ -62,6 +68,20 @@ bool is_of_competing_box(const DepthComponent& component, const DepthWindow& win
                      });
 }
 
+/// Whether what reaches from `begin` to `end` overhangs a box from `box_begin` to `box_end`. A
+/// tapering end is little of a surface and yet reaches far.
+bool overhangs_along(int begin, int end, int box_begin, int box_end) {
+  const auto side = static_cast<double>(box_end - box_begin);
+  const double first = (box_begin - begin) / side;
+  const double second = (end - box_end) / side;
+  return std::max(first, second) > kMaxOverhang && std::abs(std::min(first, second)) > kSameEnd;
+}
+
+bool overhangs(const PixelRect& bounds, const PixelRect& box) {
+  return overhangs_along(bounds.u_begin, bounds.u_end, box.u_begin, box.u_end) ||
+         overhangs_along(bounds.v_begin, bounds.v_end, box.v_begin, box.v_end);
+}
+
 /// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
 /// hidden by what surrounds it, and not what another box is about. 0 for what another has.
 double score(const DepthWindow& window,
@@ -75,6 +95,7 @@ double score(const DepthWindow& window,
          span_share(component.bounds_in_box, window.box) *
          std::min(1.0, 2.0 * component.outline_share()) *
          (component.kind != 0 ? kBackgroundPlaneScore : 1.0) *
+         (overhangs(component.bounds, window.box) ? kOverhangScore : 1.0) *
          (supports.is_rim(id) ? kRimScore : 1.0) *
          (is_of_competing_box(component, window) ? kCompetingScore : 1.0);
 }
