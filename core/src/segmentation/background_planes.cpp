@@ -196,6 +196,7 @@ std::vector<Plane> background_planes(const DepthWindow& window,
     test.scale = 2.0F;
     points.erase_on(test);
   }
+  if (options.max_planes == 0) return planes;
   const auto floor = floor_around(all, points, up_in_camera, kLeastSupport, options);
   if (floor) planes.push_back(*floor);
   return planes;

@@ -23,7 +23,7 @@ struct Plane {
 };
 
 /// The planes that hold most of what is outside the box, or outside the mask where there is one,
-/// the largest first.
+/// the largest first; last the floor, from less on, where none of them is it.
 ///
 /// RANSAC over horizontal planes through one point (the map's z axis is up), upright ones through
 /// two and free ones through three, each refined by least squares; the random numbers are fixed, so

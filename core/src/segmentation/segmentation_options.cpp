@@ -27,7 +27,9 @@ constexpr OptionRow kForegroundRows[] = {
         {0, 10000},
         {.unit = "px", .effect = "At least so many pixels around the box."}),
     option::count<&Foreground::max_planes>(
-        "max_planes", {0, 100}, {.effect = "Planes taken for background at most."}),
+        "max_planes",
+        {0, 100},
+        {.effect = "Planes taken for background at most; the floor is one more."}),
     option::number<&Foreground::plane_min_share>(
         "plane_min_share",
         {0, 1},

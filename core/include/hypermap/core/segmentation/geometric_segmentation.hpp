@@ -42,7 +42,8 @@ struct ForegroundOptions {
   double context_share = 0.3;
   /// At least this many pixels around the box, so that small boxes see their support. Unit: pixel.
   int context_min_px = 16;
-  /// Planes taken for background at most; 0 removes none. Floor, table top, walls: 5.
+  /// Planes taken for background at most, besides a floor of which little is seen; 0 removes none.
+  /// Floor, table top, walls: 5.
   int max_planes = 5;
   /// A plane is background when it holds this share of the valid pixels around the box.
   double plane_min_share = 0.06;
