@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floor_plane.hpp"
 
+#include "plane_test.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -10,7 +12,7 @@ namespace {
 
 /// Of the tolerance of a plane, how far below it points are no noise of it.
 constexpr float kBelowScale = 2.0F;
-/// Of the points that make a floor, so many may be below it by errors of the sensor.
+/// Of the least that makes a floor, so many points may be below it by errors of the sensor.
 constexpr double kMaxBelowShare = 0.25;
 
 /// The heights of the lowest `count` points, ascending.

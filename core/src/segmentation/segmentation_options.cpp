@@ -33,7 +33,8 @@ constexpr OptionRow kForegroundRows[] = {
     option::number<&Foreground::plane_min_share>(
         "plane_min_share",
         {0, 1},
-        {.effect = "A plane with this share of the surroundings is background."}),
+        {.effect = "A plane with this share of the surroundings is background; a floor from 20 "
+                   "samples on."}),
     option::number<&Foreground::plane_thickness_m>(
         "plane_thickness_m",
         option::above(0, 1),

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/floor_plane.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
+
+#include <cstddef>
+#include <optional>
 
 namespace hypermap {
 namespace {
 
-const Eigen::Vector3f kUp{0, -1, 0};
+const Eigen::Vector3f kUpInCamera{0, -1, 0};
 constexpr std::size_t kLeast = 20;
 
 /// `count` points in a row before a level camera, that far below it.
@@ -28,14 +32,14 @@ struct Surroundings {
     return *this;
   }
   [[nodiscard]] std::optional<Plane> floor() const {
-    return floor_around(all, left, kUp, kLeast, {});
+    return floor_around(all, left, kUpInCamera, kLeast, {});
   }
 };
 
 TEST(FloorPlane, IsLevelAndHoldsLittle) {
   const auto floor = Surroundings().with(kLeast, 1.25F).with(60, 0.8F).floor();
   ASSERT_TRUE(floor.has_value());
-  EXPECT_EQ(floor->normal, kUp);
+  EXPECT_EQ(floor->normal, kUpInCamera);
   EXPECT_FLOAT_EQ(floor->offset_m, 1.25F);
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace hypermap {
@@ -27,23 +28,27 @@ BoxScene room() {
   return scene;
 }
 
-/// Nearest place of what is found of a narrow table behind a desk that fills more of its box and
-/// reaches beyond that by so much of its width.
-double begin_behind_a_desk_m(double overhang_share) {
+/// How near what is found of a frame of 1.2 x 0.8 m is behind a board, which fills more of its box.
+/// Seen from the camera the board is 0.93 m wide and 0.75 m high in the frame's plane, and its
+/// middle so far to the right of that of the frame and above it: at 0.135 m to the right it ends
+/// with the frame, at 0.025 m above it, too.
+double begin_behind_a_board_m(double right_m, double above_m) {
   BoxScene scene = room();
-  scene.add(kTable, {3.6, -0.8, 0.73}, {3.9, 0.8, 0.75});
-  for (const double y : {-0.8, 0.75}) scene.add(kTable, {3.6, y, 0}, {3.65, y + 0.05, 0.73});
-  const double right_m = 2.2 / 3.6 * 0.8 * (1.0 + 2.0 * overhang_share);
-  scene.add(kCupboard, {2.2, -right_m, 0.7}, {3.2, 0.45, 0.72});
-  for (const double y : {-right_m, 0.4}) scene.add(kCupboard, {2.2, y, 0}, {2.25, y + 0.05, 0.7});
-  const SceneView view = scene.view(test::look_at({0, 0, 1.3}, {3, 0, 0.6}), 1);
+  for (const double y : {-0.6, 0.58}) scene.add(kTable, {3.0, y, 0.6}, {3.05, y + 0.02, 1.4});
+  for (const double z : {0.6, 1.38}) scene.add(kTable, {3.0, -0.6, z}, {3.05, 0.6, z + 0.02});
+  const double y = -2.0 / 3.0 * right_m;
+  const double z = 1.0 + 2.0 / 3.0 * above_m;
+  scene.add(kCupboard, {2.0, y - 0.31, z - 0.25}, {2.02, y + 0.31, z + 0.25});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.0}, {3, 0, 1.0}), 1);
   const auto found = segment(view.frame, detection_of(view, kTable), {});
   return found ? found->box.min_in_map.x() : 0.0;
 }
 
 TEST(SurfaceChoice, PrefersWhatEndsWithTheBoxToWhatReachesBeyondIt) {
-  EXPECT_GT(begin_behind_a_desk_m(0.22), 3.5);
-  EXPECT_GT(begin_behind_a_desk_m(0.28), 3.5);
+  EXPECT_LT(begin_behind_a_board_m(0.255, 0), 2.1) << "beyond it by a tenth of its width";
+  EXPECT_GT(begin_behind_a_board_m(0.375, 0), 2.9) << "by a fifth";
+  EXPECT_LT(begin_behind_a_board_m(0, 0.105), 2.1) << "by a tenth of its height";
+  EXPECT_GT(begin_behind_a_board_m(0, 0.185), 2.9) << "by a fifth";
 }
 
 /// What is found in a box that shows the back of a chair, which another box is about, over so much
@@ -63,12 +68,14 @@ Result<Segment> found_over_a_desk(double desk_share) {
 
 TEST(SurfaceChoice, TakesNoSupportForTheObjectWhereOthersStandOutOfIt) {
   EXPECT_FALSE(found_over_a_desk(0.7).has_value());
-  EXPECT_TRUE(found_over_a_desk(0.87).has_value()) << "a flat thing with something on it";
+  const auto flat = found_over_a_desk(0.87);
+  ASSERT_TRUE(flat.has_value()) << "a flat thing with something on it";
+  EXPECT_LT(flat->box.extent().z(), 0.01);
 }
 
 /// Share of the floor in what is found of a chair between two chests, before it a third: the floor
-/// is seen under the chair and in a wedge beside the third. 0 when nothing is found.
-double floor_share_under_a_chair(int max_planes) {
+/// is seen under the chair and in a wedge beside the third.
+std::optional<double> floor_share_under_a_chair(int max_planes) {
   BoxScene scene = room();
   for (const double y : {-0.25, 0.2}) {
     scene.add(kChair, {2.0, y, 0}, {2.05, y + 0.05, 1.0});
@@ -83,7 +90,7 @@ double floor_share_under_a_chair(int max_planes) {
   GeometricSegmentationOptions options;
   options.foreground.max_planes = max_planes;
   const auto found = segment(view.frame, detection_of(view, kChair), options);
-  if (!found) return 0.0;
+  if (!found) return std::nullopt;
   const auto num_floor = std::count_if(
       found->pixel_indices.begin(), found->pixel_indices.end(), [&](std::uint32_t pixel) {
         return view.truth.pixels()[pixel] == kFloor;
@@ -92,8 +99,8 @@ double floor_share_under_a_chair(int max_planes) {
 }
 
 TEST(SurfaceChoice, LacksAFloorThatIsHardlySeenBesideTheBox) {
-  EXPECT_LT(floor_share_under_a_chair(5), 0.02);
-  EXPECT_GT(floor_share_under_a_chair(0), 0.2) << "without a search for planes";
+  EXPECT_LT(floor_share_under_a_chair(5).value(), 0.02);
+  EXPECT_GT(floor_share_under_a_chair(0).value(), 0.2) << "without a search for planes";
 }
 
 }  // namespace

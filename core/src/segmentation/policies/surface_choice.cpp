@@ -19,13 +19,15 @@ namespace {
 constexpr double kBackgroundPlaneScore = 0.05;
 /// A surface that overlaps another detection's box by this, and ours less, is that one's.
 constexpr double kCompetingOverlap = 0.5;
-constexpr double kCompetingScore = 0.1;
+constexpr double kCompetingScore = 0.025;
 /// A detector's box ends with its object: what reaches beyond it by this share of its side stands
 /// before or behind the object.
 constexpr double kMaxOverhang = 0.15;
 constexpr double kOverhangScore = 0.25;
 /// But for a box that is too narrow at one end: the object ends with it, by this, at the other.
 constexpr double kSameEnd = 0.05;
+/// No box is more exact than this.
+constexpr double kEndNoiseCells = 1.5;
 /// The rim of a desk is before the object, and no more likely it than a background plane.
 constexpr double kRimScore = 0.05;
 /// A part has to widen what is covered of the box by this share; else it merely stands before it.
@@ -68,18 +70,33 @@ bool is_of_competing_box(const DepthComponent& component, const DepthWindow& win
                      });
 }
 
-/// Whether what reaches from `begin` to `end` overhangs a box from `box_begin` to `box_end`. A
-/// tapering end is little of a surface and yet reaches far.
-bool overhangs_along(int begin, int end, int box_begin, int box_end) {
-  const auto side = static_cast<double>(box_end - box_begin);
-  const double first = (box_begin - begin) / side;
-  const double second = (end - box_end) / side;
-  return std::max(first, second) > kMaxOverhang && std::abs(std::min(first, second)) > kSameEnd;
+/// A stretch of columns or rows.
+struct Stretch {
+  int begin = 0;
+  int end = 0;
+};
+
+/// Whether a surface overhangs the box on one axis of a window that is so large. A tapering end is
+/// little of a surface and yet reaches far. Where the picture cuts the box, nothing ends with it.
+bool overhangs_along(Stretch surface, Stretch box, int window_end) {
+  const auto side = static_cast<double>(box.end - box.begin);
+  const auto reaches = [&](int cells) {
+    return cells > std::max(kMaxOverhang * side, kEndNoiseCells);
+  };
+  const auto ends_with = [&](int cells, bool is_cut) {
+    return !is_cut && std::abs(cells) <= std::max(kSameEnd * side, kEndNoiseCells);
+  };
+  const int before = box.begin - surface.begin;
+  const int after = surface.end - box.end;
+  return (reaches(before) && !ends_with(after, box.end == window_end)) ||
+         (reaches(after) && !ends_with(before, box.begin == 0));
 }
 
-bool overhangs(const PixelRect& bounds, const PixelRect& box) {
-  return overhangs_along(bounds.u_begin, bounds.u_end, box.u_begin, box.u_end) ||
-         overhangs_along(bounds.v_begin, bounds.v_end, box.v_begin, box.v_end);
+bool overhangs(const PixelRect& bounds, const DepthWindow& window) {
+  const PixelRect& box = window.box;
+  return overhangs_along(
+             {bounds.u_begin, bounds.u_end}, {box.u_begin, box.u_end}, window.width()) ||
+         overhangs_along({bounds.v_begin, bounds.v_end}, {box.v_begin, box.v_end}, window.height());
 }
 
 /// How well a surface explains the box: large in it, absent outside, from edge to edge, not mostly
@@ -95,9 +112,10 @@ double score(const DepthWindow& window,
          span_share(component.bounds_in_box, window.box) *
          std::min(1.0, 2.0 * component.outline_share()) *
          (component.kind != 0 ? kBackgroundPlaneScore : 1.0) *
-         (overhangs(component.bounds, window.box) ? kOverhangScore : 1.0) *
          (supports.is_rim(id) ? kRimScore : 1.0) *
-         (is_of_competing_box(component, window) ? kCompetingScore : 1.0);
+         (is_of_competing_box(component, window) ? kCompetingScore
+          : overhangs(component.bounds, window)  ? kOverhangScore
+                                                 : 1.0);
 }
 
 /// Upright columns of space that a surface occupies, by their place on the floor plan.

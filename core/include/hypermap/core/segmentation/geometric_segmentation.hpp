@@ -45,7 +45,8 @@ struct ForegroundOptions {
   /// Planes taken for background at most, besides a floor of which little is seen; 0 removes none.
   /// Floor, table top, walls: 5.
   int max_planes = 5;
-  /// A plane is background when it holds this share of the valid pixels around the box.
+  /// A plane is background when it holds this share of the valid pixels around the box; the floor,
+  /// when 20 of up to 500 samples of them lie on it.
   double plane_min_share = 0.06;
   /// Half thickness of a background plane without noise; the sensor's noise is added. Unit: metre.
   double plane_thickness_m = 0.007;
