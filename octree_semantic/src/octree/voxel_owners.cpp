@@ -1,44 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 
-#include "hypermap/core/geometry/polygon.hpp"
 #include "hypermap/core/objects/object.hpp"
-#include "octree/point_mask.hpp"
+#include "octree/object_surface.hpp"
 
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
 namespace hypermap {
 namespace {
 
-/// A surface is measured so much before or behind where it is.
-constexpr double kSurfaceNoiseM = 0.05;
-/// Points are sparse within a surface: a cube covers those so near to it.
-constexpr double kPointGapM = 0.01;
-constexpr double kMaskEdgeM = 0.01;
+/// A voxel shows what lies within half its edge of its middle and so much farther, by the noise of
+/// depth and the gaps between points.
+constexpr double kReachM = 0.0325;
+/// A segment said so of the voxel itself: its object counts as so much nearer.
+constexpr double kLabelledM = 0.0025;
+/// The box of an object is that of the agreed points: others lie up to so far outside.
+constexpr double kBeyondBoxM = 0.05;
 
 struct Owner {
   OwnerLabel label;
-  Box bounds;  ///< Of the object, grown by the noise.
-  PointMask points;
-  Polygon hull;  ///< Of the object's points from above; empty when it has none.
+  Box box;  ///< Of the object.
+  ObjectSurface surface;
 };
 
-Box cube_at(const Eigen::Vector3d& centre, double edge_m) {
-  return grown({centre, centre}, 0.5 * edge_m);
+double distance_m(const Box& box, const Eigen::Vector3d& place) {
+  return (place - place.cwiseMax(box.min_in_map).cwiseMin(box.max_in_map)).norm();
 }
 
-bool reaches(const Owner& owner, const Box& cube) {
-  if (!owner.bounds.intersects(cube)) return false;
-  return owner.points.empty() || owner.points.count(grown(cube, kSurfaceNoiseM)) > 0;
-}
-
-/// Among points of the owner, and not of what it stands on, though none lies in the cube.
-bool encloses(const Owner& owner, const Box& cube) {
-  const Eigen::Vector3d middle = cube.centre();
-  const double foot_m = owner.bounds.min_in_map.z() + kSurfaceNoiseM;
-  return middle.z() > foot_m + cube.extent().z() && !owner.hull.outer.empty() &&
-         contains(owner.hull, middle.head<2>()) && reaches(owner, cube);
+/// From a voxel's middle to what it would show of the owner; infinity where that is `most_m` and
+/// more, or nothing.
+double distance_m(const Owner& owner,
+                  const Eigen::Vector3d& middle,
+                  bool is_labelled,
+                  double most_m) {
+  const double nearer_m = is_labelled ? kLabelledM : 0.0;
+  if (!owner.surface.empty()) return owner.surface.distance_m(middle, most_m + nearer_m) - nearer_m;
+  return is_labelled ? distance_m(owner.box, middle) - nearer_m
+                     : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -46,40 +46,6 @@ bool encloses(const Owner& owner, const Box& cube) {
 struct VoxelOwners::Index {
   ObjectMap objects;
   std::unordered_map<ObjectId, Owner> owners;
-
-  /// The owner that the voxel is labelled with, when it reaches it.
-  [[nodiscard]] const Owner* labelled(ObjectId object, const Box& cube) const {
-    const auto found = owners.find(object);
-    return found != owners.end() && reaches(found->second, cube) ? &found->second : nullptr;
-  }
-
-  /// The owner with most points in the cube or next to it, else the one that encloses it.
-  [[nodiscard]] std::optional<Owned> covering(const Box& cube) const {
-    std::optional<Owned> best;
-    std::size_t most = 0;
-    for (const ObjectId id : objects.query(grown(cube, kSurfaceNoiseM))) {  // ascending
-      const auto found = owners.find(id);
-      if (found == owners.end()) continue;
-      const std::size_t count = found->second.points.count(grown(cube, kPointGapM));
-      if (count <= most) continue;
-      most = count;
-      best = Owned{id, found->second.label};
-    }
-    return best ? best : enclosing(cube);
-  }
-
-  /// The only owner that reaches the cube and encloses its middle, above its foot.
-  [[nodiscard]] std::optional<Owned> enclosing(const Box& cube) const {
-    const Eigen::Vector3d middle = cube.centre();
-    std::optional<Owned> only;
-    for (const ObjectId id : objects.query(Box{middle, middle})) {
-      const auto found = owners.find(id);
-      if (found == owners.end() || !encloses(found->second, cube)) continue;
-      if (only) return std::nullopt;
-      only = Owned{id, found->second.label};
-    }
-    return only;
-  }
 };
 
 VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> confirmed) {
@@ -91,9 +57,8 @@ VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> con
     if (!best) continue;
     index->owners.emplace(id,
                           Owner{{best->id, LogOdds::of(object_confidence(*object))},
-                                grown(object->box, kSurfaceNoiseM),
-                                PointMask(object->points.supported_points(), kMaskEdgeM),
-                                footprint(*object).value_or(Polygon{})});
+                                object->box,
+                                ObjectSurface(object->points)});
   }
   index_ = std::move(index);
 }
@@ -101,9 +66,18 @@ VoxelOwners::VoxelOwners(const ObjectMap& objects, std::span<const ObjectId> con
 std::optional<VoxelOwners::Owned> VoxelOwners::find(ObjectId object,
                                                     const Eigen::Vector3d& centre_in_map,
                                                     double edge_m) const {
-  const Box cube = cube_at(centre_in_map, edge_m);
-  if (const Owner* owner = index_->labelled(object, cube)) return Owned{object, owner->label};
-  return index_->covering(cube);
+  std::optional<Owned> nearest;
+  double least_m = 0.5 * edge_m + kReachM;
+  const Box around = grown({centre_in_map, centre_in_map}, least_m + kBeyondBoxM);
+  for (const ObjectId id : index_->objects.query(around)) {  // ascending
+    const auto owner = index_->owners.find(id);
+    if (owner == index_->owners.end()) continue;
+    const double from_it_m = distance_m(owner->second, centre_in_map, id == object, least_m);
+    if (from_it_m >= least_m) continue;
+    least_m = from_it_m;
+    nearest = Owned{id, owner->second.label};
+  }
+  return nearest;
 }
 
 LeafSample VoxelOwners::owned(const LeafSample& leaf) const {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 
-#include "octree/point_mask.hpp"
+#include "octree/object_surface.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -55,125 +57,143 @@ TEST(VoxelOwners, AnObjectWithoutAClassOwnsNothing) {
   EXPECT_FALSE(VoxelOwners(objects, std::array{id}).find(id, {0.2, 0.2, 0.2}, 0.05));
 }
 
-TEST(VoxelOwners, AVoxelMayStickOutByTheNoiseOfASurfaceAndHalfItsEdge) {
+TEST(VoxelOwners, AnObjectWithoutPointsOwnsWhatIsLabelledSoInItsBoxOrNextToIt) {
   ObjectMap objects;
   const ObjectId chair = objects.add(object_at(0.0, kChair));
   const VoxelOwners owners(objects, std::array{chair});
-  // The box ends at 0.4: 0.4 + 0.05 + 0.025 = 0.475.
-  EXPECT_TRUE(owners.find(chair, {0.474, 0.2, 0.2}, 0.05));
-  EXPECT_FALSE(owners.find(chair, {0.476, 0.2, 0.2}, 0.05));
-  EXPECT_TRUE(owners.find(chair, {0.2, 0.2, -0.074}, 0.05));
-  EXPECT_FALSE(owners.find(chair, {0.2, 0.2, -0.076}, 0.05));
+  // The box ends at 0.4: half an edge of 0.025, and 0.0325 and 0.0025 beyond it.
+  EXPECT_TRUE(owners.find(chair, {0.459, 0.2, 0.2}, 0.05));
+  EXPECT_FALSE(owners.find(chair, {0.461, 0.2, 0.2}, 0.05));
+  EXPECT_TRUE(owners.find(chair, {0.2, 0.2, -0.059}, 0.05));
+  EXPECT_FALSE(owners.find(chair, {0.2, 0.2, -0.061}, 0.05));
+  EXPECT_TRUE(owners.find(chair, {0.2, 0.2, -0.084}, 0.1)) << "a voxel twice as wide";
+  EXPECT_FALSE(owners.find(chair, {0.2, 0.2, -0.086}, 0.1));
 }
 
-/// As `object_at`, seen three times: a plate of 2 cm spacing at z = 0.2.
-Object plate_at(double x, ClassId class_id) {
-  Object object = object_at(x, class_id);
-  std::vector<Eigen::Vector3f> points;
+using Points = std::vector<Eigen::Vector3f>;
+
+/// A plate of 2 cm spacing, 0.4 m wide from `x` and y = 0 on; its cells' middles are at z = 0.205.
+Points plate_points(double x) {
+  Points points;
   for (int i = 0; i <= 20; ++i) {
     for (int k = 0; k <= 20; ++k) {
-      const Eigen::Vector3d p(x + 0.02 * i, 0.02 * k, 0.2);
+      const Eigen::Vector3d p(x + 0.005 + 0.02 * i, 0.005 + 0.02 * k, 0.205);
       points.push_back(p.cast<float>());
     }
   }
-  for (int i = 0; i < 3; ++i) object.points.observe(points);
+  return points;
+}
+
+/// As `object_at`, seen so often: a plate, and once what is `beside` it.
+Object plate_at(double x, ClassId class_id, int num_looks = 3, const Points& beside = {}) {
+  Object object = object_at(x, class_id);
+  Points points = plate_points(x);
+  for (int i = 1; i < num_looks; ++i) object.points.observe(points);
+  points.insert(points.end(), beside.begin(), beside.end());
+  object.points.observe(points);
   return object;
 }
 
-TEST(VoxelOwners, WhatIsLabelledFarFromTheObjectsPointsIsNotItsOwn) {
-  // Inside the box, but 0.125 m below the plate: a segment took it in once.
+TEST(VoxelOwners, AVoxelMayLieOffTheSurfaceByHalfItsEdgeAndTheNoise) {
   ObjectMap objects;
   const ObjectId table = objects.add(plate_at(0.0, kChair));
   const VoxelOwners owners(objects, std::array{table});
-  EXPECT_TRUE(owners.find(table, {0.225, 0.225, 0.175}, 0.05));
-  EXPECT_TRUE(owners.find(table, {0.225, 0.225, 0.135}, 0.05)) << "within the noise of 5 cm";
-  EXPECT_FALSE(owners.find(table, {0.225, 0.225, 0.075}, 0.05));
-}
-
-TEST(VoxelOwners, WhatNoSegmentNamedIsOwnedWhereThePointsLie) {
-  ObjectMap objects;
-  Object plate = plate_at(0.0, kChair);
-  plate.box = *plate.points.agreed_box();
-  const ObjectId table = objects.add(plate);
-  const ObjectId tentative = objects.add(object_at(0.0, kCup));
-  const VoxelOwners owners(objects, std::array{table});
-  for (const ObjectId label : {kNoObject, tentative, ObjectId{77}}) {
-    const auto owned = owners.find(label, {0.225, 0.225, 0.205}, 0.05);
-    ASSERT_TRUE(owned.has_value());
-    EXPECT_EQ(owned->object, table);
-    EXPECT_EQ(owned->label.class_id, kChair);
-    // The plate is 3 cm beyond the cube's upper face: near enough for its own label alone.
-    EXPECT_FALSE(owners.find(label, {0.225, 0.225, 0.145}, 0.05));
-  }
-}
-
-TEST(VoxelOwners, WhatLiesAmongItsPointsIsOwnedWhenNobodyElseIsThere) {
-  // The plate lies at 0.2 m in a box from 0 to 0.4 m; a cube at 0.145 m ends 3 cm below it.
-  const auto owner_at = [](const Object& plate, const Eigen::Vector3d& middle) {
-    ObjectMap objects;
-    const std::array ids{objects.add(plate)};
-    return VoxelOwners(objects, ids).find(kNoObject, middle, 0.05);
+  const auto is_owned = [&](ObjectId label, double off_m) {
+    return owners.find(label, {0.205, 0.205, 0.205 - off_m}, 0.05).has_value();
   };
-  Object plate = plate_at(0.0, kChair);
-  EXPECT_TRUE(owner_at(plate, {0.225, 0.225, 0.145}));
-  EXPECT_FALSE(owner_at(plate, {0.42, 0.225, 0.145})) << "outside the hull";
-  EXPECT_FALSE(owner_at(plate, {0.225, 0.225, 0.11})) << "over 5 cm from a point";
-  plate.box.min_in_map.z() = 0.1;
-  EXPECT_FALSE(owner_at(plate, {0.225, 0.225, 0.145})) << "not a voxel above the lowest face";
-  plate.box.min_in_map.z() = 0.09;
-  EXPECT_TRUE(owner_at(plate, {0.225, 0.225, 0.145}));
+  EXPECT_TRUE(is_owned(table, 0.0595));
+  EXPECT_FALSE(is_owned(table, 0.0605)) << "a segment took it in";
+  for (const ObjectId label : {kNoObject, ObjectId{77}}) {
+    EXPECT_TRUE(is_owned(label, 0.057));
+    EXPECT_FALSE(is_owned(label, 0.058));
+  }
+  EXPECT_EQ(owners.find(kNoObject, {0.205, 0.205, 0.205}, 0.05)->label.class_id, kChair);
 }
 
-TEST(VoxelOwners, WhatLiesAmongThePointsOfTwoIsNobodys) {
+TEST(VoxelOwners, WhatFewObservationsShowCountsBesideWhatIsSupported) {
+  // One of 40 observations has a post, 8 cm and 16 cm beyond the plate's last row at 0.405 m.
+  const Points post{{0.485F, 0.205F, 0.205F}, {0.565F, 0.205F, 0.205F}};
   ObjectMap objects;
-  const std::array both{objects.add(plate_at(0.0, kChair)), objects.add(plate_at(0.01, kCup))};
-  EXPECT_FALSE(VoxelOwners(objects, both).find(kNoObject, {0.225, 0.225, 0.145}, 0.05));
+  Object object = plate_at(0.0, kChair, 40, post);
+  object.box.max_in_map.x() = 0.6;
+  const OccupancyVotes& points = object.points;
+  ASSERT_EQ(std::ranges::count(points.standings(), CellStanding::kStray), 2);
+  const ObjectId table = objects.add(object);
+  const VoxelOwners owners(objects, std::array{table});
+  // (0 + 0.08) / 2 is near enough, (0 + 0.16) / 2 is not.
+  EXPECT_TRUE(owners.find(kNoObject, {0.485, 0.205, 0.205}, 0.05));
+  EXPECT_FALSE(owners.find(kNoObject, {0.565, 0.205, 0.205}, 0.05));
+  // Without the post 0.08 is too far.
+  ObjectMap bare;
+  const ObjectId plate = bare.add(plate_at(0.0, kChair, 40));
+  EXPECT_FALSE(VoxelOwners(bare, std::array{plate}).find(kNoObject, {0.485, 0.205, 0.205}, 0.05));
 }
 
-TEST(VoxelOwners, OfTwoTheOneWithMorePointsOwnsTheVoxel) {
+TEST(VoxelOwners, OfTwoTheNearerOneOwnsTheVoxel) {
+  // Rows of cells at 0.385 and 0.405 of the left one, 0.425 and 0.445 of the right one.
   ObjectMap objects;
   const ObjectId left = objects.add(plate_at(0.0, kChair));
-  const ObjectId right = objects.add(plate_at(0.41, kCup));
+  const ObjectId right = objects.add(plate_at(0.42, kCup));
   const VoxelOwners owners(objects, std::array{left, right});
-  EXPECT_EQ(owners.find(kNoObject, {0.39, 0.225, 0.2}, 0.05)->object, left);
-  EXPECT_EQ(owners.find(kNoObject, {0.42, 0.225, 0.2}, 0.05)->object, right);
-  EXPECT_EQ(owners.find(right, {0.39, 0.225, 0.2}, 0.05)->object, right) << "it is labelled so";
+  const auto owner_at = [&](ObjectId label, double x) {
+    return owners.find(label, {x, 0.205, 0.205}, 0.05)->object;
+  };
+  EXPECT_EQ(owner_at(kNoObject, 0.41), left);
+  EXPECT_EQ(owner_at(kNoObject, 0.42), right);
+  EXPECT_EQ(owner_at(right, 0.41), left) << "5 mm against 15 mm, whatever a segment said";
+  EXPECT_EQ(owner_at(left, 0.4155), left) << "10.5 mm - 2.5 mm against 9.5 mm";
+  EXPECT_EQ(owner_at(kNoObject, 0.4155), right);
 }
 
-TEST(PointMask, CountsTheCellsThatABoxTouches) {
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+/// By its definition.
+double distance_by_force(const OccupancyVotes& points, const Eigen::Vector3d& place) {
+  double to_any = kNowhere;
+  double to_supported = to_any;
+  for (std::size_t i = 0; i < points.state().votes.size(); ++i) {
+    const PointCell& cell = points.state().votes[i].cell;
+    const Eigen::Vector3d middle =
+        points.state().edge_m * Eigen::Vector3d(cell.x + 0.5, cell.y + 0.5, cell.z + 0.5);
+    const double distance = (middle - place).norm();
+    to_any = std::min(to_any, distance);
+    if (points.standings()[i] != CellStanding::kStray)
+      to_supported = std::min(to_supported, distance);
+  }
+  return 0.5 * (to_any + to_supported);
+}
+
+TEST(ObjectSurface, IsAsFarAsItsCellsAreOneByOne) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> within(-0.3, 0.3);
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(60);
-  for (int i = 0; i < 60; ++i) points.emplace_back(within(random), within(random), within(random));
-  const PointMask mask(points, 0.1);
-  Eigen::Vector3d low = points.front();
-  for (const Eigen::Vector3d& p : points) low = low.cwiseMin(p);
-  for (int round = 0; round < 200; ++round) {
-    const Eigen::Vector3d a(within(random), within(random), within(random));
-    const Eigen::Vector3d b(within(random), within(random), within(random));
-    const Box box{1.5 * a.cwiseMin(b), 1.5 * a.cwiseMax(b)};
-    std::vector<std::array<int, 3>> touched;
-    for (const Eigen::Vector3d& p : points) {
-      const Eigen::Array3d corner = ((p - low).array() / 0.1).floor();
-      const Box cell{low + 0.1 * corner.matrix(), low + 0.1 * (corner + 1.0).matrix()};
-      if (!cell.intersects(box)) continue;
-      touched.push_back({static_cast<int>(corner.x()),
-                         static_cast<int>(corner.y()),
-                         static_cast<int>(corner.z())});
+  // A hundred kilometres from the origin floats alone would be a centimetre off.
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e5, -1e5, 50.0)}) {
+    const auto place = [&] {
+      return Eigen::Vector3d(at + Eigen::Vector3d(within(random), within(random), within(random)));
+    };
+    OccupancyVotes points;
+    Points steady;
+    for (int i = 0; i < 40; ++i) steady.push_back(place().cast<float>());
+    for (int look = 0; look < 30; ++look) {
+      Points seen = steady;
+      if (look % 5 == 0) seen.push_back(place().cast<float>());
+      points.observe(seen);
     }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    EXPECT_EQ(mask.count(box), touched.size());
+    ASSERT_GT(std::ranges::count(points.standings(), CellStanding::kStray), 0);
+    const ObjectSurface surface(points);
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector3d from = place();
+      const double by_force = distance_by_force(points, from);
+      EXPECT_NEAR(surface.distance_m(from, by_force + 1e-6), by_force, 1e-6);
+      EXPECT_EQ(surface.distance_m(from, by_force - 1e-6), kNowhere);
+    }
   }
 }
 
-TEST(PointMask, PointsFarApartHaveWiderCells) {
-  const std::vector<Eigen::Vector3d> points{{-1e6, 0, 0}, {1e6, 1e6, 0.5}};
-  const PointMask mask(points, 0.01);
-  EXPECT_EQ(mask.count({{-1e7, -1e7, -1e7}, {1e7, 1e7, 1e7}}), 2U);
-  EXPECT_EQ(mask.count({{1e7, 1e7, 1e7}, {1e300, 1e300, 1e300}}), 0U);
-  EXPECT_TRUE(PointMask({}, 0.01).empty());
+TEST(ObjectSurface, WithoutCellsIsNowhere) {
+  const ObjectSurface none{OccupancyVotes()};
+  EXPECT_TRUE(none.empty());
+  EXPECT_EQ(none.distance_m({0, 0, 0}, kNowhere), kNowhere);
 }
 
 TEST(OwnedLeaves, BearTheOwnersClassWhateverTheirOwnBeliefSays) {
