@@ -103,5 +103,30 @@ TEST(SurfaceChoice, LacksAFloorThatIsHardlySeenBesideTheBox) {
   EXPECT_GT(floor_share_under_a_chair(0).value(), 0.2) << "without a search for planes";
 }
 
+/// Share of the pixels of a board, half under the top of a table at that height, in what is found
+/// of the table, whose box is the one around both.
+double board_share_of_table(double height_m) {
+  BoxScene scene = room();
+  scene.add(kTable, {1.6, -0.5, 0.7}, {2.2, 0.5, 0.72});
+  scene.add(kChair, {1.3, -0.2, height_m - 0.04}, {1.7, 0.2, height_m});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {1.8, 0, 0.5}), 1);
+  Detection table = detection_of(view, kTable);
+  table.box_px.v_max_px = detection_of(view, kChair).box_px.v_max_px;
+  const auto found = segment(view.frame, table, {});
+  if (!found) return -1.0;
+  const auto truth = view.truth.pixels();
+  const auto num_found = std::count_if(found->pixel_indices.begin(),
+                                       found->pixel_indices.end(),
+                                       [&](std::uint32_t pixel) { return truth[pixel] == kChair; });
+  return static_cast<double>(num_found) /
+         static_cast<double>(std::count(truth.begin(), truth.end(), kChair));
+}
+
+TEST(SurfaceChoice, LacksASeatUnderATable) {
+  EXPECT_EQ(board_share_of_table(0.46), 0.0);
+  EXPECT_EQ(board_share_of_table(0.55), 0.0);
+  EXPECT_GT(board_share_of_table(0.65), 0.8) << "so near below the top it may be of the table";
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -25,6 +26,10 @@ constexpr double kFragmentSizeM = 0.5;
 /// A part is not the background seen through the object: of what is hidden more, only what is of an
 /// upright face with the best surface.
 constexpr double kPartMinOutline = 0.3;
+/// A level face rises by less than this share of the side of a square as large as it is from above.
+constexpr double kLevelRise = 0.4;
+/// Level faces that lie farther apart in height are two things: a seat under the top of a table.
+constexpr double kLevelGapM = 0.1;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
@@ -104,6 +109,36 @@ double plan_size_m(const Columns& columns, double edge_m) {
                          : edge_m * (cover.sizes() + Eigen::Vector2i::Ones()).cast<double>().norm();
 }
 
+struct Heights {
+  float low_m = std::numeric_limits<float>::infinity();
+  float high_m = -std::numeric_limits<float>::infinity();
+};
+
+Heights heights_of(const Columns& columns) {
+  Heights heights;
+  for (const Column& column : columns) {
+    heights.low_m = std::min(heights.low_m, column.low_m);
+    heights.high_m = std::max(heights.high_m, column.high_m);
+  }
+  return heights;
+}
+
+/// A seat or the top of a table, seen from above. Requires: columns not empty.
+bool is_level(const Columns& columns, double edge_m) {
+  const Heights heights = heights_of(columns);
+  const double side_m = edge_m * std::sqrt(static_cast<double>(columns.size()));
+  return static_cast<double>(heights.high_m - heights.low_m) < kLevelRise * side_m;
+}
+
+/// Whether both are level, and one lies below the other. Requires: neither is empty.
+bool are_two_levels(const Columns& a, const Columns& b, double edge_m) {
+  if (!is_level(a, edge_m) || !is_level(b, edge_m)) return false;
+  const Heights of_a = heights_of(a);
+  const Heights of_b = heights_of(b);
+  const float gap_m = std::max(of_a.low_m - of_b.high_m, of_b.low_m - of_a.high_m);
+  return static_cast<double>(gap_m) > kLevelGapM;
+}
+
 /// Surfaces that may complete the object, the largest first: no background, and not a few pixels.
 ComponentIds part_candidates(const DepthWindow& window,
                              const DepthComponents& labelled,
@@ -142,7 +177,8 @@ ComponentIds with_parts(const DepthWindow& window,
     return columns_of(
         window, labelled, id, gravity_aligned_from_camera, static_cast<float>(options.part_gap_m));
   };
-  Columns reached = columns(best);
+  const Columns of_best = columns(best);
+  Columns reached = of_best;
   PixelRect covered = labelled.components[best].bounds_in_box;
   const auto is_upright_with_best = [&](std::uint32_t id) {
     return are_one_upright_face(window, labelled, best, id, gravity_aligned_from_camera);
@@ -160,6 +196,7 @@ ComponentIds with_parts(const DepthWindow& window,
     const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
+    if (are_two_levels(of_best, part, options.part_gap_m)) return false;
     if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id) &&
         !is_top_of_box(window, labelled, covered, best, id) &&
