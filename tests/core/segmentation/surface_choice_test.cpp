@@ -128,5 +128,17 @@ TEST(SurfaceChoice, LacksASeatUnderATable) {
   EXPECT_GT(board_share_of_table(0.65), 0.8) << "so near below the top it may be of the table";
 }
 
+TEST(SurfaceChoice, HasTheRailAboveASeat) {
+  // A rail of 5 cm is as wide as the seat, and from above as narrow as a level face is low.
+  BoxScene scene = room();
+  scene.add(kChair, {2.0, -0.2, 0.42}, {2.4, 0.24, 0.46});
+  scene.add(kChair, {2.2, 0.0, 0}, {2.24, 0.04, 0.42});
+  scene.add(kChair, {2.38, -0.2, 0.75}, {2.4, 0.24, 0.8});
+  const SceneView view = scene.view(test::look_at({0, 0, 1.5}, {2.2, 0, 0.5}), 1);
+  const auto found = segment(view.frame, detection_of(view, kChair), {});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->box.max_in_map.z(), 0.78);
+}
+
 }  // namespace
 }  // namespace hypermap
