@@ -5,7 +5,9 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -15,9 +17,13 @@ namespace {
 
 namespace bg = boost::geometry;
 using TreePoint = bg::model::point<float, 3, bg::cs::cartesian>;
-/// A cell's middle, from that of the first cell, and whether it is supported.
-using Entry = std::pair<TreePoint, bool>;
+/// A cell's middle, from that of the first cell, and its position in the state.
+using Entry = std::pair<TreePoint, std::uint32_t>;
 using EntryTree = bg::index::rtree<Entry, bg::index::linear<16>>;
+
+/// A cell up to so wide is a point: the gaps between them are no wider than those of pixels.
+constexpr double kPointEdgeM = 0.02;
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d middle_of(const PointCell& cell, double edge_m) {
   return edge_m * (Eigen::Vector3d(cell.x, cell.y, cell.z).array() + 0.5);
@@ -33,50 +39,57 @@ TreePoint tree_point(const Eigen::Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-EntryTree packed(const OccupancyVotes& points, const Eigen::Vector3d& origin) {
+/// The cells that are supported, or those that are not.
+EntryTree packed(const OccupancyVotes& points, const Eigen::Vector3d& origin, bool are_supported) {
   const OccupancyVotesState& state = points.state();
   std::vector<Entry> entries;
-  entries.reserve(state.votes.size());
   for (std::size_t i = 0; i < state.votes.size(); ++i) {
+    if ((points.standings()[i] >= CellStanding::kSupported) != are_supported) continue;
     entries.emplace_back(tree_point(middle_of(state.votes[i].cell, state.edge_m) - origin),
-                         points.standings()[i] >= CellStanding::kSupported);
+                         static_cast<std::uint32_t>(i));
   }
   return {entries.begin(), entries.end()};
 }
 
-/// To the first, and so nearest, entry of a query; infinity when it finds none.
-template <class Query>
-double nearest_m(const EntryTree& tree, const TreePoint& from, const Query& query) {
-  const auto found = tree.qbegin(query);
-  return found == tree.qend() ? std::numeric_limits<double>::infinity()
-                              : static_cast<double>(bg::distance(from, found->first));
-}
-
 }  // namespace
 
-struct ObjectSurface::Tree {
+struct ObjectSurface::Trees {
+  explicit Trees(const OccupancyVotes& of)
+      : points(of),
+        origin(origin_of(of.state())),
+        supported(packed(of, origin, true)),
+        strays(packed(of, origin, false)) {}
+
+  /// From a place to the nearest cell of a tree. The tree's floats find it, its integers say where
+  /// it is: two objects with the same cell are equally near.
+  [[nodiscard]] double nearest_m(const EntryTree& tree, const Eigen::Vector3d& place) const {
+    Entry found;
+    if (tree.query(bg::index::nearest(tree_point(place - origin), 1), &found) == 0) return kNowhere;
+    const OccupancyVotesState& state = points.state();
+    const double excess_m = std::max(0.0, 0.5 * (state.edge_m - kPointEdgeM));
+    const Eigen::Vector3d middle = middle_of(state.votes[found.second].cell, state.edge_m);
+    return std::max(0.0, (middle - place).norm() - excess_m);
+  }
+
+  OccupancyVotes points;
   Eigen::Vector3d origin;
-  EntryTree entries;
+  EntryTree supported;
+  EntryTree strays;
 };
 
-ObjectSurface::ObjectSurface(const OccupancyVotes& points) {
-  const Eigen::Vector3d origin = origin_of(points.state());
-  tree_ = std::make_shared<const Tree>(Tree{origin, packed(points, origin)});
-}
+ObjectSurface::ObjectSurface(const OccupancyVotes& points)
+    : trees_(std::make_shared<const Trees>(points)) {}
 
 bool ObjectSurface::empty() const noexcept {
-  return tree_->entries.empty();
+  return trees_->points.empty();
 }
 
 double ObjectSurface::distance_m(const Eigen::Vector3d& place_in_map, double most_m) const {
-  constexpr double kNowhere = std::numeric_limits<double>::infinity();
-  const TreePoint from = tree_point(place_in_map - tree_->origin);
-  const auto nearest = bg::index::nearest(from, 1);
-  const double to_any_m = nearest_m(tree_->entries, from, nearest);
-  if (to_any_m >= most_m) return kNowhere;  // a supported one is no nearer
-  const auto is_supported = bg::index::satisfies([](const Entry& entry) { return entry.second; });
-  const double to_supported_m = nearest_m(tree_->entries, from, nearest && is_supported);
-  const double mean_m = 0.5 * (to_any_m + to_supported_m);
+  const double to_supported_m = trees_->nearest_m(trees_->supported, place_in_map);
+  // A stray may be as near as can be.
+  if (!(0.5 * to_supported_m < most_m)) return kNowhere;
+  const double to_any_m = std::min(to_supported_m, trees_->nearest_m(trees_->strays, place_in_map));
+  const double mean_m = 0.5 * (to_supported_m + to_any_m);
   return mean_m < most_m ? mean_m : kNowhere;
 }
 

@@ -16,8 +16,6 @@ namespace {
 constexpr double kReachM = 0.0325;
 /// A segment said so of the voxel itself: its object counts as so much nearer.
 constexpr double kLabelledM = 0.0025;
-/// The box of an object is that of the agreed points: others lie up to so far outside.
-constexpr double kBeyondBoxM = 0.05;
 
 struct Owner {
   OwnerLabel label;
@@ -68,12 +66,13 @@ std::optional<VoxelOwners::Owned> VoxelOwners::find(ObjectId object,
                                                     double edge_m) const {
   std::optional<Owned> nearest;
   double least_m = 0.5 * edge_m + kReachM;
-  const Box around = grown({centre_in_map, centre_in_map}, least_m + kBeyondBoxM);
+  // Of the mean of two distances the longer one may be twice as long.
+  const Box around = grown({centre_in_map, centre_in_map}, 2.0 * (least_m + kLabelledM));
   for (const ObjectId id : index_->objects.query(around)) {  // ascending
     const auto owner = index_->owners.find(id);
     if (owner == index_->owners.end()) continue;
     const double from_it_m = distance_m(owner->second, centre_in_map, id == object, least_m);
-    if (from_it_m >= least_m) continue;
+    if (!(from_it_m < least_m)) continue;
     least_m = from_it_m;
     nearest = Owned{id, owner->second.label};
   }

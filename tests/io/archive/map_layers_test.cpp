@@ -75,8 +75,8 @@ TEST(ConfirmedLeaves, AVoxelBeyondTheObjectIsNotOfIt) {
     });
     return found;
   };
-  EXPECT_EQ(class_at(0.44), kChair) << "half a voxel and 5 cm may stick out";
-  EXPECT_EQ(class_at(0.51), std::nullopt);
+  EXPECT_EQ(class_at(0.44), kChair) << "its middle is at 0.425, and may be at 0.46";
+  EXPECT_EQ(class_at(0.49), std::nullopt) << "at 0.475";
   EXPECT_EQ(class_at(1.1), std::nullopt);
 }
 

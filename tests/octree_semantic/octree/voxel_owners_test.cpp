@@ -114,15 +114,14 @@ TEST(VoxelOwners, WhatFewObservationsShowCountsBesideWhatIsSupported) {
   // One of 40 observations has a post, 8 cm and 16 cm beyond the plate's last row at 0.405 m.
   const Points post{{0.485F, 0.205F, 0.205F}, {0.565F, 0.205F, 0.205F}};
   ObjectMap objects;
-  Object object = plate_at(0.0, kChair, 40, post);
-  object.box.max_in_map.x() = 0.6;
-  const OccupancyVotes& points = object.points;
-  ASSERT_EQ(std::ranges::count(points.standings(), CellStanding::kStray), 2);
+  const Object object = plate_at(0.0, kChair, 40, post);
+  ASSERT_EQ(std::ranges::count(object.points.standings(), CellStanding::kStray), 2);
   const ObjectId table = objects.add(object);
   const VoxelOwners owners(objects, std::array{table});
   // (0 + 0.08) / 2 is near enough, (0 + 0.16) / 2 is not.
   EXPECT_TRUE(owners.find(kNoObject, {0.485, 0.205, 0.205}, 0.05));
   EXPECT_FALSE(owners.find(kNoObject, {0.565, 0.205, 0.205}, 0.05));
+  EXPECT_TRUE(owners.find(kNoObject, {0.565, 0.205, 0.205}, 0.2)) << "for a voxel of 20 cm it is";
   // Without the post 0.08 is too far.
   ObjectMap bare;
   const ObjectId plate = bare.add(plate_at(0.0, kChair, 40));
@@ -143,6 +142,45 @@ TEST(VoxelOwners, OfTwoTheNearerOneOwnsTheVoxel) {
   EXPECT_EQ(owner_at(right, 0.41), left) << "5 mm against 15 mm, whatever a segment said";
   EXPECT_EQ(owner_at(left, 0.4155), left) << "10.5 mm - 2.5 mm against 9.5 mm";
   EXPECT_EQ(owner_at(kNoObject, 0.4155), right);
+}
+
+TEST(VoxelOwners, OfTwoEquallyNearTheLowerIdOwnsTheVoxel) {
+  // The same plate, and a far point of either, so that their cells do not begin alike.
+  ObjectMap objects;
+  const Points far_of_first{{-0.305F, 0.105F, 0.105F}};
+  const Points far_of_second{{-0.405F, 0.305F, 0.005F}};
+  const ObjectId first = objects.add(plate_at(0.0, kChair, 3, far_of_first));
+  const ObjectId second = objects.add(plate_at(0.0, kCup, 3, far_of_second));
+  const VoxelOwners owners(objects, std::array{second, first});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> within(0.05, 0.35);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d middle(within(random), within(random), 0.23);
+    EXPECT_EQ(owners.find(kNoObject, middle, 0.05)->object, first);
+    EXPECT_EQ(owners.find(second, middle, 0.05)->object, second);
+  }
+}
+
+TEST(VoxelOwners, AWallOfWideCellsOwnsAllOfItself) {
+  // 3 x 3 m at 400 cells at most: they become 16 cm wide.
+  Object wall = object_at(0.0, kChair);
+  wall.points = OccupancyVotes({.max_cells = 400});
+  Points points;
+  for (float x = 0.005F; x < 3.0F; x += 0.02F) {
+    for (float z = 0.005F; z < 3.0F; z += 0.02F) points.emplace_back(x, 0.205F, z);
+  }
+  for (int i = 0; i < 3; ++i) wall.points.observe(points);
+  ASSERT_NEAR(wall.points.state().edge_m, 0.16, 1e-12);
+  wall.box = *wall.points.agreed_box();
+  ObjectMap objects;
+  const ObjectId id = objects.add(wall);
+  const VoxelOwners owners(objects, std::array{id});
+  for (double x = 0.025; x < 3.0; x += 0.05) {
+    for (double z = 0.025; z < 3.0; z += 0.05) {
+      EXPECT_TRUE(owners.find(kNoObject, {x, 0.225, z}, 0.05)) << x << ' ' << z;
+    }
+  }
+  EXPECT_FALSE(owners.find(id, {1.5, 0.525, 1.5}, 0.05));
 }
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();

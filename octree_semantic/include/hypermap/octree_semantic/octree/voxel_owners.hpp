@@ -32,10 +32,10 @@ struct OwnerLabel {
 /// of those to the object's nearest supported point (OccupancyVotes) and to its nearest point of
 /// all, so that what few observations show counts where more stands beside it. The object that
 /// the voxel is labelled with counts as 2.5 mm nearer, since a segment said so of the voxel itself;
-/// of equals the lowest id has it. An object without points stands for its box, and only owns what
-/// is labelled with it.
-/// Cost: O(log n) a voxel for each object within 15 cm, for n points of the object; memory 20 B a
-/// point.
+/// of equals the lowest id has it. Asked are objects whose box comes as near as twice that.
+/// Boundary: an object without points stands for its box, and only owns what is labelled with it;
+/// one without a supported point owns nothing.
+/// Cost: O(log n) a voxel for each of these objects, for n points; about 40 B a point.
 class VoxelOwners {
  public:
   /// Ids that are no objects, and objects without a class, own nothing.
