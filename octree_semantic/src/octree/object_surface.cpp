@@ -90,7 +90,8 @@ double ObjectSurface::distance_m(const Eigen::Vector3d& place_in_map, double mos
   if (!(0.5 * to_supported_m < most_m)) return kNowhere;
   const double to_any_m = std::min(to_supported_m, trees_->nearest_m(trees_->strays, place_in_map));
   const double mean_m = 0.5 * (to_supported_m + to_any_m);
-  return mean_m < most_m ? mean_m : kNowhere;
+  if (!(mean_m < most_m)) return kNowhere;
+  return mean_m;
 }
 
 }  // namespace hypermap
