@@ -4,10 +4,9 @@
 #include "floor_plane.hpp"
 #include "hypermap/core/base/random_numbers.hpp"
 #include "hypermap/core/segmentation/masks.hpp"
+#include "plane_fit.hpp"
 #include "plane_points.hpp"
 #include "plane_test.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -84,22 +83,11 @@ std::optional<Plane> plane_through(const Eigen::Vector3f& a,
 /// Least squares through the points on `plane`.
 Plane refined(const Plane& plane, const PlanePoints& points, const ForegroundOptions& options) {
   const PlaneTest test = test_of(plane, options);
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  double count = 0.0;
+  PlaneFit fit;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points.lies_on(test, i)) continue;
-    const Eigen::Vector3d exact = points[i].cast<double>();
-    mean += exact;
-    moments += exact * exact.transpose();
-    count += 1.0;
+    if (points.lies_on(test, i)) fit.add(points[i]);
   }
-  if (count < 3.0) return plane;
-  mean /= count;
-  const Eigen::Matrix3d covariance = moments / count - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  return {normal.cast<float>(), static_cast<float>(-normal.dot(mean))};
+  return fit.plane().value_or(plane);
 }
 
 /// The best of planes that were tried.

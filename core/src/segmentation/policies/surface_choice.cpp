@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_choice.hpp"
 
+#include "level_faces.hpp"
 #include "part_behind.hpp"
 #include "parted_surfaces.hpp"
 #include "support_contacts.hpp"
 #include "surface_score.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -27,10 +26,6 @@ constexpr double kFragmentSizeM = 0.5;
 /// A part is not the background seen through the object: of what is hidden more, only what is of an
 /// upright face with the best surface.
 constexpr double kPartMinOutline = 0.3;
-/// The normal of a level face points so far up: it is less than 26 degrees from upright.
-constexpr double kLevelNormal = 0.9;
-/// Level faces that lie farther apart in height are two things: a seat under the top of a table.
-constexpr double kLevelGapM = 0.1;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
 /// And a flat object fills its box; otherwise the box shows only background and what is in the way,
@@ -110,50 +105,6 @@ double plan_size_m(const Columns& columns, double edge_m) {
                          : edge_m * (cover.sizes() + Eigen::Vector2i::Ones()).cast<double>().norm();
 }
 
-/// The cells of a surface, in a frame whose z points up; which unit vector they spread least along,
-/// and the heights between which they lie.
-class Spread {
- public:
-  void add(const Eigen::Vector3f& point) {
-    const Eigen::Vector3d p = point.cast<double>();
-    sum_ += p;
-    products_ += p * p.transpose();
-    count_ += 1.0;
-    low_m_ = std::min(low_m_, p.z());
-    high_m_ = std::max(high_m_, p.z());
-  }
-  /// A seat or the top of a table; the rail of a back spreads least across its face.
-  [[nodiscard]] bool is_level() const {
-    if (count_ < 3.0) return false;
-    const Eigen::Vector3d mean = sum_ / count_;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(products_ / count_ -
-                                                                mean * mean.transpose());
-    return std::abs(solver.eigenvectors().col(0).z()) >= kLevelNormal;
-  }
-  /// Of height between them; negative where they overlap.
-  [[nodiscard]] double gap_m(const Spread& other) const {
-    return std::max(low_m_ - other.high_m_, other.low_m_ - high_m_);
-  }
-
- private:
-  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d products_ = Eigen::Matrix3d::Zero();
-  double count_ = 0.0;
-  double low_m_ = std::numeric_limits<double>::infinity();
-  double high_m_ = -std::numeric_limits<double>::infinity();
-};
-
-Spread spread_of(const DepthWindow& window,
-                 const DepthComponents& labelled,
-                 std::uint32_t id,
-                 const Eigen::Matrix3f& gravity_aligned_from_camera) {
-  Spread spread;
-  for_each_cell_of(window, labelled, id, [&](int x, int y) {
-    spread.add(gravity_aligned_from_camera * window.point_in_camera(x, y));
-  });
-  return spread;
-}
-
 /// Surfaces that may complete the object, the largest first: no background, and not a few pixels.
 ComponentIds part_candidates(const DepthWindow& window,
                              const DepthComponents& labelled,
@@ -197,15 +148,8 @@ ComponentIds with_parts(const DepthWindow& window,
   const auto is_upright_with_best = [&](std::uint32_t id) {
     return are_one_upright_face(window, labelled, best, id, gravity_aligned_from_camera);
   };
-  const auto spread = [&](std::uint32_t id) {
-    return spread_of(window, labelled, id, gravity_aligned_from_camera);
-  };
-  const Spread of_best = spread(best);
-  const bool is_best_level = of_best.is_level();
   const auto is_other_level = [&](std::uint32_t id) {
-    if (!is_best_level) return false;
-    const Spread part = spread(id);
-    return part.gap_m(of_best) > kLevelGapM && part.is_level();
+    return are_two_levels(window, labelled, best, id, gravity_aligned_from_camera);
   };
   const auto joins = [&](std::uint32_t id) {
     const DepthComponent& component = labelled.components[id];
@@ -220,12 +164,12 @@ ComponentIds with_parts(const DepthWindow& window,
     const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
-    if (is_other_level(id)) return false;
     if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id) &&
         !is_top_of_box(window, labelled, covered, best, id) &&
         !are_ends_of_one_face(window, labelled, best, id))
       return false;
+    if (is_other_level(id)) return false;
     reached.insert(reached.end(), part.begin(), part.end());
     reached = united(std::move(reached));
     covered = wider;
