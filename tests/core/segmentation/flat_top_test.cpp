@@ -173,6 +173,24 @@ TEST(FlatTop, IsNotThatOfAnotherThingInFrontWhichIsAsHigh) {
   EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
 }
 
+TEST(FlatTop, IsNotThatOfAnotherThingBesideItWhichStandsFarther) {
+  FrontOfABox box;
+  box.fill(kWallEnd, 85, 6.0F);
+  const std::size_t num_points = box.top().size();
+  // From column 40 on the front of another thing, 2.4 m away and as high: its border is row 92, at
+  // slope 0.2075.
+  for (int x = 40; x < kColumns; ++x) {
+    for (int y = 92; y < kRows; ++y) {
+      box.window.depth_m[box.window.cell(x, y)] = 2.4F;
+      box.is_object[box.window.cell(x, y)] = 0;
+    }
+  }
+  const auto points = box.top();
+  for (const Eigen::Vector3f& point : points)
+    EXPECT_LE(point.x() / point.z(), box.window.slope_x[39] + 1e-6F);
+  EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
+}
+
 /// 1 from that row on.
 MaskImage mask_from(int row) {
   MaskImage mask(kColumns, kRows);

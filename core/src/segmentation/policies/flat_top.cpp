@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -44,6 +45,7 @@ struct LevelEdge {
   float height_m = 0.0F;  ///< Above the camera; negative.
   std::vector<CellAbove> above;
   std::vector<float> nearest_m;  ///< For each column: a top begins behind its edge.
+  std::vector<float> hidden_m;   ///< For each column: depth of the edge where it is seen nearest by.
   Eigen::Vector3f middle_in_camera = Eigen::Vector3f::Zero();
   float length_m = 0.0F;
 };
@@ -122,7 +124,7 @@ class FlatTop {
         if (is_gap[window_.cell(x, y)] == 0) continue;
         const int near = y;
         while (y > box.v_begin && is_gap[window_.cell(x, y - 1)] != 0) --y;
-        if (!begins_behind(x, near, edge.height_m)) continue;
+        if (!begins_behind(x, near, edge)) continue;
         const bool is_ended = y > box.v_begin || window_.is_masked();
         const int far = is_ended ? y + cells_of(kEdgePx) : border;
         for (int row = near; row >= far; --row) {
@@ -202,7 +204,21 @@ class FlatTop {
     }
     edge.length_m = (highest - lowest).norm();
     edge.nearest_m = nearest_depths_m(edge.above, edge.height_m);
+    edge.hidden_m = hidden_depths_m(edge.above);
     return edge;
+  }
+
+  /// Depth of the edge in each column, or in the nearest one where it is seen, the left of two.
+  /// Requires: a cell; ascending by column.
+  [[nodiscard]] std::vector<float> hidden_depths_m(const std::vector<CellAbove>& above) const {
+    std::vector<float> depths_m;
+    auto nearest = above.begin();
+    for (int x = 0; x < window_.width(); ++x) {
+      while (std::next(nearest) != above.end() && std::next(nearest)->x - x < x - nearest->x)
+        ++nearest;
+      depths_m.push_back(window_.depth_m[window_.cell(nearest->x, nearest->y + 1)]);
+    }
+    return depths_m;
   }
 
   /// Depth in each column at which the plane begins behind the edge, less what tells two surfaces
@@ -244,15 +260,18 @@ class FlatTop {
     return is_covered;
   }
 
-  /// Whether the plane is no nearer there than what is measured below the gap: a top that was would
-  /// hide that.
-  [[nodiscard]] bool begins_behind(int x, int y, float height_m) const {
+  /// Whether what is measured below the gap is the object, or hides its edge; and the plane is no
+  /// nearer there, for a top that was would hide that. Beside the object stands another, which has
+  /// a top of its own.
+  [[nodiscard]] bool begins_behind(int x, int y, const LevelEdge& edge) const {
     const int end = std::min(y + 2 + kEdgePx, window_.height());
     int below = y + 1;
     while (below < end && window_.depth_m[window_.cell(x, below)] == 0.0F) ++below;
     if (below == end) return false;
     const std::size_t cell = window_.cell(x, below);
-    return window_.depth_m[cell] <= plane_depth_m(lower_ray(x, y), height_m) + window_.step_m[cell];
+    const float depth_m = window_.depth_m[cell];
+    if (is_object_[cell] == 0 && depth_m > edge.hidden_m[static_cast<std::size_t>(x)]) return false;
+    return depth_m <= plane_depth_m(lower_ray(x, y), edge.height_m) + window_.step_m[cell];
   }
 
   /// Requires: a row above.
