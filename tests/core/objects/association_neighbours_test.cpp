@@ -69,6 +69,26 @@ TEST(AssignmentPolicy, ChairsThatWereJoinedAreDividedWhenFramesShowTwo) {
   EXPECT_EQ(confirmed_objects(map, {}).size(), 2U);
 }
 
+TEST(AssignmentPolicy, ASegmentGoesToTheChairThatItEnlargesLess) {
+  // Of the front chair frames have shown the back alone, of the rear one all.
+  const Box back = box_at({0.15, 0, 0.75}, {0.03, 0.5, 0.3});
+  ObjectMap map;
+  ObjectId front = kNoObject;
+  std::uint64_t frame = 0;
+  for (; frame < 6; ++frame) {
+    front =
+        associate(map,
+                  std::array{seen(back, kChairClass, frame), seen(kRearChair, kChairClass, frame)},
+                  {})
+            .object_of_observation[0];
+  }
+  ASSERT_EQ(map.size(), 2U);
+  // A segment of all of the front chair goes on over 14 cm of the rear one.
+  const Box leaking = box_at({0.075, 0, 0.45}, {0.65, 0.5, 0.9});
+  const auto report = associate(map, std::array{seen(leaking, kChairClass, frame)}, {});
+  EXPECT_EQ(report.object_of_observation[0], front);
+}
+
 TEST(AssignmentPolicy, WhatSegmentsTookOfANeighbourGoesBackToIt) {
   // Four of ten segments of the refrigerator go on over the oven that touches it.
   const Box fridge = box_at({0, 0, 0.9}, {0.6, 0.6, 1.8});

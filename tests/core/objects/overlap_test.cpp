@@ -76,5 +76,34 @@ TEST(Overlap, SaysHowMuchMoreOftenThePartWasSeen) {
   EXPECT_DOUBLE_EQ(ratio(keyboard, around), 0.5);
 }
 
+TEST(Overlap, GrowthIsOfTheLongerDiagonal) {
+  const auto growth = [](const Box& a, const Box& b) {
+    Object first;
+    first.box = a;
+    Object second;
+    second.box = b;
+    return measure_overlap(point_set_of(first, kNearM), point_set_of(second, kNearM), kNearM)
+        .growth;
+  };
+  // With 2.5 cm on all sides: 3 x 4 m, and 6 x 8 m with the one beside it.
+  const Box box = box_at({0, 0, 0}, {2.95, 3.95, -0.05});
+  const Box beside = box_at({3, 4, 0}, {2.95, 3.95, -0.05});
+  EXPECT_NEAR(growth(box, beside), 2.0, 1e-9);
+  EXPECT_NEAR(growth(beside, box), 2.0, 1e-9);
+  const Box inside = box_at({0.5, 0.5, 0}, {0.5, 0.5, -0.05});
+  EXPECT_NEAR(growth(box, inside), 1.0, 1e-9);
+  EXPECT_NEAR(growth(box, box), 1.0, 1e-9);
+}
+
+TEST(Overlap, AffinityIsLessForWhatEnlargesMoreAndNeverNone) {
+  Overlap overlap{.share_of_first = 0.5, .share_of_second = 0.25, .distance = 0.5};
+  // 0.05 + 0.4 0.5 + 0.3 0.25 + 0.4 0.5
+  EXPECT_NEAR(affinity(overlap), 0.525, 1e-12);
+  overlap.growth = 1.5;
+  EXPECT_NEAR(affinity(overlap), 0.275, 1e-12);
+  overlap.growth = 9.0;
+  EXPECT_NEAR(affinity(overlap), 0.05, 1e-12);
+}
+
 }  // namespace
 }  // namespace hypermap

@@ -115,6 +115,8 @@ Overlap measure_overlap(const PointSet& first, const PointSet& second, double ne
   out.box_share = box_share(grown(first.box, near_m), grown(second.box, near_m));
   out.distance = (first.box.centre() - second.box.centre()).norm() /
                  (0.5 * (first_diagonal + second_diagonal));
+  out.growth = grown(bounding_box(first.box, second.box), near_m).extent().norm() /
+               std::max(first_diagonal, second_diagonal);
   const bool first_is_part = out.share_of_first >= out.share_of_second;
   const PointSet& part = first_is_part ? first : second;
   const PointSet& whole = first_is_part ? second : first;
@@ -161,7 +163,8 @@ double affinity(const Overlap& c) {
   const double larger = std::max(c.share_of_first, c.share_of_second);
   const double smaller = std::min(c.share_of_first, c.share_of_second);
   const double nearness = std::max(0.0, 1.0 - c.distance);
-  return 0.05 + 0.4 * larger + 0.3 * smaller + 0.4 * nearness + 0.6 * c.agreement;
+  const double likeness = 0.4 * larger + 0.3 * smaller + 0.4 * nearness + 0.6 * c.agreement;
+  return 0.05 + std::max(0.0, likeness - 0.5 * (c.growth - 1.0));
 }
 
 }  // namespace hypermap

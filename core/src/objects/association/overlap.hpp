@@ -31,6 +31,9 @@ struct Overlap {
   double distance = 0.0;         ///< Of the centres in mean diagonals.
   double diagonal_ratio =
       0.0;  ///< The diagonal of the point set with the larger share over the other's.
+  /// The diagonal of the box around both over the longer of theirs, >= 1: two views of one thing
+  /// hardly enlarge it, neighbours do.
+  double growth = 1.0;
   double agreement = 0.0;  ///< Of the class vectors, in [0, 1].
   /// Observations of the point set with the larger share over those of the other.
   double maturity_ratio = 1.0;
@@ -49,7 +52,8 @@ struct Overlap {
                                   const AssignmentOptions& options,
                                   double strictness = 1.0);
 
-/// Affinity of the two, > 0; only for ranking.
+/// Affinity of the two, > 0; only for ranking. What would enlarge one of two objects goes to the
+/// one that it enlarges less: single parts of a chair touch the one behind it as much as their own.
 [[nodiscard]] double affinity(const Overlap& overlap);
 
 }  // namespace hypermap

@@ -45,7 +45,7 @@ struct LevelEdge {
   float height_m = 0.0F;  ///< Above the camera; negative.
   std::vector<CellAbove> above;
   std::vector<float> nearest_m;  ///< For each column: a top begins behind its edge.
-  std::vector<float> hidden_m;   ///< For each column: depth of the edge where it is seen nearest by.
+  std::vector<float> hidden_m;  ///< For each column: depth of the edge where it is seen nearest by.
   Eigen::Vector3f middle_in_camera = Eigen::Vector3f::Zero();
   float length_m = 0.0F;
 };
