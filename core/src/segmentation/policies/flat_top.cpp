@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flat_top.hpp"
 
+#include "level_edge.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -15,13 +16,6 @@ namespace {
 constexpr float kFlatCos = 0.342F;
 /// Sine of the roll up to which a column of the image stands upright.
 constexpr float kMostRoll = 0.5F;
-/// A level edge is within this of one height.
-constexpr float kLevelToleranceM = 0.04F;
-/// So many cells are an edge, or a part of an object; and this share of an edge is at one height.
-constexpr std::size_t kLeastCells = 8;
-constexpr double kLevelShare = 0.6;
-/// Behind something lower than this its support is seen as flat, and is as unmeasured.
-constexpr float kLeastHeightM = 0.3F;
 /// Gaps narrower than this are what sensors lose at any edge, and so are the last pixels of others.
 constexpr int kLeastGapPx = 6;
 constexpr int kEdgePx = 2;
@@ -34,56 +28,12 @@ constexpr double kBorderShare = 0.1;
 constexpr float kMostReach = 1.25F;
 constexpr double kMostOutOfReach = 0.1;  ///< Share of its points.
 
-/// A cell whose ray passes above the object's upper edge.
-struct CellAbove {
-  int x;
-  int y;
-};
-
-/// The level upper edge of an object, from one side to the other.
-struct LevelEdge {
-  float height_m = 0.0F;  ///< Above the camera; negative.
-  std::vector<CellAbove> above;
-  std::vector<float> nearest_m;  ///< For each column: a top begins behind its edge.
-  std::vector<float> hidden_m;  ///< For each column: depth of the edge where it is seen nearest by.
-  Eigen::Vector3f middle_in_camera = Eigen::Vector3f::Zero();
-  float length_m = 0.0F;
-};
-
 class FlatTop {
  public:
   FlatTop(const DepthWindow& window,
           const std::vector<std::uint8_t>& is_object,
           const Eigen::Vector3f& up_in_camera)
       : window_(window), is_object_(is_object), up_(up_in_camera) {}
-
-  /// The edge below the unmeasured, when most of it is of one height and it is the object's top.
-  [[nodiscard]] std::optional<LevelEdge> edge() const {
-    std::vector<CellAbove> cells;
-    std::vector<float> heights_m;
-    for (int x = window_.box.u_begin; x < window_.box.u_end; ++x) {
-      for (int y = window_.box.v_begin; y + 1 < window_.box.v_end; ++y) {
-        if (!is_unmeasured(window_.cell(x, y)) || is_object_[window_.cell(x, y + 1)] == 0) continue;
-        cells.push_back({x, y});
-        heights_m.push_back(up_.dot(lower_ray(x, y)) * window_.depth_m[window_.cell(x, y + 1)]);
-        break;
-      }
-    }
-    if (cells.size() < kLeastCells) return std::nullopt;
-    std::vector<float> sorted = heights_m;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    LevelEdge edge;
-    edge.height_m = *middle;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (std::abs(heights_m[i] - edge.height_m) <= kLevelToleranceM)
-        edge.above.push_back(cells[i]);
-    }
-    const double level = static_cast<double>(edge.above.size());
-    const bool is_level = level >= kLevelShare * static_cast<double>(cells.size());
-    if (!is_level || edge.height_m >= 0.0F || !is_top_of_tall(edge.height_m)) return std::nullopt;
-    return with_extent(std::move(edge));
-  }
 
   /// 1 on cells of the box that are joined with the edge, unmeasured, and see its plane flat; only
   /// where they lie as broad as high.
@@ -94,8 +44,9 @@ class FlatTop {
       const PixelRect& box = window_.box;
       if (x < box.u_begin || x >= box.u_end || y < box.v_begin || y >= box.v_end) return;
       const std::size_t cell = window_.cell(x, y);
-      if (is_gap[cell] != 0 || !is_unmeasured(cell) || !is_flat(x, y, edge.height_m)) return;
-      const float depth_m = plane_depth_m(lower_ray(x, y), edge.height_m);
+      if (is_gap[cell] != 0 || !is_unmeasured(window_, cell) || !is_flat(x, y, edge.height_m))
+        return;
+      const float depth_m = plane_depth_m(up_, lower_ray(window_, x, y), edge.height_m);
       if (depth_m < edge.nearest_m[static_cast<std::size_t>(x)]) return;
       is_gap[cell] = 1;
       open.push_back({x, y});
@@ -140,99 +91,23 @@ class FlatTop {
     return std::max(1, (pixels + window_.block_px - 1) / window_.block_px);
   }
 
-  /// Of the box and, where there is one, of the mask.
-  [[nodiscard]] bool is_unmeasured(std::size_t cell) const {
-    return window_.depth_m[cell] == 0.0F && window_.may_be_object(cell);
-  }
-
-  /// The ray through the lower border of a cell; that of the cell above it is its upper border.
-  [[nodiscard]] Eigen::Vector3f lower_ray(int x, int y) const {
-    const float row_slope = window_.slope_y[1] - window_.slope_y[0];
-    return {window_.slope_x[static_cast<std::size_t>(x)],
-            window_.slope_y[static_cast<std::size_t>(y)] + 0.5F * row_slope,
-            1.0F};
-  }
-
-  /// Depth at which a ray meets the plane of that height. Requires: it falls towards it.
-  [[nodiscard]] float plane_depth_m(const Eigen::Vector3f& ray, float height_m) const {
-    return height_m / up_.dot(ray);
-  }
-
   /// The depths between which a cell sees the plane; none at and above the horizon.
   [[nodiscard]] std::optional<std::pair<float, float>> plane_depths_m(int x,
                                                                       int y,
                                                                       float height_m) const {
-    const Eigen::Vector3f lower = lower_ray(x, y);
+    const Eigen::Vector3f lower = lower_ray(window_, x, y);
     const Eigen::Vector3f upper =
         lower - Eigen::Vector3f(0.0F, window_.slope_y[1] - window_.slope_y[0], 0.0F);
     if (up_.dot(lower) >= 0.0F || up_.dot(upper) >= 0.0F) return std::nullopt;
-    return std::pair(plane_depth_m(lower, height_m), plane_depth_m(upper, height_m));
+    return std::pair(plane_depth_m(up_, lower, height_m), plane_depth_m(up_, upper, height_m));
   }
 
   [[nodiscard]] bool is_flat(int x, int y, float height_m) const {
-    const Eigen::Vector3f ray = lower_ray(x, y);
+    const Eigen::Vector3f ray = lower_ray(window_, x, y);
     if (-up_.dot(ray) > kFlatCos * ray.norm()) return false;
     const auto depths_m = plane_depths_m(x, y, height_m);
     const float most_m = kMostOfAPixelM * static_cast<float>(window_.block_px);
     return depths_m && depths_m->second - depths_m->first <= most_m;
-  }
-
-  /// Whether that height is the top of something tall: hardly a cell of the object is above it, for
-  /// a seat has a back, and some are far below.
-  [[nodiscard]] bool is_top_of_tall(float height_m) const {
-    std::size_t num_above = 0;
-    std::size_t num_below = 0;
-    for (int y = window_.box.v_begin; y < window_.box.v_end; ++y) {
-      for (int x = window_.box.u_begin; x < window_.box.u_end; ++x) {
-        if (is_object_[window_.cell(x, y)] == 0) continue;
-        const float above_m = up_.dot(window_.point_in_camera(x, y)) - height_m;
-        num_above += above_m > kLevelToleranceM ? 1U : 0U;
-        num_below += above_m < -kLeastHeightM ? 1U : 0U;
-      }
-    }
-    return num_above <= kLeastCells && num_below >= kLeastCells;
-  }
-
-  [[nodiscard]] LevelEdge with_extent(LevelEdge edge) const {
-    Eigen::Vector3f lowest = window_.point_in_camera(edge.above[0].x, edge.above[0].y + 1);
-    Eigen::Vector3f highest = lowest;
-    for (const CellAbove& cell : edge.above) {
-      const Eigen::Vector3f point = window_.point_in_camera(cell.x, cell.y + 1);
-      lowest = lowest.cwiseMin(point);
-      highest = highest.cwiseMax(point);
-      edge.middle_in_camera += point / static_cast<float>(edge.above.size());
-    }
-    edge.length_m = (highest - lowest).norm();
-    edge.nearest_m = nearest_depths_m(edge.above, edge.height_m);
-    edge.hidden_m = hidden_depths_m(edge.above);
-    return edge;
-  }
-
-  /// Depth of the edge in each column, or in the nearest one where it is seen, the left of two.
-  /// Requires: a cell; ascending by column.
-  [[nodiscard]] std::vector<float> hidden_depths_m(const std::vector<CellAbove>& above) const {
-    std::vector<float> depths_m;
-    auto nearest = above.begin();
-    for (int x = 0; x < window_.width(); ++x) {
-      while (std::next(nearest) != above.end() && std::next(nearest)->x - x < x - nearest->x)
-        ++nearest;
-      depths_m.push_back(window_.depth_m[window_.cell(nearest->x, nearest->y + 1)]);
-    }
-    return depths_m;
-  }
-
-  /// Depth in each column at which the plane begins behind the edge, less what tells two surfaces
-  /// apart; where the edge is not seen the least of all columns. Requires: a cell.
-  [[nodiscard]] std::vector<float> nearest_depths_m(const std::vector<CellAbove>& above,
-                                                    float height_m) const {
-    const auto depth_m = [&](const CellAbove& cell) {
-      return plane_depth_m(lower_ray(cell.x, cell.y), height_m) -
-             window_.step_m[window_.cell(cell.x, cell.y + 1)];
-    };
-    const float least_m = depth_m(*std::ranges::min_element(above, {}, depth_m));
-    std::vector<float> depths_m(static_cast<std::size_t>(window_.width()), least_m);
-    for (const CellAbove& cell : above) depths_m[static_cast<std::size_t>(cell.x)] = depth_m(cell);
-    return depths_m;
   }
 
   /// What remains of the marked cells when squares of `side` cells are all that may cover them.
@@ -270,8 +145,9 @@ class FlatTop {
     if (below == end) return false;
     const std::size_t cell = window_.cell(x, below);
     const float depth_m = window_.depth_m[cell];
-    if (is_object_[cell] == 0 && depth_m > edge.hidden_m[static_cast<std::size_t>(x)]) return false;
-    return depth_m <= plane_depth_m(lower_ray(x, y), edge.height_m) + window_.step_m[cell];
+    if (is_object_[cell] == 0 && depth_m > edge.edge_m[static_cast<std::size_t>(x)]) return false;
+    return depth_m <=
+           plane_depth_m(up_, lower_ray(window_, x, y), edge.height_m) + window_.step_m[cell];
   }
 
   /// Requires: a row above.
@@ -279,8 +155,8 @@ class FlatTop {
       int x, int y, float height_m, float spacing_m, std::vector<Eigen::Vector3f>& all) const {
     const auto [near_m, far_m] = *plane_depths_m(x, y, height_m);
     const int num = std::max(1, static_cast<int>(std::ceil((far_m - near_m) / spacing_m)));
-    const Eigen::Vector3f near_point = lower_ray(x, y) * near_m;
-    const Eigen::Vector3f far_point = lower_ray(x, y - 1) * far_m;
+    const Eigen::Vector3f near_point = lower_ray(window_, x, y) * near_m;
+    const Eigen::Vector3f far_point = lower_ray(window_, x, y - 1) * far_m;
     for (int i = 0; i < num; ++i) {
       const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(num);
       all.push_back(near_point + share * (far_point - near_point));
@@ -301,7 +177,7 @@ std::vector<Eigen::Vector3f> unmeasured_top(const DepthWindow& window,
   const Eigen::Vector3f up = gravity_aligned_from_camera.row(2).transpose();
   if (window.height() < 2 || std::abs(up.x()) > kMostRoll) return {};
   const FlatTop top(window, is_object, up);
-  const std::optional<LevelEdge> edge = top.edge();
+  const std::optional<LevelEdge> edge = level_edge(window, is_object, up);
   if (!edge) return {};
   std::vector<Eigen::Vector3f> points = top.points(*edge, top.gap_above(*edge), spacing_m);
   const auto is_out_of_reach = [&](const Eigen::Vector3f& point) {
