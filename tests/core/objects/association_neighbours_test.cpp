@@ -69,7 +69,7 @@ TEST(AssignmentPolicy, ChairsThatWereJoinedAreDividedWhenFramesShowTwo) {
   EXPECT_EQ(confirmed_objects(map, {}).size(), 2U);
 }
 
-TEST(AssignmentPolicy, ASegmentGoesToTheChairThatItEnlargesLess) {
+TEST(AssignmentPolicy, ASegmentGoesToTheChairThatItsBoxNearlyHolds) {
   // Of the front chair frames have shown the back alone, of the rear one all.
   const Box back = box_at({0.15, 0, 0.75}, {0.03, 0.5, 0.3});
   ObjectMap map;

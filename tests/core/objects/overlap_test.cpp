@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -85,12 +86,12 @@ TEST(Overlap, GrowthIsOfTheLongerDiagonal) {
     return measure_overlap(point_set_of(first, kNearM), point_set_of(second, kNearM), kNearM)
         .growth;
   };
-  // With 2.5 cm on all sides: 3 x 4 m, and 6 x 8 m with the one beside it.
-  const Box box = box_at({0, 0, 0}, {2.95, 3.95, -0.05});
-  const Box beside = box_at({3, 4, 0}, {2.95, 3.95, -0.05});
-  EXPECT_NEAR(growth(box, beside), 2.0, 1e-9);
-  EXPECT_NEAR(growth(beside, box), 2.0, 1e-9);
-  const Box inside = box_at({0.5, 0.5, 0}, {0.5, 0.5, -0.05});
+  // With 2.5 cm on all sides: 3 x 4 x 12 m, and 6 x 8 x 12 m with the one beside it.
+  const Box box = box_at({0, 0, 0}, {2.95, 3.95, 11.95});
+  const Box beside = box_at({3, 4, 0}, {2.95, 3.95, 11.95});
+  EXPECT_NEAR(growth(box, beside), std::sqrt(36.0 + 64.0 + 144.0) / 13.0, 1e-9);
+  EXPECT_NEAR(growth(beside, box), growth(box, beside), 1e-12);
+  const Box inside = box_at({0.5, 0.5, 0}, {0.5, 0.5, 0.5});
   EXPECT_NEAR(growth(box, inside), 1.0, 1e-9);
   EXPECT_NEAR(growth(box, box), 1.0, 1e-9);
 }

@@ -191,6 +191,48 @@ TEST(FlatTop, IsNotThatOfAnotherThingBesideItWhichStandsFarther) {
   EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
 }
 
+TEST(FlatTop, IsNotThatOfAnotherThingBesideItWithAFlushFront) {
+  FrontOfABox box;
+  box.fill(kWallEnd, 85, 6.0F);
+  for (int x = 40; x < kColumns; ++x) {  // as far and as high as the object
+    for (int y = kEdge; y < kRows; ++y) box.is_object[box.window.cell(x, y)] = 0;
+  }
+  const auto points = box.top();
+  ASSERT_FALSE(points.empty());
+  for (const Eigen::Vector3f& point : points)
+    EXPECT_LE(point.x() / point.z(), box.window.slope_x[39] + 1e-6F);
+}
+
+TEST(FlatTop, ReachesBehindWhatStandsOnIt) {
+  FrontOfABox box;
+  box.fill(kWallEnd, 85, 6.0F);
+  const auto num_beyond = [&] {
+    const auto points = box.top();
+    return std::count_if(points.begin(), points.end(), [](const auto& p) { return p.z() > 2.35F; });
+  };
+  const auto before = num_beyond();
+  // A row of books on it, 2.15 m away.
+  for (int x = 4; x < 56; ++x) {
+    for (int y = 93; y < 97; ++y) box.window.depth_m[box.window.cell(x, y)] = 2.15F;
+  }
+  EXPECT_GE(num_beyond(), before * 4 / 5);
+}
+
+TEST(FlatTop, ReachesBehindWhatHidesItsEdge) {
+  FrontOfABox box;
+  box.fill(kWallEnd, 85, 6.0F);
+  for (int x = 40; x < kColumns; ++x) {  // 1.5 m away, up to over the edge
+    for (int y = 95; y < kRows; ++y) {
+      box.window.depth_m[box.window.cell(x, y)] = 1.5F;
+      box.is_object[box.window.cell(x, y)] = 0;
+    }
+  }
+  const auto points = box.top();
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const auto& point) {
+    return point.x() / point.z() > box.window.slope_x[45];
+  }));
+}
+
 /// 1 from that row on.
 MaskImage mask_from(int row) {
   MaskImage mask(kColumns, kRows);

@@ -31,8 +31,8 @@ struct Overlap {
   double distance = 0.0;         ///< Of the centres in mean diagonals.
   double diagonal_ratio =
       0.0;  ///< The diagonal of the point set with the larger share over the other's.
-  /// The diagonal of the box around both over the longer of theirs, >= 1: two views of one thing
-  /// hardly enlarge it, neighbours do.
+  /// The diagonal of the box around both over the longer of theirs, >= 1; 1 when one box holds
+  /// the other.
   double growth = 1.0;
   double agreement = 0.0;  ///< Of the class vectors, in [0, 1].
   /// Observations of the point set with the larger share over those of the other.
@@ -52,8 +52,8 @@ struct Overlap {
                                   const AssignmentOptions& options,
                                   double strictness = 1.0);
 
-/// Affinity of the two, > 0; only for ranking. What would enlarge one of two objects goes to the
-/// one that it enlarges less: single parts of a chair touch the one behind it as much as their own.
+/// Affinity of the two, > 0; only for ranking. The box around both speaks against them where it is
+/// larger than either: parts of a chair touch the chair behind it as much as their own.
 [[nodiscard]] double affinity(const Overlap& overlap);
 
 }  // namespace hypermap

@@ -135,9 +135,9 @@ class FlatTop {
     return is_covered;
   }
 
-  /// Whether what is measured below the gap is the object, or hides its edge; and the plane is no
-  /// nearer there, for a top that was would hide that. Beside the object stands another, which has
-  /// a top of its own.
+  /// Whether what is measured below the gap is the object, stands on it behind its edge, or hides
+  /// its edge; and the plane is no nearer there, for a top that was would hide that. Beside the
+  /// object stands another, which has a top of its own.
   [[nodiscard]] bool begins_behind(int x, int y, const LevelEdge& edge) const {
     const int end = std::min(y + 2 + kEdgePx, window_.height());
     int below = y + 1;
@@ -145,7 +145,7 @@ class FlatTop {
     if (below == end) return false;
     const std::size_t cell = window_.cell(x, below);
     const float depth_m = window_.depth_m[cell];
-    if (is_object_[cell] == 0 && depth_m > edge.edge_m[static_cast<std::size_t>(x)]) return false;
+    if (is_object_[cell] == 0 && depth_m > edge.hiding_m[static_cast<std::size_t>(x)]) return false;
     return depth_m <=
            plane_depth_m(up_, lower_ray(window_, x, y), edge.height_m) + window_.step_m[cell];
   }

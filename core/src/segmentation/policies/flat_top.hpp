@@ -18,8 +18,9 @@ namespace hypermap {
 ///
 /// A gap in the depth above a level edge of the object shows its top where rays meet the plane of
 /// the edge flatter than sensors measure (70 degrees from its normal). It begins behind the edge:
-/// what lies nearer is the top of something else, which may be as high; and above the object, or
-/// above what hides its edge: farther things beside it have tops of their own. Any level surface
+/// what lies nearer is the top of something else, which may be as high. And it is of the columns in
+/// which the edge is seen, or something nearer than the edge in the nearest of these: what else
+/// stands beside the object has a top of its own. Any level surface
 /// behind the object is seen as flat, so the gap ends with the mask where there is one, else where
 /// something is measured again, or a tenth of the box's height below the box's upper border when
 /// nothing is, for there a detector's inaccuracy is all that ends it. All of it is refused when

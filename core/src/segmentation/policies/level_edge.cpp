@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace hypermap {
@@ -81,19 +82,21 @@ class EdgeFinder {
     }
     edge.length_m = (highest - lowest).norm();
     edge.nearest_m = nearest_depths_m(edge.above, edge.height_m);
-    edge.edge_m = edge_depths_m(edge.above);
+    edge.hiding_m = hiding_depths_m(edge.above);
     return edge;
   }
 
-  /// Depth of the edge in each column, or in the nearest one where it is seen, the left of two.
-  /// Requires: a cell; ascending by column.
-  [[nodiscard]] std::vector<float> edge_depths_m(const std::vector<CellAbove>& above) const {
+  /// What is nearer by more than what tells two surfaces apart hides the edge, of two nearest
+  /// columns of it that of the left one. Requires: a cell; ascending by column.
+  [[nodiscard]] std::vector<float> hiding_depths_m(const std::vector<CellAbove>& above) const {
     std::vector<float> depths_m;
     auto nearest = above.begin();
     for (int x = 0; x < window_.width(); ++x) {
       while (std::next(nearest) != above.end() && std::next(nearest)->x - x < x - nearest->x)
         ++nearest;
-      depths_m.push_back(window_.depth_m[window_.cell(nearest->x, nearest->y + 1)]);
+      const std::size_t edge = window_.cell(nearest->x, nearest->y + 1);
+      depths_m.push_back(nearest->x == x ? std::numeric_limits<float>::infinity()
+                                         : window_.depth_m[edge] - window_.step_m[edge]);
     }
     return depths_m;
   }

@@ -25,8 +25,9 @@ struct LevelEdge {
   float height_m = 0.0F;         ///< Above the camera; negative.
   std::vector<CellAbove> above;  ///< Ascending by column, one in each.
   std::vector<float> nearest_m;  ///< For each column of the window: a top begins behind its edge.
-  /// For each column: depth of the edge, where it is not seen of that in the nearest column.
-  std::vector<float> edge_m;
+  /// For each column where the edge is not seen: what is nearer than this hides it, by its depth in
+  /// the nearest column; infinite where it is seen.
+  std::vector<float> hiding_m;
   Eigen::Vector3f middle_in_camera = Eigen::Vector3f::Zero();
   float length_m = 0.0F;
 };
