@@ -55,6 +55,16 @@ struct FrontOfABox {
         window.depth_m.begin() + static_cast<std::ptrdiff_t>(window.cell(0, end - 1)) + kColumns,
         depth_m);
   }
+  /// From column 40 on another thing stands there, from that row down.
+  void put_another(int row, float depth_m) {
+    for (int x = 40; x < kColumns; ++x) {
+      for (int y = kEdge; y < kRows; ++y) is_object[window.cell(x, y)] = 0;
+      for (int y = row; y < kRows; ++y) window.depth_m[window.cell(x, y)] = depth_m;
+    }
+  }
+  [[nodiscard]] bool is_left_of_another(const Eigen::Vector3f& point) const {
+    return point.x() / point.z() <= window.slope_x[39] + 1e-6F;
+  }
   [[nodiscard]] std::vector<Eigen::Vector3f> top() const {
     return unmeasured_top(window, is_object, aligned, 0.02F);
   }
@@ -177,30 +187,19 @@ TEST(FlatTop, IsNotThatOfAnotherThingBesideItWhichStandsFarther) {
   FrontOfABox box;
   box.fill(kWallEnd, 85, 6.0F);
   const std::size_t num_points = box.top().size();
-  // From column 40 on the front of another thing, 2.4 m away and as high: its border is row 92, at
-  // slope 0.2075.
-  for (int x = 40; x < kColumns; ++x) {
-    for (int y = 92; y < kRows; ++y) {
-      box.window.depth_m[box.window.cell(x, y)] = 2.4F;
-      box.is_object[box.window.cell(x, y)] = 0;
-    }
-  }
+  box.put_another(92, 2.4F);  // as high: its border is at slope 0.2075
   const auto points = box.top();
-  for (const Eigen::Vector3f& point : points)
-    EXPECT_LE(point.x() / point.z(), box.window.slope_x[39] + 1e-6F);
+  for (const Eigen::Vector3f& point : points) EXPECT_TRUE(box.is_left_of_another(point));
   EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
 }
 
 TEST(FlatTop, IsNotThatOfAnotherThingBesideItWithAFlushFront) {
   FrontOfABox box;
   box.fill(kWallEnd, 85, 6.0F);
-  for (int x = 40; x < kColumns; ++x) {  // as far and as high as the object
-    for (int y = kEdge; y < kRows; ++y) box.is_object[box.window.cell(x, y)] = 0;
-  }
+  box.put_another(kEdge, 2.0F);
   const auto points = box.top();
   ASSERT_FALSE(points.empty());
-  for (const Eigen::Vector3f& point : points)
-    EXPECT_LE(point.x() / point.z(), box.window.slope_x[39] + 1e-6F);
+  for (const Eigen::Vector3f& point : points) EXPECT_TRUE(box.is_left_of_another(point));
 }
 
 TEST(FlatTop, ReachesBehindWhatStandsOnIt) {
@@ -221,16 +220,11 @@ TEST(FlatTop, ReachesBehindWhatStandsOnIt) {
 TEST(FlatTop, ReachesBehindWhatHidesItsEdge) {
   FrontOfABox box;
   box.fill(kWallEnd, 85, 6.0F);
-  for (int x = 40; x < kColumns; ++x) {  // 1.5 m away, up to over the edge
-    for (int y = 95; y < kRows; ++y) {
-      box.window.depth_m[box.window.cell(x, y)] = 1.5F;
-      box.is_object[box.window.cell(x, y)] = 0;
-    }
-  }
+  box.put_another(95, 1.5F);
   const auto points = box.top();
-  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const auto& point) {
-    return point.x() / point.z() > box.window.slope_x[45];
-  }));
+  const auto num_behind = std::count_if(
+      points.begin(), points.end(), [&](const auto& p) { return !box.is_left_of_another(p); });
+  EXPECT_GT(num_behind, 100);
 }
 
 /// 1 from that row on.
