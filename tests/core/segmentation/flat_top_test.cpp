@@ -55,11 +55,13 @@ struct FrontOfABox {
         window.depth_m.begin() + static_cast<std::ptrdiff_t>(window.cell(0, end - 1)) + kColumns,
         depth_m);
   }
-  /// From column 40 on another thing stands there, from that row down.
+  /// From column 40 on another thing stands there, measured from that row on.
   void put_another(int row, float depth_m) {
     for (int x = 40; x < kColumns; ++x) {
-      for (int y = kEdge; y < kRows; ++y) is_object[window.cell(x, y)] = 0;
-      for (int y = row; y < kRows; ++y) window.depth_m[window.cell(x, y)] = depth_m;
+      for (int y = std::min(row, kEdge); y < kRows; ++y) {
+        is_object[window.cell(x, y)] = 0;
+        window.depth_m[window.cell(x, y)] = y < row ? 0.0F : depth_m;
+      }
     }
   }
   [[nodiscard]] bool is_left_of_another(const Eigen::Vector3f& point) const {
@@ -172,12 +174,7 @@ TEST(FlatTop, IsNotThatOfAnotherThingInFrontWhichIsAsHigh) {
   const std::size_t num_points = box.top().size();
   // From column 40 on something nearer hides the front. Its top is as high and not measured, its
   // own front begins at row 120, 0.495 / 0.3475 = 1.42 m away.
-  for (int x = 40; x < kColumns; ++x) {
-    for (int y = kEdge; y < kRows; ++y) {
-      box.window.depth_m[box.window.cell(x, y)] = y < 120 ? 0.0F : 1.42F;
-      box.is_object[box.window.cell(x, y)] = 0;
-    }
-  }
+  box.put_another(120, 1.42F);
   const auto points = box.top();
   for (const Eigen::Vector3f& point : points) EXPECT_GE(point.z(), 1.94F);
   EXPECT_GE(points.size(), num_points * 6 / 10) << "that of the other 40 of 60 columns stays";
