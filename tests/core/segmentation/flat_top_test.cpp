@@ -194,9 +194,8 @@ TEST(FlatTop, IsNotThatOfAnotherThingBesideItWithAFlushFront) {
   FrontOfABox box;
   box.fill(kWallEnd, 85, 6.0F);
   box.put_another(kEdge, 2.0F);
-  const auto points = box.top();
-  ASSERT_FALSE(points.empty());
-  for (const Eigen::Vector3f& point : points) EXPECT_TRUE(box.is_left_of_another(point));
+  ASSERT_FALSE(box.top().empty());
+  for (const Eigen::Vector3f& point : box.top()) EXPECT_TRUE(box.is_left_of_another(point));
 }
 
 TEST(FlatTop, ReachesBehindWhatStandsOnIt) {
