@@ -6,12 +6,17 @@ import math
 import shutil
 import statistics
 import subprocess
+import sys
 
 STUDENT_95 = {1: 12.71, 2: 4.30, 3: 3.18, 4: 2.78, 5: 2.57, 6: 2.45, 7: 2.36, 8: 2.31, 9: 2.26}
 
 
 def run(program, *arguments):
-    return subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+    """What it prints; ends with what it says where it fails."""
+    done = subprocess.run([program, *map(str, arguments)], check=False, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(done.stderr.strip() or f"{program} {arguments[0]}: ended with {done.returncode}")
+    return done.stdout
 
 
 def simulated(program, folder, seed, *options):
