@@ -42,6 +42,16 @@ inline PinholeCamera half_kinect_camera() {
           .cy_px = 119.5};
 }
 
+/// The same view in a quarter of the pixels.
+inline PinholeCamera quarter_kinect_camera() {
+  return {.width_px = 160,
+          .height_px = 120,
+          .fx_px = 131.25,
+          .fy_px = 131.25,
+          .cx_px = 79.5,
+          .cy_px = 59.5};
+}
+
 /// What a camera sees, and which solid each pixel shows (0: none).
 struct SceneView {
   RgbdFrame frame;

@@ -21,7 +21,10 @@ constexpr std::size_t kMinMatches = 100;
 constexpr double kMinMatchedShare = 0.1;
 /// Neighbouring points err alike: all of a frame count as so many independent ones.
 constexpr double kNumIndependent = 1000.0;
-constexpr double kMinInformation = 1.0;  // of the points, in units of that of the given pose
+/// Of the points, in units of that of the given pose: less is the planes' own error, and from so
+/// much on the points determine the direction.
+constexpr double kMinInformation = 0.1;
+constexpr double kDeterminingInformation = 1.0;
 constexpr int kMinDirections = 3;
 constexpr double kTukey = 4.685;  // 95 % efficient with normal errors
 constexpr double kMedianToStddev = 1.4826;
@@ -139,7 +142,7 @@ Change solve(const NormalEquations& equations, const Vector6d& current, const Ve
     if (size < kMinInformation) continue;
     const Vector6d direction = solver.eigenvectors().col(i);
     change.in_sigmas += direction * (direction.dot(pull) / (size + 1.0));
-    ++change.num_directions;
+    if (size >= kDeterminingInformation) ++change.num_directions;
   }
   return change;
 }

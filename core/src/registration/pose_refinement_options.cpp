@@ -11,7 +11,7 @@ constexpr OptionRow kRefinementRows[] = {
     option::choice<&PoseRefinementOptions::rule>(
         "rule",
         kRefinementNames,
-        {.effect = "Whether given poses are refined by the surfaces that earlier frames showed."}),
+        {.effect = "Whether given poses are refined by the surfaces that other frames showed."}),
     option::number<&PoseRefinementOptions::sigma_m>(
         "sigma_m",
         option::above(0, 1),
@@ -31,11 +31,12 @@ constexpr OptionRow kRefinementRows[] = {
     option::number<&PoseRefinementOptions::cell_m>(
         "cell_m",
         {0.02, 1},
-        {.unit = "m", .effect = "Edge of the cells in which surfaces are kept."}),
+        {.unit = "m",
+         .effect = "Edge of the large cells in which surfaces are kept; small ones have half."}),
     option::count<&PoseRefinementOptions::max_cells>(
         "max_cells",
         {1024, 16'777'216},
-        {.effect = "Of them, those seen least recently go first; 130 B each."}),
+        {.effect = "Of either size, those seen least recently go first; 130 B each."}),
     option::count<&PoseRefinementOptions::num_points>(
         "num_points", {200, 100'000}, {.effect = "Pixels that are brought onto the surfaces."}),
     option::number<&PoseRefinementOptions::max_depth_m>(
@@ -44,8 +45,12 @@ constexpr OptionRow kRefinementRows[] = {
         {.unit = "m", .effect = "Farther pixels are left out."}),
     option::count<&PoseRefinementOptions::window_frames>(
         "window_frames",
-        {1, 1'000'000},
+        {1, 1000},
         {.effect = "Corrections are none on the mean over about so many frames."}),
+    option::count<&PoseRefinementOptions::lag_frames>(
+        "lag_frames",
+        {0, 1000},
+        {.effect = "Later frames that a frame of a sequence waits for; 2 to 5 MB each."}),
 };
 
 }  // namespace
@@ -57,24 +62,6 @@ const OptionTable& option_table(const PoseRefinementOptions&) {
 
 Result<void> validate(const PoseRefinementOptions& options) {
   return check_options(options);
-}
-
-std::string_view name_of(PoseOutcome outcome) noexcept {
-  switch (outcome) {
-    case PoseOutcome::kGiven:
-      break;
-    case PoseOutcome::kRefined:
-      return "refined";
-    case PoseOutcome::kTooFewPoints:
-      return "too_few_points";
-    case PoseOutcome::kAmbiguous:
-      return "ambiguous";
-    case PoseOutcome::kTooLarge:
-      return "too_large";
-    case PoseOutcome::kNoBetter:
-      return "no_better";
-  }
-  return "given";
 }
 
 }  // namespace hypermap

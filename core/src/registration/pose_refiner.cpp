@@ -2,10 +2,8 @@
 #include "hypermap/core/registration/pose_refiner.hpp"
 
 #include "hypermap/core/segmentation/depth_cloud.hpp"
+#include "registration/pose_difference.hpp"
 #include "registration/pose_estimate.hpp"
-#include "registration/rotation_vector.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cassert>
@@ -90,58 +88,47 @@ RefinedPose PoseRefiner::refine(const RgbdFrame& frame, const MaskImage& left_ou
                       .points_in_camera = sample(
                           frame, left_out, std::max(1, step_px / kDensity), options_.max_depth_m)};
   if (estimate.correction.outcome != PoseOutcome::kRefined) return refined;
-  const Eigen::Isometry3d pose = map_from_model_ * estimate.model_from_camera;
-  const Eigen::Isometry3d& before = frame.map_from_camera.isometry();
-  refined.map_from_camera = MapFromCamera(pose);
-  refined.correction.translation_m = (pose.translation() - before.translation()).norm();
-  refined.correction.rotation_rad =
-      rotation_vector(pose.linear() * before.linear().transpose()).norm();
+  refined.map_from_camera = MapFromCamera(map_from_model_ * estimate.model_from_camera);
+  refined.correction =
+      corrected(estimate.correction, frame.map_from_camera, refined.map_from_camera);
   return refined;
 }
 
-void PoseRefiner::add(const RgbdFrame& frame, const RefinedPose& refined) {
+std::optional<RegisteredPose> PoseRefiner::add(const RgbdFrame& frame, const RefinedPose& refined) {
   Eigen::Isometry3d model_from_camera = refined.model_from_camera;
   if (says_surfaces_lie_elsewhere(refined.correction.outcome)) {
-    if (++num_disagreeing_ < kMaxDisagreeing) return;
+    if (++num_disagreeing_ < kMaxDisagreeing) return std::nullopt;
     surfaces_.clear();
     information_.setZero();
     map_from_model_.setIdentity();
+    ++model_;
     model_from_camera = frame.map_from_camera.isometry();
   }
   num_disagreeing_ = 0;
-  if (refined.correction.outcome == PoseOutcome::kAmbiguous) return;  // it would blur them
-  const bool is_first = information_.isZero(0.0);
-  if (is_first || refined.correction.outcome == PoseOutcome::kRefined) {
-    follow_given(frame.map_from_camera, model_from_camera);
-  }
+  // It would blur them.
+  if (refined.correction.outcome == PoseOutcome::kAmbiguous) return std::nullopt;
+  const bool is_first = information_.isZero(0.0) && !refined.points_in_camera.empty();
+  const bool is_registered = is_first || refined.correction.outcome == PoseOutcome::kRefined;
+  if (is_registered) follow_given(frame.map_from_camera, model_from_camera);
   std::vector<OrientedPoint> points = refined.points_in_camera;
   for (OrientedPoint& point : points) {
     point.place_m = model_from_camera * point.place_m;
     point.normal = model_from_camera.linear() * point.normal;
   }
   surfaces_.add(points);
+  if (!is_registered) return std::nullopt;
+  return RegisteredPose{.model_from_camera = model_from_camera, .model = model_};
 }
 
 /// Moves the model in the map by the frame's share in the mean of all differences: a Kalman filter.
 void PoseRefiner::follow_given(const MapFromCamera& given,
                                const Eigen::Isometry3d& model_from_camera) {
-  const Eigen::Isometry3d pose = map_from_model_ * model_from_camera;
-  Eigen::Matrix<double, 6, 1> difference;
-  difference << rotation_vector(given.isometry().linear() * pose.linear().transpose()),
-      given.isometry().translation() - pose.translation();
-  Eigen::Matrix<double, 6, 6> slope = Eigen::Matrix<double, 6, 6>::Identity();
-  slope.bottomLeftCorner<3, 3>() = -cross_matrix(pose.translation());
-  Eigen::Matrix<double, 6, 1> precision;
-  precision << Eigen::Vector3d::Constant(1.0 / (options_.sigma_rad * options_.sigma_rad)),
-      Eigen::Vector3d::Constant(1.0 / (options_.sigma_m * options_.sigma_m));
+  PoseDifference newest =
+      difference(given.isometry(), map_from_model_ * model_from_camera, options_);
   information_ *= 1.0 - 1.0 / options_.window_frames;
-  information_ += slope.transpose() * precision.asDiagonal() * slope;
-  const Eigen::Matrix<double, 6, 1> change =
-      information_.ldlt().solve(slope.transpose() * precision.asDiagonal() * difference);
-  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
-  moved.linear() = rotation_of(change.head<3>());
-  moved.translation() = change.tail<3>();
-  map_from_model_ = moved * map_from_model_;
+  information_ += newest.information;
+  newest.information = information_;
+  map_from_model_ = motion_of(newest) * map_from_model_;
 }
 
 }  // namespace hypermap

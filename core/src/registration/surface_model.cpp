@@ -48,31 +48,31 @@ std::uint64_t key_of(const CellIndex& index, std::uint64_t direction) {
 
 }  // namespace
 
-SurfaceModel::SurfaceModel(double cell_m, std::size_t max_cells)
+SurfaceGrid::SurfaceGrid(double cell_m, std::size_t max_cells)
     : cell_m_(cell_m), max_cells_(max_cells) {
   assert(cell_m > 0.0 && max_cells >= 2);
 }
 
-void SurfaceModel::clear() noexcept {
+void SurfaceGrid::clear() noexcept {
   cells_.clear();
   std::fill(slots_.begin(), slots_.end(), 0U);
 }
 
 /// The slot of the key, or the free one where it would go. Requires: a free slot.
-std::size_t SurfaceModel::slot_of(std::uint64_t key) const noexcept {
+std::size_t SurfaceGrid::slot_of(std::uint64_t key) const noexcept {
   const std::size_t mask = slots_.size() - 1;
   std::size_t slot = static_cast<std::size_t>(mix_bits(key)) & mask;
   while (slots_[slot] != 0 && cells_[slots_[slot] - 1].key != key) slot = (slot + 1) & mask;
   return slot;
 }
 
-const SurfaceModel::Cell* SurfaceModel::find(std::uint64_t key) const noexcept {
+const SurfaceGrid::Cell* SurfaceGrid::find(std::uint64_t key) const noexcept {
   if (slots_.empty()) return nullptr;
   const std::uint32_t position = slots_[slot_of(key)];
   return position == 0 ? nullptr : &cells_[position - 1];
 }
 
-SurfaceModel::Cell& SurfaceModel::find_or_add(std::uint64_t key) {
+SurfaceGrid::Cell& SurfaceGrid::find_or_add(std::uint64_t key) {
   if (2 * (cells_.size() + 1) > slots_.size())
     rebuild_index(std::max(kMinSlots, 2 * slots_.size()));
   const std::size_t slot = slot_of(key);
@@ -83,7 +83,7 @@ SurfaceModel::Cell& SurfaceModel::find_or_add(std::uint64_t key) {
   return cells_[slots_[slot] - 1];
 }
 
-void SurfaceModel::rebuild_index(std::size_t num_slots) {
+void SurfaceGrid::rebuild_index(std::size_t num_slots) {
   slots_.assign(num_slots, 0U);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     slots_[slot_of(cells_[i].key)] = static_cast<std::uint32_t>(i + 1);
@@ -91,7 +91,7 @@ void SurfaceModel::rebuild_index(std::size_t num_slots) {
 }
 
 /// Whole frames go, so that what stays does not depend on the order of cells.
-void SurfaceModel::drop_oldest() {
+void SurfaceGrid::drop_oldest() {
   std::vector<std::uint64_t> frames;
   frames.reserve(cells_.size());
   for (const Cell& cell : cells_) frames.push_back(cell.newest_frame);
@@ -103,7 +103,7 @@ void SurfaceModel::drop_oldest() {
   rebuild_index(slots_.size());
 }
 
-void SurfaceModel::add(std::span<const OrientedPoint> points) {
+void SurfaceGrid::add(std::span<const OrientedPoint> points) {
   ++num_frames_;
   for (const OrientedPoint& point : points) {
     const Eigen::Vector3d in_cells = point.place_m / cell_m_;
@@ -125,8 +125,8 @@ void SurfaceModel::add(std::span<const OrientedPoint> points) {
   if (cells_.size() > max_cells_) drop_oldest();
 }
 
-std::optional<SurfacePlane> SurfaceModel::plane_at(const OrientedPoint& point,
-                                                   double max_stddev_m) const {
+std::optional<SurfacePlane> SurfaceGrid::plane_at(const OrientedPoint& point,
+                                                  double max_stddev_m) const {
   const Eigen::Vector3d in_cells = point.place_m / cell_m_;
   if (!is_in_reach(in_cells)) return std::nullopt;
   const std::uint64_t direction = direction_of(point.normal);
@@ -157,6 +157,22 @@ std::optional<SurfacePlane> SurfaceModel::plane_at(const OrientedPoint& point,
   return SurfacePlane{.point_m = mean_m + corner.cast<double>() * cell_m_,
                       .normal = normal,
                       .stddev_m = std::sqrt(thickness_m2)};
+}
+
+void SurfaceModel::add(std::span<const OrientedPoint> points) {
+  fine_.add(points);
+  coarse_.add(points);
+}
+
+std::optional<SurfacePlane> SurfaceModel::plane_at(const OrientedPoint& point,
+                                                   double max_stddev_m) const {
+  const auto fine = fine_.plane_at(point, max_stddev_m);
+  return fine ? fine : coarse_.plane_at(point, max_stddev_m);
+}
+
+void SurfaceModel::clear() noexcept {
+  fine_.clear();
+  coarse_.clear();
 }
 
 }  // namespace hypermap

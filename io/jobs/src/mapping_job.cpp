@@ -6,10 +6,12 @@
 #include "hypermap/core/base/caught.hpp"
 #include "hypermap/core/base/stop_watch.hpp"
 #include "map_rescue.hpp"
+#include "mapped_frame.hpp"
 #include "mapping_counts.hpp"
 #include "mapping_run.hpp"
 #include "outlying_regions.hpp"
 #include "peak_memory.hpp"
+#include "refined_frames.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -29,40 +31,6 @@ bool spares_other_frames(const Error& error) {
 Error about(Error error, const std::string& frame_name) {
   if (error.file.empty()) error.file = frame_name;
   return error;
-}
-
-/// Whether what a frame does not show of the objects was missed: by the network, or by a detector
-/// whose detections were read.
-DetectorLook look_at(const PreparedFrame& prepared, const MappingRun& run, const MappingJob& job) {
-  const bool has_others = !job.dataset.detections.empty() || !prepared.frame.detections.empty();
-  const bool is_looked = prepared.is_looked_at || has_others || !run.detector;
-  return is_looked ? DetectorLook::kLooked : DetectorLook::kNotLooked;
-}
-
-Result<FrameReport> map_frame(MappingRun& run,
-                              std::size_t index,
-                              Result<PreparedFrame> prepared,
-                              const MappingJob& job,
-                              MappingReport& report) {
-  if (!prepared) return Unexpected(std::move(prepared).error());
-  report.seconds.read += prepared->read_s;
-  report.seconds.detect += prepared->detect_s;
-  report.frame_times.add(FrameStage::kRead, prepared->read_s);
-  report.frame_times.add(FrameStage::kDetect, prepared->detect_s);
-  RgbdFrame& frame = prepared->frame;
-  frame.index += run.index_offset;
-  HYPERMAP_ASSIGN_OR_RETURN(FrameReport done,
-                            run.mapper->integrate(frame, look_at(*prepared, run, job)));
-  report.num_looks += prepared->is_looked_at ? 1U : 0U;
-  run.last = {.position = index, .hash = run.fingerprint.add(frame)};
-  run.next_frame_index = frame.index + 1;
-  run.first_stamp = std::min(run.first_stamp.value_or(frame.stamp), frame.stamp);
-  run.last_stamp = std::max(run.last_stamp.value_or(frame.stamp), frame.stamp);
-  if (run.first.hash.empty()) run.first = run.last;
-  run.places.push_back({index, frame.map_from_camera.origin().xyz});
-  run.views.follow(done, run.mapper->objects());
-  if (job.keep_views) HYPERMAP_TRY(run.views.add(frame, done));
-  return done;
 }
 
 /// An absent file is the dataset's fault, kNotFound.
@@ -148,38 +116,51 @@ void save_checkpoint(MappingRun& run,
   }
 }
 
-/// Reads the frames before the checkpoint again: further poses are refined by their surfaces.
-Result<void> add_surfaces(MappingRun& run, const MappingJob& job, MappingReport& report) {
-  if (job.mapper.refinement.rule == PoseRefinementRule::kNone) return {};
-  for (std::size_t i = 0; i < run.num_resumed_positions; ++i) {
-    if (std::ranges::binary_search(run.skipped_positions, i)) continue;
-    HYPERMAP_ASSIGN_OR_RETURN(RgbdFrame frame, run.dataset->read(i));
-    HYPERMAP_TRY(add_earlier_detections(run, i, frame));
-    frame.index += run.index_offset;
-    HYPERMAP_ASSIGN_OR_RETURN(const PoseCorrection pose, run.mapper->add_surfaces(frame));
-    count(pose, report.poses);
-  }
-  return {};
+/// Where refinement begins: the poses of frames after a checkpoint depend on those before it.
+std::size_t first_position(const MappingRun& run, const MappingJob& job) {
+  const bool is_refined = job.mapper.refinement.rule != PoseRefinementRule::kNone;
+  return is_refined ? 0 : run.num_resumed_positions;
+}
+
+/// A frame before the checkpoint: the map has it at this pose, if it has it.
+Result<void> count_resumed(const MappingRun& run,
+                           std::size_t position,
+                           const Result<PosedFrame>& posed,
+                           MappingReport& report) {
+  const bool is_skipped = std::ranges::binary_search(run.skipped_positions, position);
+  if (posed && !is_skipped) count(posed->correction, report.poses);
+  const bool is_lost = !posed && (!is_skipped || !spares_other_frames(posed.error()));
+  return is_lost ? Unexpected(about(posed.error(), run.dataset->frame_name(position)))
+                 : Result<void>();
 }
 
 Result<void> map_frames(MappingRun& run,
                         const MappingJob& job,
                         MappingReport& report,
                         const JobProgress& progress) {
-  const std::size_t begin = run.num_resumed_positions;
-  HYPERMAP_TRY(add_surfaces(run, job, report));
+  const std::size_t begin = first_position(run, job);
   const std::size_t total = run.dataset->size();
   const auto prepare = [&run](std::size_t position) { return prepare_frame(run, position); };
+  const auto left_out = [&run](const RgbdFrame& frame) {
+    return run.mapper->transient_pixels(frame.camera, frame.detections);
+  };
   FrameStream stream(prepare, begin, total, job.mapper.num_threads > 1);
+  RefinedFrames frames(stream, total - begin, job.mapper, left_out);
   for (std::size_t i = begin; i < total; ++i) {
-    StopWatch watch;
-    auto frame = stream.next();
-    const double wait_s = watch.lap();
+    auto frame = frames.next();
+    if (i < run.num_resumed_positions) {
+      HYPERMAP_TRY(count_resumed(run, i, frame, report));
+      if (progress && !progress(i + 1, total)) return interrupted();
+      continue;
+    }
+    const double wait_s = frame ? frame->wait_s : 0.0;
+    const double refine_s = frame ? frame->refine_s : 0.0;
     report.seconds.wait += wait_s;
+    StopWatch watch;
     const auto done = map_frame(run, i, std::move(frame), job, report);
     if (done) {
       report.frame_times.add(FrameStage::kWait, wait_s);
-      report.frame_times.add(FrameStage::kFrame, wait_s + watch.lap());
+      report.frame_times.add(FrameStage::kFrame, wait_s + refine_s + watch.lap());
       count(*done, report);
     } else if (spares_other_frames(done.error())) {
       report.skipped.push_back(about(done.error(), run.dataset->frame_name(i)));

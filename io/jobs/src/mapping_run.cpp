@@ -203,8 +203,8 @@ Result<MappingRun> open_run(const MappingJob& job, MappingReport& report) {
   report.findings = run.dataset->summary().findings;
   HYPERMAP_TRY(settle_alignment(run, job, report));
   if (run.previous) HYPERMAP_TRY(prepare_to_append(run, job, report));
-  HYPERMAP_ASSIGN_OR_RETURN(const SemanticMapperOptions options,
-                            understood_options(run, job, report));
+  HYPERMAP_ASSIGN_OR_RETURN(SemanticMapperOptions options, understood_options(run, job, report));
+  options.refinement.rule = PoseRefinementRule::kNone;  // frames come to it at their refined poses
   if (job.resume || job.checkpoint_every > 0) {
     HYPERMAP_ASSIGN_OR_RETURN(run.settings, settings_of(job, *run.dataset));
   }
@@ -232,6 +232,10 @@ Result<PreparedFrame> prepare_frame(MappingRun& run, std::size_t position) {
   PreparedFrame prepared;
   prepared.frame = std::move(frame);
   prepared.read_s = watch.lap();
+  if (position < run.num_resumed_positions) {
+    HYPERMAP_TRY(add_earlier_detections(run, position, prepared.frame));
+    return prepared;
+  }
   prepared.is_looked_at = takes_look(run, position, prepared.frame);
   if (!prepared.is_looked_at) return prepared;
   HYPERMAP_TRY(add_detections(prepared.frame, *run.detector));

@@ -61,8 +61,9 @@ struct MappingRun {
 /// Requires: asked once for each frame that can be read, in their order.
 [[nodiscard]] bool takes_look(MappingRun& run, std::size_t position, const RgbdFrame& frame);
 
-/// The frame at a position, with what the detector sees in it if it looks. Uses the dataset, the
-/// detector and the schedule of the run alone. Requires: ascending positions.
+/// The frame at a position, with what the detector sees in it if it looks, or looked when the frame
+/// was mapped before this process. Uses the dataset, the detector and the schedule of the run
+/// alone. Requires: ascending positions.
 /// Errors: those of DatasetReader::read and OnnxDetector::detect.
 [[nodiscard]] Result<PreparedFrame> prepare_frame(MappingRun& run, std::size_t position);
 

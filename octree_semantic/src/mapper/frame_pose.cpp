@@ -16,21 +16,21 @@ DepthImage SemanticMapper::smoothed_depth(const RgbdFrame& given) {
   return smoother_.smoothed(given.depth_m, options_.num_threads);
 }
 
-/// What moves is no surface to go by.
-RefinedPose SemanticMapper::refine(const RgbdFrame& frame,
-                                   std::span<const Detection> given_detections) const {
+MaskImage SemanticMapper::transient_pixels(const PinholeCamera& camera,
+                                           std::span<const Detection> detections) const {
   std::vector<const Detection*> transient;
-  for (const Detection& detection : given_detections) {
+  for (const Detection& detection : detections) {
     if (class_filter_.is_transient(detection.class_scores)) transient.push_back(&detection);
   }
-  return refiner_.refine(frame, pixels_shown_by(frame.camera, transient));
+  return pixels_shown_by(camera, transient);
 }
 
 Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& frame,
                                                       std::span<const Detection> given_detections,
                                                       DetectorLook look,
                                                       StopWatch& watch) {
-  const RefinedPose refined = refine(frame, given_detections);
+  const RefinedPose refined =
+      refiner_.refine(frame, transient_pixels(frame.camera, given_detections));
   HYPERMAP_TRY(check_sensor(octree_.grid(), refined.map_from_camera.origin(), "map_from_camera"));
   const double refine_s = watch.lap();
   HYPERMAP_ASSIGN_OR_RETURN(
@@ -44,19 +44,6 @@ Result<FrameReport> SemanticMapper::integrate_refined(const RgbdFrame& frame,
   }
   report.seconds.refine = refine_s + watch.lap();
   return report;
-}
-
-Result<PoseCorrection> SemanticMapper::add_surfaces(const RgbdFrame& frame) {
-  if (options_.refinement.rule == PoseRefinementRule::kNone) return PoseCorrection{};
-  HYPERMAP_TRY(check(frame));
-  try {
-    const RgbdFrame smooth = with_depth(frame, smoothed_depth(frame));
-    const RefinedPose refined = refine(smooth, frame.detections);
-    refiner_.add(smooth, refined);
-    return refined.correction;
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kOutOfMemory, "out of memory");
-  }
 }
 
 }  // namespace hypermap

@@ -171,7 +171,9 @@ TEST(PoseRefiner, TheFirstFrameAndPlacesNeverSeenKeepTheirPose) {
   const RefinedPose first = refiner.refine(frame, {});
   EXPECT_EQ(first.correction.outcome, PoseOutcome::kTooFewPoints);
   EXPECT_EQ(first.map_from_camera.isometry().matrix(), frame.map_from_camera.isometry().matrix());
-  refiner.add(frame, first);
+  const auto registered = refiner.add(frame, first);
+  ASSERT_TRUE(registered) << "the surfaces begin with it";
+  EXPECT_EQ(registered->model_from_camera.matrix(), frame.map_from_camera.isometry().matrix());
   const MapFromCamera elsewhere = moved(frame.map_from_camera, {30, 0, 0}, {0, 0, 0});
   const RefinedPose far = refiner.refine(given_at(frame, elsewhere), {});
   EXPECT_EQ(far.correction.outcome, PoseOutcome::kTooFewPoints);
@@ -179,10 +181,14 @@ TEST(PoseRefiner, TheFirstFrameAndPlacesNeverSeenKeepTheirPose) {
 }
 
 TEST(PoseRefiner, AFrameWithoutDepthKeepsItsPose) {
-  const PoseRefiner refiner = refiner_of(room(), -20 * kDegree);
+  PoseRefiner refiner(kOn);
   RgbdFrame blind = room().view(test::camera_at({0, 0, 1.4}, 20 * kDegree, -20 * kDegree)).frame;
   blind.depth_m = DepthImage(blind.camera.width_px, blind.camera.height_px, NAN);
-  EXPECT_EQ(refiner.refine(blind, {}).correction.outcome, PoseOutcome::kTooFewPoints);
+  const RefinedPose refined = refiner.refine(blind, {});
+  EXPECT_EQ(refined.correction.outcome, PoseOutcome::kTooFewPoints);
+  EXPECT_FALSE(refiner.add(blind, refined)) << "no surfaces begin with it";
+  const PoseRefiner knowing = refiner_of(room(), -20 * kDegree);
+  EXPECT_EQ(knowing.refine(blind, {}).correction.outcome, PoseOutcome::kTooFewPoints);
 }
 
 TEST(PoseRefiner, ALargeCorrectionIsRefused) {
@@ -238,7 +244,9 @@ TEST(PoseRefiner, WhenAllFramesDisagreeTheSurfacesAreBegunAnew) {
   for (int i = 0; i < 10; ++i) {
     const RefinedPose refused = refiner.refine(jumped, {});
     EXPECT_NE(refused.correction.outcome, PoseOutcome::kRefined) << i;
-    refiner.add(jumped, refused);
+    const auto registered = refiner.add(jumped, refused);
+    ASSERT_EQ(registered.has_value(), i == 9) << i;
+    EXPECT_EQ(registered.value_or(RegisteredPose{}).model, i == 9 ? 1U : 0U);
   }
   const RefinedPose refined = refiner.refine(jumped, {});
   EXPECT_NE(refined.correction.outcome, PoseOutcome::kTooLarge);
@@ -249,6 +257,7 @@ TEST(PoseRefinementOptions, ValuesOutOfRangeAreRefusedByName) {
   EXPECT_TRUE(validate(kOn));
   EXPECT_EQ(validate(PoseRefinementOptions{.sigma_m = 0.0}).error().field, "sigma_m");
   EXPECT_EQ(validate(PoseRefinementOptions{.max_cells = 2}).error().field, "max_cells");
+  EXPECT_EQ(validate(PoseRefinementOptions{.lag_frames = -1}).error().field, "lag_frames");
   EXPECT_EQ(
       validate(PoseRefinementOptions{.max_rotation_rad = std::numeric_limits<double>::quiet_NaN()})
           .error()

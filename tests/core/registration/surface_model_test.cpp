@@ -22,8 +22,8 @@ std::vector<OrientedPoint> floor_points(double height_m, double side_m, double f
   return points;
 }
 
-TEST(SurfaceModel, APlaneIsFoundFromEitherSide) {
-  SurfaceModel model(0.1, 4096);
+TEST(SurfaceGrid, APlaneIsFoundFromEitherSide) {
+  SurfaceGrid model(0.1, 4096);
   model.add(floor_points(0.33, 1.0));
   for (const double beside_m : {-0.03, 0.0, 0.03}) {
     const auto plane = model.plane_at({{0.5, 0.5, 0.33 + beside_m}}, 0.02);
@@ -34,10 +34,10 @@ TEST(SurfaceModel, APlaneIsFoundFromEitherSide) {
   }
 }
 
-TEST(SurfaceModel, NoiseAcrossTheBorderOfCellsIsOnePlane) {
+TEST(SurfaceGrid, NoiseAcrossTheBorderOfCellsIsOnePlane) {
   // Half of the points lie 1 cm above z = 0.2, half below: in cells of their own. The plane goes
   // through the middle wherever it is looked up; its thickness is 1 cm.
-  SurfaceModel model(0.1, 4096);
+  SurfaceGrid model(0.1, 4096);
   model.add(floor_points(0.19, 1.0));
   model.add(floor_points(0.21, 1.0));
   for (const double beside_m : {-0.02, 0.02}) {
@@ -48,8 +48,8 @@ TEST(SurfaceModel, NoiseAcrossTheBorderOfCellsIsOnePlane) {
   }
 }
 
-TEST(SurfaceModel, WhatIsNoPlaneOrUnknownIsNone) {
-  SurfaceModel model(0.1, 4096);
+TEST(SurfaceGrid, WhatIsNoPlaneOrUnknownIsNone) {
+  SurfaceGrid model(0.1, 4096);
   EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.3}}, 0.02)) << "empty";
   model.add(floor_points(0.33, 1.0));
   EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.9}}, 0.02)) << "nothing there";
@@ -59,8 +59,8 @@ TEST(SurfaceModel, WhatIsNoPlaneOrUnknownIsNone) {
   EXPECT_FALSE(model.plane_at({{0.5, 0.5, 0.35}}, 0.02)) << "as thick as wide";
 }
 
-TEST(SurfaceModel, BothSidesOfAThinBoardAreTwoPlanes) {
-  SurfaceModel model(0.1, 4096);
+TEST(SurfaceGrid, BothSidesOfAThinBoardAreTwoPlanes) {
+  SurfaceGrid model(0.1, 4096);
   std::vector<OrientedPoint> bottom = floor_points(0.33, 1.0);
   for (OrientedPoint& point : bottom) point.normal = -Eigen::Vector3d::UnitZ();
   model.add(bottom);
@@ -73,15 +73,15 @@ TEST(SurfaceModel, BothSidesOfAThinBoardAreTwoPlanes) {
   EXPECT_NEAR(above->point_m.z(), 0.36, 1e-9);
 }
 
-TEST(SurfaceModel, PointsThatAreNoneAreLeftOut) {
-  SurfaceModel model(0.1, 4096);
+TEST(SurfaceGrid, PointsThatAreNoneAreLeftOut) {
+  SurfaceGrid model(0.1, 4096);
   model.add(std::vector<OrientedPoint>{
       {{std::nan(""), 0, 0}}, {{1e9, 0, 0}}, {{0, -std::numeric_limits<double>::infinity(), 0}}});
   EXPECT_EQ(model.num_cells(), 0U);
 }
 
-TEST(SurfaceModel, WhatWasSeenLeastRecentlyGoesFirst) {
-  SurfaceModel model(0.1, 220);
+TEST(SurfaceGrid, WhatWasSeenLeastRecentlyGoesFirst) {
+  SurfaceGrid model(0.1, 220);
   model.add(floor_points(0.05, 1.0));        // 100 cells
   model.add(floor_points(0.05, 1.0, 10.0));  // 100 more
   EXPECT_EQ(model.num_cells(), 200U);
@@ -91,13 +91,56 @@ TEST(SurfaceModel, WhatWasSeenLeastRecentlyGoesFirst) {
   EXPECT_TRUE(model.plane_at({{20.5, 0.5, 0.05}}, 0.02));
 }
 
-TEST(SurfaceModel, ACellFollowsASurfaceThatMoved) {
-  SurfaceModel model(0.1, 4096);
+TEST(SurfaceGrid, ACellFollowsASurfaceThatMoved) {
+  SurfaceGrid model(0.1, 4096);
   for (int i = 0; i < 100; ++i) model.add(floor_points(0.34, 1.0));
   for (int i = 0; i < 400; ++i) model.add(floor_points(0.36, 1.0));
   const auto plane = model.plane_at({{0.5, 0.5, 0.35}}, 0.02);
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->point_m.z(), 0.36, 1e-3);
+}
+
+/// The top of a thing, 8 cm wide, at 0.64 m.
+std::vector<OrientedPoint> small_thing() {
+  std::vector<OrientedPoint> points;
+  for (int i = 0; i < 16; ++i) {
+    for (int j = 0; j < 16; ++j) {
+      points.push_back({{0.5025 + 0.005 * i, 0.5025 + 0.005 * j, 0.64}});
+    }
+  }
+  return points;
+}
+
+TEST(SurfaceModel, TheTopOfAThingBesideALargeSurfaceIsAPlaneOfItsOwn) {
+  // 6 cm above a table: large cells hold both, small ones the top alone.
+  SurfaceGrid coarse(0.1, 4096);
+  SurfaceModel model(0.1, 4096);
+  for (const auto& points : {floor_points(0.58, 1.0), small_thing()}) {
+    coarse.add(points);
+    model.add(points);
+  }
+  const OrientedPoint top{{0.54, 0.54, 0.64}};
+  EXPECT_FALSE(coarse.plane_at(top, 0.01));
+  const auto plane = model.plane_at(top, 0.01);
+  ASSERT_TRUE(plane);
+  EXPECT_NEAR(plane->point_m.z(), 0.64, 1e-9);
+}
+
+TEST(SurfaceModel, WhereSmallCellsHaveTooFewPointsLargeOnesSay) {
+  // Points 5 cm apart: four in the window of small cells, sixteen in that of large ones.
+  std::vector<OrientedPoint> sparse;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) sparse.push_back({{0.025 + 0.05 * i, 0.025 + 0.05 * j, 0.33}});
+  }
+  SurfaceGrid fine(0.05, 4096);
+  SurfaceModel model(0.1, 4096);
+  fine.add(sparse);
+  model.add(sparse);
+  const OrientedPoint place{{0.51, 0.51, 0.33}};
+  EXPECT_FALSE(fine.plane_at(place, 0.01));
+  ASSERT_TRUE(model.plane_at(place, 0.01));
+  model.clear();
+  EXPECT_FALSE(model.plane_at(place, 0.01));
 }
 
 }  // namespace

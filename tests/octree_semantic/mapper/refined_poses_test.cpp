@@ -111,30 +111,6 @@ TEST(RefinedPoses, AnyNumberOfThreadsGivesTheSameMap) {
   EXPECT_TRUE(one.objects() == four.objects());
 }
 
-TEST(RefinedPoses, AResumedMapperThatIsGivenTheSurfacesGoesOnTheSame) {
-  const std::vector<RgbdFrame> frames = noisy_frames();
-  const std::size_t half = frames.size() / 2;
-  SemanticMapper whole = refining_mapper();
-  SemanticMapper first = refining_mapper();
-  for (std::size_t i = 0; i < half; ++i) {
-    ASSERT_TRUE(whole.integrate(frames[i]));
-    ASSERT_TRUE(first.integrate(frames[i]));
-  }
-  SemanticMapper second =
-      SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
-  SemanticMapper bare =
-      SemanticMapper::resume(first.options(), first.octree(), first.objects()).value();
-  for (std::size_t i = 0; i < half; ++i) ASSERT_TRUE(second.add_surfaces(frames[i]));
-  EXPECT_EQ(bare.integrate(frames[half])->pose.outcome, PoseOutcome::kTooFewPoints);
-  for (std::size_t i = half; i < frames.size(); ++i) {
-    const FrameReport report = whole.integrate(frames[i]).value();
-    const FrameReport resumed = second.integrate(frames[i]).value();
-    EXPECT_EQ(report.map_from_camera.isometry().matrix(),
-              resumed.map_from_camera.isometry().matrix());
-  }
-  EXPECT_TRUE(whole.octree() == second.octree());
-}
-
 TEST(RefinedPoses, WhatIsTransientIsNoSurface) {
   SemanticMapperOptions options;
   options.refinement.rule = PoseRefinementRule::kPointToPlane;

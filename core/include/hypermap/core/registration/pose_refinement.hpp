@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How the given pose of a frame is refined by what earlier frames showed.
+/// How the given pose of a frame is refined by what other frames showed.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
+#include "hypermap/core/geometry/frames.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,14 +28,18 @@ struct PoseRefinementOptions {
   /// A larger correction is refused: the given pose is used.
   double max_translation_m = 0.15;
   double max_rotation_rad = 0.1;  ///< The same for the angle.
-  double cell_m = 0.1;            ///< Edge of the cells of the surface model.
-  int max_cells = 262'144;   ///< Of the surface model; what was seen least recently goes first.
+  double cell_m = 0.1;       ///< Edge of the large cells of the surface model; half in the small.
+  int max_cells = 262'144;   ///< Of either size; what was seen least recently goes first.
   int num_points = 3000;     ///< Pixels of a regular grid that are brought onto the planes.
   double max_depth_m = 5.0;  ///< Farther pixels are left out.
   /// Corrections are none on the mean over about so many frames: a frame counts less by a share of
-  /// 1 / window_frames with each that follows. The smaller, the sooner the map follows the given
-  /// poses, with less of their noise taken out and less drift of the surfaces let in.
+  /// 1 / window_frames with each frame that it is apart. The smaller, the sooner the map follows
+  /// the given poses, with less of their noise taken out and less drift of the surfaces let in.
   int window_frames = 8;
+  /// So many frames a frame of a recorded sequence waits for, before it is put into the map: they
+  /// have a say in its pose (PoseSmoother). 0: none. A mapper that is given frames one by one has
+  /// those before alone.
+  int lag_frames = 16;
   friend bool operator==(const PoseRefinementOptions&, const PoseRefinementOptions&) = default;
 };
 
@@ -65,5 +70,10 @@ struct PoseCorrection {
   bool is_added = true;
   double rms_m = 0.0;  ///< Of their distances from the planes, at the refined pose.
 };
+
+/// The same with outcome kRefined, and how far `used` is from `given`.
+[[nodiscard]] PoseCorrection corrected(PoseCorrection correction,
+                                       const MapFromCamera& given,
+                                       const MapFromCamera& used);
 
 }  // namespace hypermap

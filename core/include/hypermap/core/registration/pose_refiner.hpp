@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +24,12 @@ struct RefinedPose {
   PoseCorrection correction;
   Eigen::Isometry3d model_from_camera = Eigen::Isometry3d::Identity();
   std::vector<OrientedPoint> points_in_camera;  ///< Of a denser grid; metres.
+};
+
+/// Where a frame stands among the surfaces that it was added to.
+struct RegisteredPose {
+  Eigen::Isometry3d model_from_camera = Eigen::Isometry3d::Identity();
+  std::uint32_t model = 0;  ///< Surfaces that are begun anew are another model.
 };
 
 /// Registers each frame to the surfaces of those before it, starting from its given pose.
@@ -39,9 +47,10 @@ class PoseRefiner {
   /// surface; an empty image leaves out none. Requires: rule not none, validate(frame).
   [[nodiscard]] RefinedPose refine(const RgbdFrame& frame, const MaskImage& left_out) const;
 
-  /// The frame is in the map: what it showed serves the next ones. Requires: `refined` is of
-  /// `frame` and nothing was added since.
-  void add(const RgbdFrame& frame, const RefinedPose& refined);
+  /// The frame is in the map: what it showed serves the next ones. Returns where it stands among
+  /// the surfaces, of which it may be the first; none where it is used as given. Requires:
+  /// `refined` is of `frame` and nothing was added since.
+  std::optional<RegisteredPose> add(const RgbdFrame& frame, const RefinedPose& refined);
 
   [[nodiscard]] const SurfaceModel& surfaces() const noexcept { return surfaces_; }
 
@@ -53,6 +62,7 @@ class PoseRefiner {
   Eigen::Isometry3d map_from_model_ = Eigen::Isometry3d::Identity();
   /// Of `map_from_model_`: rotation about the camera's place, then translation.
   Eigen::Matrix<double, 6, 6> information_ = Eigen::Matrix<double, 6, 6>::Zero();
+  std::uint32_t model_ = 0;  ///< How often the surfaces were begun anew.
   int num_disagreeing_ = 0;  ///< Frames in a row whose surfaces were found elsewhere.
 };
 

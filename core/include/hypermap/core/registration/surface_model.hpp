@@ -26,18 +26,19 @@ struct OrientedPoint {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of length 1; rough is enough.
 };
 
-/// Cubic cells with count, mean and covariance of the points in them (voxelised Gaussians), apart
-/// for the six directions that a surface may mostly look to: so the two faces of a corner, and the
-/// front and back of a thin board, are two planes and not one that lies between them.
+/// Cubic cells of one size with count, mean and covariance of the points in them (voxelised
+/// Gaussians), apart for the six directions that a surface may mostly look to: so the two faces of
+/// a corner, and the front and back of a thin board, are two planes and not one that lies between
+/// them.
 ///
 /// A plane is fitted to the 2 x 2 x 2 cells nearest to a place: windows overlap, so that a surface
 /// along the border of two cells, whose noise puts points into both, is one plane and not two that
 /// lie too far apart. A value. Memory: 120 B a cell and 4 to 8 B a slot of the index, at least two
 /// slots a cell.
-class SurfaceModel {
+class SurfaceGrid {
  public:
   /// Requires: cell_m > 0, max_cells >= 2.
-  SurfaceModel(double cell_m, std::size_t max_cells);
+  SurfaceGrid(double cell_m, std::size_t max_cells);
 
   /// Adds the points of one frame, in its order. With more than `max_cells` cells those that
   /// received no point for the longest time are dropped until about half of them are left (cells of
@@ -74,6 +75,27 @@ class SurfaceModel {
   std::uint64_t num_frames_ = 0;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> slots_;  ///< Positions in `cells_` plus 1 by hash of key; 0: free.
+};
+
+/// Surfaces in cells of `cell_m` and of half that: near the sensor the small ones tell the faces of
+/// things apart, where noise or distance leaves too few points for these the large ones hold.
+/// A value. Memory: that of two grids of at most `max_cells` cells.
+class SurfaceModel {
+ public:
+  /// Requires: cell_m > 0, max_cells >= 2.
+  SurfaceModel(double cell_m, std::size_t max_cells)
+      : fine_(0.5 * cell_m, max_cells), coarse_(cell_m, max_cells) {}
+
+  /// Adds the points of one frame, in its order. See SurfaceGrid::add.
+  void add(std::span<const OrientedPoint> points);
+  /// The plane around `point` of small cells, else that of large ones. See SurfaceGrid::plane_at.
+  [[nodiscard]] std::optional<SurfacePlane> plane_at(const OrientedPoint& point,
+                                                     double max_stddev_m) const;
+  void clear() noexcept;
+
+ private:
+  SurfaceGrid fine_;
+  SurfaceGrid coarse_;
 };
 
 }  // namespace hypermap

@@ -162,7 +162,9 @@ class SemanticMapper {
       std::optional<TopologicalMap> topological_map = std::nullopt);
 
   /// Puts one frame into the map: whole, or on an error not at all. With `refinement` it stands in
-  /// the map at its refined pose, for everything that is learnt from it.
+  /// the map at its refined pose, for everything that is learnt from it: by the surfaces of frames
+  /// that this mapper was given before. One that waits for later frames is posed by PoseRefiner and
+  /// PoseSmoother instead, and given here without `refinement`.
   ///
   /// Errors: those of validate(frame), stack_detections and FrameIntegrator::integrate;
   /// kInvalidArgument for an embedding of another dimension than its model's have so far. A
@@ -172,12 +174,6 @@ class SemanticMapper {
   /// A frame at which no detector looked brings its surfaces and free space; no object is missed.
   [[nodiscard]] Result<FrameReport> integrate(const RgbdFrame& frame,
                                               DetectorLook look = DetectorLook::kLooked);
-
-  /// Learns the surfaces of a frame that is in the map already, as `integrate` did when it was put
-  /// there: the refinement of what comes after a resumed map's frames is then the same as without
-  /// the interruption. Without it a resumed mapper refines by the frames to come alone. Nothing
-  /// happens unless `refinement` is on. Errors: those of validate(frame); kOutOfMemory.
-  [[nodiscard]] Result<PoseCorrection> add_surfaces(const RgbdFrame& frame);
 
   /// Puts one scan into the map: whole, or on an error not at all. Its pose is used as given, and
   /// no frame is refined by it. Instances meet the objects as
@@ -207,6 +203,12 @@ class SemanticMapper {
   /// Errors: kOutOfMemory. Cost: a comparison of the names; a copy of them when there are new ones.
   /// Threads: as `integrate`.
   [[nodiscard]] Result<void> set_classes(const ClassRegistry& classes);
+
+  /// 1 on the pixels that detections of transient classes may show, which are no surface to refine
+  /// a pose by; empty without such detections. Requires: validate(frame) of what they are of.
+  /// Cost: O(pixels) for each of them. Throws std::bad_alloc.
+  [[nodiscard]] MaskImage transient_pixels(const PinholeCamera& camera,
+                                           std::span<const Detection> detections) const;
 
   /// The newest snapshot that was published: octree, objects, topological map and classes between
   /// two frames. Never null; an empty map before the first.
@@ -261,8 +263,6 @@ class SemanticMapper {
                                                       std::span<const Detection> given_detections,
                                                       DetectorLook look,
                                                       StopWatch& watch);
-  [[nodiscard]] RefinedPose refine(const RgbdFrame& frame,
-                                   std::span<const Detection> given_detections) const;
   [[nodiscard]] Result<void> check(const RgbdFrame& frame) const;
   [[nodiscard]] Result<FrameReport> integrate_cloud_or_throw(const LabelledCloud& cloud);
   /// Makes room for what `adopt` notes. Throws std::bad_alloc.

@@ -97,7 +97,7 @@ struct MappingSeconds {
   double detect = 0.0;  ///< as is this.
   double wait = 0.0;    ///< For the next frame: what of these two was not beside other work.
   double smooth = 0.0;
-  double refine = 0.0;
+  double refine = 0.0;  ///< Smoothing what poses are refined by included.
   double segment = 0.0;
   double integrate = 0.0;
   double associate = 0.0;
