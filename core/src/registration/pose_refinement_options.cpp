@@ -50,7 +50,7 @@ constexpr OptionRow kRefinementRows[] = {
     option::count<&PoseRefinementOptions::lag_frames>(
         "lag_frames",
         {0, 1000},
-        {.effect = "Later frames that a frame of a sequence waits for; 2 to 5 MB each."}),
+        {.effect = "Later frames that a frame of a sequence waits for; 2 to 3 MB each."}),
 };
 
 }  // namespace

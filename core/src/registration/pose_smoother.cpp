@@ -30,7 +30,7 @@ void PoseSmoother::add(const MapFromCamera& given,
 
 SmoothedPose PoseSmoother::take() {
   assert(num_waiting() > 0);
-  const SmoothedPose smoothed = pose_at(num_taken_);
+  SmoothedPose smoothed = pose_at(num_taken_);
   ++num_taken_;
   const std::size_t reach = kReachInWindows * static_cast<std::size_t>(options_.window_frames);
   if (num_taken_ > reach) {

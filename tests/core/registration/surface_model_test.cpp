@@ -101,7 +101,7 @@ TEST(SurfaceGrid, ACellFollowsASurfaceThatMoved) {
 }
 
 /// The top of a thing, 8 cm wide, at 0.64 m.
-std::vector<OrientedPoint> small_thing() {
+std::vector<OrientedPoint> top_of_a_box() {
   std::vector<OrientedPoint> points;
   for (int i = 0; i < 16; ++i) {
     for (int j = 0; j < 16; ++j) {
@@ -115,7 +115,7 @@ TEST(SurfaceModel, TheTopOfAThingBesideALargeSurfaceIsAPlaneOfItsOwn) {
   // 6 cm above a table: large cells hold both, small ones the top alone.
   SurfaceGrid coarse(0.1, 4096);
   SurfaceModel model(0.1, 4096);
-  for (const auto& points : {floor_points(0.58, 1.0), small_thing()}) {
+  for (const auto& points : {floor_points(0.58, 1.0), top_of_a_box()}) {
     coarse.add(points);
     model.add(points);
   }

@@ -35,11 +35,11 @@ struct PoseRefinementOptions {
   /// Corrections are none on the mean over about so many frames: a frame counts less by a share of
   /// 1 / window_frames with each frame that it is apart. The smaller, the sooner the map follows
   /// the given poses, with less of their noise taken out and less drift of the surfaces let in.
-  int window_frames = 8;
+  int window_frames = 12;
   /// So many frames a frame of a recorded sequence waits for, before it is put into the map: they
   /// have a say in its pose (PoseSmoother). 0: none. A mapper that is given frames one by one has
   /// those before alone.
-  int lag_frames = 16;
+  int lag_frames = 24;
   friend bool operator==(const PoseRefinementOptions&, const PoseRefinementOptions&) = default;
 };
 
