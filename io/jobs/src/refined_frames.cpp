@@ -45,7 +45,8 @@ Result<PosedFrame> RefinedFrames::take_in() {
   PosedFrame frame{.prepared = std::move(prepared), .map_from_camera = {}, .correction = {}};
   frame.map_from_camera = frame.prepared.frame.map_from_camera;
   frame.wait_s = watch.lap();
-  if (is_refining()) refine(frame.prepared.frame);
+  if (!is_refining()) return frame;
+  refine(frame.prepared.frame);
   frame.refine_s = watch.lap();
   return frame;
 }

@@ -73,6 +73,7 @@ TEST(RefinedFrames, WithoutRefinementNothingWaitsAndPosesAreAsGiven) {
     ASSERT_EQ(out.frames[i].has_value(), i != kUnreadable);
     if (i == kUnreadable) continue;
     EXPECT_EQ(out.frames[i]->correction.outcome, PoseOutcome::kGiven);
+    EXPECT_EQ(out.frames[i]->refine_s, 0.0) << "a stage that there was none of has no times";
     EXPECT_EQ(out.frames[i]->map_from_camera.isometry().matrix(),
               given[i].map_from_camera.isometry().matrix());
   }
