@@ -3,6 +3,7 @@
 
 #include "choices.hpp"
 #include "commands/places.hpp"
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/io/options/place_rules_file.hpp"
 #include "number_lists.hpp"
 #include "option_flags.hpp"
@@ -10,6 +11,8 @@
 #include <CLI/Validators.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -46,9 +49,11 @@ void MappingArguments::add_map_options_to(CLI::App& command) {
 
 void MappingArguments::add_class_options_to(CLI::App& command) {
   command
-      .add_option("--transient",
-                  transient,
-                  "transient classes, separated by commas: they update neither objects nor voxels")
+      .add_option(
+          "--transient",
+          transient,
+          "further transient classes, separated by commas: like people, they update neither "
+          "objects nor voxels")
       ->delimiter(',');
   add_keep_classes(command, kept_classes);
   command.add_option(
@@ -153,7 +158,11 @@ Result<MappingJob> MappingArguments::job() const {
     job.place_rules_name = file.filename().string();
   }
   auto& transient_names = job.mapper.objects.transient_class_names;
-  transient_names.insert(transient_names.end(), transient.begin(), transient.end());
+  std::ranges::copy_if(
+      transient, std::back_inserter(transient_names), [&](const std::string& name) {
+        return std::ranges::none_of(
+            transient_names, [&](const std::string& known) { return is_spelling_of(name, known); });
+      });
   auto& wanted = job.mapper.wanted_class_names;
   wanted.insert(wanted.end(), kept_classes.begin(), kept_classes.end());
   HYPERMAP_ASSIGN_OR_RETURN(job.vocabulary, class_names.given());

@@ -120,7 +120,7 @@ class Resuming(unittest.TestCase):
                             (["--up", "y"], "up: is y, must be"),
                             (["--resolution", 0.2], "octree.resolution_m: is 0.2, must be"),
                             (["--max-range", 3], "integration.max_range_m: is 3"),
-                            (["--transient", "person"], "transient_classes: is"),
+                            (["--transient", "cat"], "transient_classes: is"),
                             (["--detections", self.dataset / "detections.jsonl"], "detections: is detections.jsonl ")):
             with self.subTest(more):
                 self.assert_refused(begin + words, more=more)

@@ -4,6 +4,8 @@
 #include "hypermap/core/base/option_rows.hpp"
 #include "option_names.hpp"
 
+#include <algorithm>
+
 namespace hypermap {
 namespace {
 
@@ -22,7 +24,10 @@ constexpr OptionRow kPipelineRows[] = {
                                           .smap = ShapePolicy::kHull,
                                           .hypermap = ShapePolicy::kBest}),
     option::names<&Pipeline::transient_class_names>(
-        "transient_classes", {.effect = "Classes that touch neither voxels nor objects."}),
+        "transient_classes",
+        {.effect = "Classes that touch neither voxels nor objects.",
+         .smap = OptionValue(OptionValue::Names{}),
+         .hypermap = OptionValue(OptionValue::Names{})}),
 };
 
 }  // namespace
@@ -30,6 +35,17 @@ constexpr OptionRow kPipelineRows[] = {
 const OptionTable& option_table(const ObjectPipelineOptions&) {
   static constexpr OptionTable kTable{kPipelineRows};
   return kTable;
+}
+
+std::vector<std::string> transient_names(const ObjectPipelineOptions& options,
+                                         const ClassRegistry& classes) {
+  const std::vector<std::string> by_default = ObjectPipelineOptions().transient_class_names;
+  std::vector<std::string> names = options.transient_class_names;
+  std::erase_if(names, [&](const std::string& name) {
+    const auto is_it = [&](const std::string& usual) { return is_spelling_of(name, usual); };
+    return !classes.find(name) && std::ranges::any_of(by_default, is_it);
+  });
+  return names;
 }
 
 Result<void> validate(const ObjectPipelineOptions& options) {

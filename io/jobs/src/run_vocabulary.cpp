@@ -5,8 +5,10 @@
 #include "hypermap/core/places/vocabulary_rules.hpp"
 #include "named_classes.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,30 @@ namespace {
 
 void move_to_end(std::vector<Finding>& findings, std::vector<Finding>& more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+bool is_by_default(const std::string& name) {
+  return std::ranges::any_of(ObjectPipelineOptions().transient_class_names,
+                             [&](const std::string& usual) { return is_spelling_of(name, usual); });
+}
+
+/// The transient classes as they are called. Where the input does not have a class of the default,
+/// people, that is nothing to tell.
+Result<NamedClasses> transient_classes(const ObjectPipelineOptions& options,
+                                       const ClassRegistry& classes,
+                                       const ClassVocabulary& vocabulary) {
+  std::vector<std::string> usual;
+  std::vector<std::string> others;
+  for (const std::string& name : options.transient_class_names)
+    (is_by_default(name) ? usual : others).push_back(name);
+  HYPERMAP_ASSIGN_OR_RETURN(NamedClasses named,
+                            named_classes(others, "transient_classes", classes, vocabulary));
+  HYPERMAP_ASSIGN_OR_RETURN(const NamedClasses known,
+                            named_classes(usual, "transient_classes", classes, vocabulary));
+  std::ranges::copy_if(known.names, std::back_inserter(named.names), [&](const std::string& name) {
+    return classes.find(name).has_value();
+  });
+  return named;
 }
 
 }  // namespace
@@ -29,10 +55,8 @@ Result<SemanticMapperOptions> understood_options(const MappingRun& run,
                                                  MappingReport& report) {
   SemanticMapperOptions options = job.mapper;
   const ClassVocabulary vocabulary = vocabulary_of(run, job);
-  HYPERMAP_ASSIGN_OR_RETURN(
-      auto transient,
-      named_classes(
-          options.objects.transient_class_names, "transient_classes", run.classes, vocabulary));
+  HYPERMAP_ASSIGN_OR_RETURN(auto transient,
+                            transient_classes(options.objects, run.classes, vocabulary));
   HYPERMAP_ASSIGN_OR_RETURN(
       auto wanted,
       named_classes(options.wanted_class_names, "wanted_classes", run.classes, vocabulary));

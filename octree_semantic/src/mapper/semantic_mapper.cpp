@@ -6,7 +6,6 @@
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
-#include "hypermap/core/vocabulary/asked_names.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/borrowed_frames.hpp"
 #include "mapper/frame_observations.hpp"
@@ -37,15 +36,6 @@ AssociationOptions association_options(const SemanticMapperOptions& options) {
                       : without_hidden_parts(options.objects.association);
 }
 
-/// Errors: as asked_classes, naming the field.
-Result<std::vector<ClassId>> ids_of(std::span<const std::string> names,
-                                    const ClassRegistry& classes,
-                                    const char* field) {
-  auto ids = asked_classes(classes, {}, names);
-  if (!ids) ids.error().field = field;
-  return ids;
-}
-
 }  // namespace
 
 Result<SemanticMapper> SemanticMapper::create(const SemanticMapperOptions& options,
@@ -68,12 +58,7 @@ Result<SemanticMapper> SemanticMapper::resume(const SemanticMapperOptions& optio
   }
   HYPERMAP_ASSIGN_OR_RETURN(TopologicalMap places,
                             topological_map_of(std::move(topological_map), options.places));
-  ClassFilter filter;
-  HYPERMAP_ASSIGN_OR_RETURN(
-      filter.transient,
-      ids_of(options.objects.transient_class_names, classes, "objects.transient_class_names"));
-  HYPERMAP_ASSIGN_OR_RETURN(filter.wanted,
-                            ids_of(options.wanted_class_names, classes, "wanted_class_names"));
+  HYPERMAP_ASSIGN_OR_RETURN(ClassFilter filter, ClassFilter::create(options, classes));
   HYPERMAP_ASSIGN_OR_RETURN(EmbeddingDimensions dimensions, embedding_dimensions(objects));
   HYPERMAP_ASSIGN_OR_RETURN(OcclusionScene occlusion, OcclusionScene::create());
   HYPERMAP_ASSIGN_OR_RETURN(SemanticOctree empty, SemanticOctree::create(options.octree));
@@ -224,7 +209,9 @@ void SemanticMapper::note_frame(std::uint64_t index, Stamp stamp) noexcept {
 Result<void> SemanticMapper::set_classes(const ClassRegistry& classes) {
   if (classes == *classes_) return {};
   try {
+    HYPERMAP_ASSIGN_OR_RETURN(ClassFilter filter, ClassFilter::create(options_, classes));
     classes_ = std::make_shared<const ClassRegistry>(classes);
+    class_filter_ = std::move(filter);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kOutOfMemory, "no memory for the names of classes");
   }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace hypermap {
 namespace {
 
@@ -79,6 +82,19 @@ TEST(Presets, ErrorsNameTheStage) {
   ObjectPipelineOptions options;
   options.association.radius_m = -1.0;
   EXPECT_EQ(validate(options).error().field, "association.radius_m");
+}
+
+TEST(TransientNames, AreAllButPeopleWhomNoClassMeans) {
+  ClassRegistry classes;
+  ASSERT_TRUE(classes.add("chair"));
+  ObjectPipelineOptions options;
+  EXPECT_EQ(transient_names(options, classes), std::vector<std::string>{});
+  options.transient_class_names = {"Person", "ghost"};
+  EXPECT_EQ(transient_names(options, classes), std::vector<std::string>{"ghost"});
+  ASSERT_TRUE(classes.add("PERSON"));
+  EXPECT_EQ(transient_names(options, classes), options.transient_class_names);
+  EXPECT_TRUE(preset(PresetName::kSmap).transient_class_names.empty());
+  EXPECT_TRUE(preset(PresetName::kHypermap).transient_class_names.empty());
 }
 
 }  // namespace

@@ -70,6 +70,34 @@ TEST(MappingJob, StrictlyAFindingBeforeTheFirstFrameEndsTheRun) {
   EXPECT_EQ(report->findings.size(), 1U);
 }
 
+TEST(MappingJob, PeopleAreLeftOutUnlessTheyAreWanted) {
+  const test::TempDir folder;
+  test::write_tum(folder.path() / "recorded");
+  std::string found = test::chair_in("rgb/102.010.pgm");
+  found.replace(found.find("chair"), 5, "human");
+  test::write_text(folder.path() / "found.jsonl", found);
+  MappingJob job{.input = folder.path() / "recorded", .output = folder.path() / "map.hmap"};
+  ASSERT_EQ(job.mapper.objects.transient_class_names, std::vector<std::string>{"person"});
+  job.dataset.detections = {folder.path() / "found.jsonl"};
+  const auto num_filtered = [&] {
+    const auto report = run_mapping(job);
+    EXPECT_TRUE(report) << to_string(report.error());
+    EXPECT_TRUE(report->findings.empty());
+    return report->num_filtered;
+  };
+  EXPECT_EQ(num_filtered(), 0U) << "nobody is a person, and nothing is said of it";
+  EXPECT_FALSE(load_archive(job.output).value().value.classes.find("person"));
+  job.vocabulary =
+      ClassVocabulary::create({.aliases = {{{"person"}, {{"human"}}}}, .super_classes = {}})
+          .value();
+  EXPECT_EQ(num_filtered(), 1U);
+  job.mapper.wanted_class_names = {"human"};
+  EXPECT_EQ(num_filtered(), 0U);
+  job.mapper.wanted_class_names = {};
+  job.mapper.objects.transient_class_names = {};
+  EXPECT_EQ(num_filtered(), 0U);
+}
+
 TEST(MappingJob, DetectionsOfClassesThatAreNotWantedAreCountedAndUpdateNoObject) {
   const test::TempDir folder;
   test::write_tum(folder.path() / "recorded");

@@ -83,6 +83,26 @@ SemanticMapperOptions short_sighted() {
   return options;
 }
 
+TEST(TransientClasses, ArePeopleUnlessOptionsSayOtherwise) {
+  ClassRegistry classes;
+  EXPECT_TRUE(classes.add("chair"));
+  SemanticMapper mapper = SemanticMapper::create({}, classes).value();  // nobody knows people yet
+  const ClassId person = classes.add("person").value();
+  ASSERT_TRUE(mapper.set_classes(classes));
+  EXPECT_EQ(mapper.integrate(walked_frame(20, person)).value().num_transient, 1U);
+  EXPECT_EQ(occupied_in(mapper.octree()).before_wall, 0U);
+  EXPECT_EQ(mapper.objects().size(), 0U);
+}
+
+TEST(TransientClasses, OfAnotherNameThatNoClassHasAreAnError) {
+  SemanticMapperOptions options;
+  options.objects.transient_class_names = {"person", "persn"};
+  const auto refused = SemanticMapper::create(options, ClassRegistry());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kNotFound);
+  EXPECT_NE(refused.error().what.find("persn"), std::string::npos);
+}
+
 TEST(TransientClasses, OthersAreMapped) {
   const SemanticMapper mapper = map_of_walk({});
   EXPECT_GT(occupied_in(mapper.octree()).before_wall, 100U);

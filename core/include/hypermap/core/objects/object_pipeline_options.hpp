@@ -6,6 +6,7 @@
 /// hypermap). `data/options/*.yaml` are the same sets as files.
 #pragma once
 
+#include "hypermap/core/base/class_registry.hpp"
 #include "hypermap/core/base/preset_name.hpp"
 #include "hypermap/core/base/result.hpp"
 #include "hypermap/core/objects/absence.hpp"
@@ -35,11 +36,17 @@ struct ObjectPipelineOptions {
   AbsenceOptions absence;                        ///< Objects that are not seen.
   ConfirmationOptions confirmation;              ///< Which objects are confirmed.
   ShapePolicy footprint = ShapePolicy::kVoxels;  ///< What they cover from above.
-  /// Names of classes that touch neither voxels nor objects; resolved by the class registry.
-  std::vector<std::string> transient_class_names = {};
+  /// Names of classes that touch neither voxels nor objects; resolved by the class registry. People
+  /// walk about, and a map is of what stays.
+  std::vector<std::string> transient_class_names = {"person"};
 
   friend bool operator==(const ObjectPipelineOptions&, const ObjectPipelineOptions&) = default;
 };
+
+/// The names of transient classes, without one of the default that no class has: it is no error
+/// where a detector knows no people.
+[[nodiscard]] std::vector<std::string> transient_names(const ObjectPipelineOptions& options,
+                                                       const ClassRegistry& classes);
 
 /// Errors: those of each stage, the field prefixed with the stage's name.
 [[nodiscard]] Result<void> validate(const ObjectPipelineOptions& options);

@@ -145,7 +145,7 @@ class SemanticMapper {
 
   /// `classes`: what the ids of detections mean; it may grow later, see set_classes.
   /// Errors: those of validate; kNotFound when `classes` does not know a name that the options
-  /// give; kUnavailable when Embree cannot start; kOutOfMemory.
+  /// give (`transient_names`); kUnavailable when Embree cannot start; kOutOfMemory.
   [[nodiscard]] static Result<SemanticMapper> create(const SemanticMapperOptions& options,
                                                      const ClassRegistry& classes = {});
   /// Goes on from a map that was made before, which is the first snapshot when any are published.
@@ -200,7 +200,8 @@ class SemanticMapper {
   /// Which classes the ids of detections stand for: what snapshots say from the next one on. The
   /// mapper keeps a copy, so the registry of the caller may grow at any other time.
   ///
-  /// Errors: kOutOfMemory. Cost: a comparison of the names; a copy of them when there are new ones.
+  /// Errors: kNotFound as `create`; kOutOfMemory. Cost: a comparison of the names; a copy of them
+  /// when there are new ones.
   /// Threads: as `integrate`.
   [[nodiscard]] Result<void> set_classes(const ClassRegistry& classes);
 
@@ -229,8 +230,11 @@ class SemanticMapper {
  private:
   /// Which classes reach the map.
   struct ClassFilter {
-    std::vector<ClassId> transient;  ///< Ascending.
+    std::vector<ClassId> transient;  ///< Ascending; none that is wanted by name.
     std::vector<ClassId> wanted;     ///< Ascending; none: all.
+    /// Of the names that the options give. Errors: as asked_classes, naming the field.
+    [[nodiscard]] static Result<ClassFilter> create(const SemanticMapperOptions& options,
+                                                    const ClassRegistry& classes);
     [[nodiscard]] bool accepts(std::span<const ClassEvidence> class_scores) const;
     [[nodiscard]] bool is_transient(std::span<const ClassEvidence> class_scores) const;
   };
