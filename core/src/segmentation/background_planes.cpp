@@ -26,6 +26,8 @@ constexpr double kFreePlaneWeight = 0.75;
 /// Cosine of 3 degrees, what the up axis of a map may be off.
 constexpr float kLeanCos = 0.9986F;
 constexpr std::size_t kLeastSupport = 20;
+/// A floor is no farther from where it is known to be: a voxel of 10 cm, and the sensor's errors.
+constexpr float kKnownFloorM = 0.08F;
 
 /// The measured cells outside the mask, and not so near that they may be the object's.
 std::vector<std::uint32_t> cells_around_mask(const DepthWindow& window) {
@@ -55,10 +57,18 @@ std::vector<std::uint32_t> cells_around_box(const DepthWindow& window) {
   return cells;
 }
 
-/// Evenly chosen measured points around the object.
-PlanePoints surroundings(const DepthWindow& window, const ForegroundOptions& options) {
-  const std::vector<std::uint32_t> cells =
-      window.is_masked() ? cells_around_mask(window) : cells_around_box(window);
+std::vector<std::uint32_t> measured_cells(const DepthWindow& window) {
+  std::vector<std::uint32_t> cells;
+  for (std::size_t cell = 0; cell < window.size(); ++cell) {
+    if (window.depth_m[cell] > 0.0F) cells.push_back(static_cast<std::uint32_t>(cell));
+  }
+  return cells;
+}
+
+/// The points of some cells, evenly chosen.
+PlanePoints points_of(const DepthWindow& window,
+                      const std::vector<std::uint32_t>& cells,
+                      const ForegroundOptions& options) {
   PlanePoints points;
   const std::size_t count = std::min(cells.size(), kMaxSamples);
   for (std::size_t i = 0; i < count; ++i) {
@@ -69,6 +79,12 @@ PlanePoints surroundings(const DepthWindow& window, const ForegroundOptions& opt
         noise_at(window.depth_m[cell], options));
   }
   return points;
+}
+
+/// Measured points around the object.
+PlanePoints surroundings(const DepthWindow& window, const ForegroundOptions& options) {
+  return points_of(
+      window, window.is_masked() ? cells_around_mask(window) : cells_around_box(window), options);
 }
 
 std::optional<Plane> plane_through(const Eigen::Vector3f& a,
@@ -164,10 +180,48 @@ Plane best_plane(const PlanePoints& points,
   return selection.best();
 }
 
+/// What is left of a plane at twice its thickness is its own noise, not another plane.
+void erase_plane(const Plane& plane, const ForegroundOptions& options, PlanePoints& points) {
+  PlaneTest test = test_of(plane, options);
+  test.scale = 2.0F;
+  points.erase_on(test);
+}
+
+/// The floor among all that the window shows, below a table that fills it: only where it is known
+/// to be, since a bed that fills the window is level, too.
+std::optional<Plane> known_floor(const DepthWindow& window,
+                                 const std::vector<Plane>& planes,
+                                 const UprightView& view,
+                                 const ForegroundOptions& options) {
+  if (!view.floor_height_m) return std::nullopt;
+  const auto is_known_floor = [&](const Plane& plane) {
+    const float rise = plane.normal.dot(view.up);
+    return std::abs(rise) >= kLeanCos &&
+           std::abs(plane.offset_m / rise + *view.floor_height_m) <= kKnownFloorM;
+  };
+  if (std::ranges::any_of(planes, is_known_floor)) return std::nullopt;
+  const PlanePoints all = points_of(window, measured_cells(window), options);
+  PlanePoints left = all;
+  for (const Plane& plane : planes) erase_plane(plane, options, left);
+  const auto floor = floor_around(all, left, view.up, kLeastSupport, options);
+  return floor && is_known_floor(*floor) ? floor : std::nullopt;
+}
+
 }  // namespace
 
+UprightView upright_view(const RgbdFrame& frame) {
+  const Eigen::Isometry3d& map_from_camera = frame.map_from_camera.isometry();
+  UprightView view;
+  view.up = map_from_camera.linear().row(2).transpose().cast<float>();
+  if (frame.floor_height_m) {
+    view.floor_height_m =
+        static_cast<float>(*frame.floor_height_m - map_from_camera.translation().z());
+  }
+  return view;
+}
+
 std::vector<Plane> background_planes(const DepthWindow& window,
-                                     const Eigen::Vector3f& up_in_camera,
+                                     const UprightView& view,
                                      const ForegroundOptions& options) {
   const PlanePoints all = surroundings(window, options);
   PlanePoints points = all;
@@ -177,15 +231,14 @@ std::vector<Plane> background_planes(const DepthWindow& window,
   std::vector<Plane> planes;
   SplitMix64 random;  // the same window gives the same planes
   while (planes.size() < static_cast<std::size_t>(options.max_planes) && points.size() >= least) {
-    PlaneTest test = test_of(best_plane(points, up_in_camera, options, random), options);
-    if (points.count(test, 0, points.size()) < least) break;
-    planes.push_back(test.plane);
-    // What is left of a plane at twice its thickness is its own noise, not another plane.
-    test.scale = 2.0F;
-    points.erase_on(test);
+    const Plane plane = best_plane(points, view.up, options, random);
+    if (points.count(test_of(plane, options), 0, points.size()) < least) break;
+    planes.push_back(plane);
+    erase_plane(plane, options, points);
   }
   if (options.max_planes == 0) return planes;
-  const auto floor = floor_around(all, points, up_in_camera, kLeastSupport, options);
+  auto floor = floor_around(all, points, view.up, kLeastSupport, options);
+  if (!floor) floor = known_floor(window, planes, view, options);
   if (floor) planes.push_back(*floor);
   return planes;
 }

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "depth_window.hpp"
+#include "hypermap/core/segmentation/rgbd_frame.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace hypermap {
@@ -22,14 +24,25 @@ struct Plane {
   }
 };
 
+/// Which way is up, and where the floor is known to be. Frame: Camera.
+struct UprightView {
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();  ///< Of length 1.
+  /// Of the floor over the camera's origin, along `up`: negative below it.
+  std::optional<float> floor_height_m = {};
+};
+
+/// How a frame stands in the world.
+[[nodiscard]] UprightView upright_view(const RgbdFrame& frame);
+
 /// The planes that hold most of what is outside the box, or outside the mask where there is one,
-/// the largest first; last the floor, from less on, where none of them is it.
+/// the largest first; last the floor, from less on, where none of them is it: by what is around the
+/// object or, where its height is known, by all that is seen.
 ///
 /// RANSAC over horizontal planes through one point (the map's z axis is up), upright ones through
 /// two and free ones through three, each refined by least squares; the random numbers are fixed, so
 /// the result is.
 [[nodiscard]] std::vector<Plane> background_planes(const DepthWindow& window,
-                                                   const Eigen::Vector3f& up_in_camera,
+                                                   const UprightView& view,
                                                    const ForegroundOptions& options);
 
 /// Per cell the first plane that its point may be one of, given the sensor's noise there, counted

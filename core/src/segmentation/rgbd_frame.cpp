@@ -4,6 +4,7 @@
 #include "frame_index.hpp"
 #include "hypermap/core/base/number_text.hpp"
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -77,6 +78,8 @@ Result<void> validate(const RgbdFrame& frame) {
   HYPERMAP_TRY(check_size(frame.depth_m, frame.camera, "depth_m"));
   if (!frame.color.empty()) HYPERMAP_TRY(check_size(frame.color, frame.camera, "color"));
   HYPERMAP_TRY(check_detections(frame));
+  if (frame.floor_height_m && !std::isfinite(*frame.floor_height_m))
+    return fail(ErrorCode::kInvalidArgument, "must be finite", "floor_height_m");
   return check_pose(frame.map_from_camera);
 }
 

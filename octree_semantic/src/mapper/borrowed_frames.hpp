@@ -24,7 +24,8 @@ template <class Pixel>
           .map_from_camera = frame.map_from_camera,
           .depth_m = std::move(depth_m),
           .color = borrowed(frame.color),
-          .detections = {}};
+          .detections = {},
+          .floor_height_m = frame.floor_height_m};
 }
 
 /// The frame at another pose, with borrowed images and without its detections.

@@ -6,6 +6,7 @@
 #include "hypermap/core/segmentation/binned_depth_map.hpp"
 #include "hypermap/core/segmentation/geometric_segmentation.hpp"
 #include "hypermap/core/segmentation/stacking.hpp"
+#include "hypermap/octree_semantic/octree/floor_surface.hpp"
 #include "integration/frame_checks.hpp"
 #include "mapper/borrowed_frames.hpp"
 #include "mapper/frame_observations.hpp"
@@ -119,8 +120,10 @@ Result<FrameReport> SemanticMapper::integrate(const RgbdFrame& frame, DetectorLo
 Result<FrameReport> SemanticMapper::integrate_or_throw(const RgbdFrame& given, DetectorLook look) {
   StopWatch watch(clock_);
   HYPERMAP_TRY(check(given));
-  const RgbdFrame frame = with_depth(given, smoothed_depth(given));
+  RgbdFrame frame = with_depth(given, smoothed_depth(given));
   const double smooth_s = watch.lap();
+  if (!frame.floor_height_m && !given.detections.empty())
+    frame.floor_height_m = floor_below_m(octree_, frame.map_from_camera.origin());
   auto report = options_.refinement.rule == PoseRefinementRule::kNone
                     ? integrate_at_pose(frame, given.detections, look, watch)
                     : integrate_refined(frame, given.detections, look, watch);

@@ -20,6 +20,14 @@ constexpr double kMostFreeBelowM = 0.2;
 constexpr std::size_t kNoiseLevels = 1;
 constexpr double kStepsPerM = 1000.0;  ///< Of the answer.
 
+/// The lines down around a sensor: so many to each side, so far apart and so long.
+constexpr int kLinesToSide = 12;
+constexpr double kLineGapM = 0.16;
+constexpr double kLineLengthM = 3.0;
+/// So many of them a floor ends, and between which heights, in voxels.
+constexpr std::size_t kLeastLines = 12;
+constexpr double kFloorVoxels = 1.5;
+
 /// How much of one level of voxels the map knows.
 struct Level {
   std::size_t num_tops = 0;  ///< Occupied below a free one.
@@ -82,7 +90,35 @@ double height_m(const std::vector<Level>& levels, std::size_t z, const VoxelGrid
   return sum_m / static_cast<double>(tops_around(levels, z));
 }
 
+/// Where lines down around a sensor first meet something that is of no object, ascending: tops of
+/// voxels.
+std::vector<double> heights_below_m(const SemanticOctree& octree, const PointInMap& sensor) {
+  std::vector<double> heights_m;
+  for (int x = -kLinesToSide; x <= kLinesToSide; ++x) {
+    for (int y = -kLinesToSide; y <= kLinesToSide; ++y) {
+      const Eigen::Vector3d from = sensor.xyz + kLineGapM * Eigen::Vector3d(x, y, 0.0);
+      const RayCast ray = octree.cast_ray(
+          PointInMap{from}, -Eigen::Vector3d::UnitZ(), {.max_range_m = kLineLengthM});
+      const bool is_hit = ray.outcome == RayCast::Outcome::kHit && ray.distance_m > 0.0;
+      if (is_hit && octree.at(ray.key)->object == kNoObject)
+        heights_m.push_back(from.z() - ray.distance_m);
+    }
+  }
+  std::ranges::sort(heights_m);
+  return heights_m;
+}
+
 }  // namespace
+
+std::optional<double> floor_below_m(const SemanticOctree& octree, const PointInMap& sensor) {
+  const std::vector<double> tops_m = heights_below_m(octree, sensor);
+  const double voxel_m = octree.resolution_m();
+  for (std::size_t i = 0; i + kLeastLines <= tops_m.size(); ++i) {
+    if (tops_m[i + kLeastLines - 1] - tops_m[i] < kFloorVoxels * voxel_m)
+      return tops_m[i + kLeastLines / 2] - voxel_m / 2.0;
+  }
+  return std::nullopt;
+}
 
 std::optional<double> floor_surface_m(const SemanticOctree& octree, const LeafSource& leaves) {
   const double voxel_m = octree.resolution_m();

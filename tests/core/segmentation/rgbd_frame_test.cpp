@@ -68,6 +68,14 @@ TEST(RgbdFrame, RefusesAPoseThatIsNoRigidMotion) {
   EXPECT_EQ(field_of(frame), "map_from_camera");
 }
 
+TEST(RgbdFrame, RefusesAFloorThatIsNowhere) {
+  RgbdFrame frame = small_frame();
+  frame.floor_height_m = -1.2;
+  EXPECT_TRUE(validate(frame));
+  frame.floor_height_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(field_of(frame), "floor_height_m");
+}
+
 TEST(RgbdFrame, RefusesAnIndexThatNoArchiveHolds) {
   RgbdFrame frame = small_frame();
   frame.index = std::uint64_t{1} << 63U;

@@ -103,6 +103,57 @@ TEST(SurfaceChoice, LacksAFloorThatIsHardlySeenBesideTheBox) {
   EXPECT_GT(floor_share_under_a_chair(0).value(), 0.2) << "without a search for planes";
 }
 
+/// Share of the floor in what is found of a table that fills the picture of a low camera, which
+/// sees a floor through it, as far as that can be measured.
+double floor_share_of_table(std::optional<double> floor_height_m) {
+  BoxScene scene;
+  scene.add(kFloor, {0, -4, -0.1}, {1.4, 4, 0});
+  for (const double y : {-0.365, 0.325}) {
+    scene.add(kTable, {0.6, y, 0}, {0.64, y + 0.04, 0.75});
+    scene.add(kTable, {1.2, y, 0}, {1.24, y + 0.04, 0.75});
+  }
+  scene.add(kTable, {1.2, -0.365, 0.65}, {1.24, 0.365, 0.75});
+  SceneView view = scene.view(test::look_at({0, 0, 0.45}, {1.5, 0, 0.4}), 1);
+  view.frame.floor_height_m = floor_height_m;
+  const auto found = segment(view.frame, detection_of(view, kTable), {});
+  if (!found) return -1.0;
+  const auto num_floor = std::count_if(
+      found->pixel_indices.begin(), found->pixel_indices.end(), [&](std::uint32_t pixel) {
+        return view.truth.pixels()[pixel] == kFloor;
+      });
+  return static_cast<double>(num_floor) / static_cast<double>(found->pixel_indices.size());
+}
+
+TEST(SurfaceChoice, LacksAFloorInsideTheBoxWhereItIsKnown) {
+  EXPECT_LT(floor_share_of_table(0.0), 0.001);
+  EXPECT_LT(floor_share_of_table(0.06), 0.001) << "a voxel off";
+  EXPECT_GT(floor_share_of_table(std::nullopt), 0.2) << "it may be a bed";
+  EXPECT_GT(floor_share_of_table(-0.2), 0.2) << "that of another room";
+}
+
+/// How far back a settee is found whose near arm stands apart from its back, as a low camera sees
+/// it: a chest hides the foot of the back, which is so far away and seen from so high on.
+double depth_of_settee_m(double back_m, double back_from_m) {
+  BoxScene scene = room();
+  scene.add(kChair, {1.0, 0.15, 0}, {1.3, 0.55, 0.7});
+  const double scale = back_m / 1.9;  // it looks the same from the camera
+  scene.add(kChair,
+            {back_m, -0.8 * scale, 0.5 + scale * (back_from_m - 0.5)},
+            {back_m + 0.1, 0.5 * scale, 0.5 + scale * 0.35});
+  scene.add(kCupboard, {1.5, -0.7, 0}, {1.6, 0.1, 0.4});
+  const SceneView view = scene.view(test::look_at({0, 0, 0.5}, {2, 0, 0.5}), 1);
+  const auto found = segment(view.frame, detection_of(view, kChair), {});
+  EXPECT_TRUE(found.has_value());
+  return found ? found->box.extent().x() : 0.0;
+}
+
+TEST(SurfaceChoice, HasTheFarSideThatEndsTheBox) {
+  EXPECT_NEAR(depth_of_settee_m(1.9, 0.3), 0.9, 0.03);
+  EXPECT_NEAR(depth_of_settee_m(3.4, 0.3), 2.4, 0.05);
+  EXPECT_LT(depth_of_settee_m(3.6, 0.3), 0.6) << "nothing that stands in a room is 2.6 m deep";
+  EXPECT_LT(depth_of_settee_m(1.9, 0.75), 0.6) << "a board on the wall is too low for a side";
+}
+
 /// Share of the pixels of a board, half under the top of a table at that height, in what is found
 /// of the table, whose box is the one around both.
 double board_share_of_table(double height_m) {

@@ -15,14 +15,19 @@ constexpr MilliLogOdds kMiss = -405;
 class Blocks {
  public:
   /// Voxels [from, to) on each axis, counted from the map's origin.
-  Blocks& put(const Eigen::Vector3i& from, const Eigen::Vector3i& to, MilliLogOdds log_odds) {
+  Blocks& put(const Eigen::Vector3i& from,
+              const Eigen::Vector3i& to,
+              MilliLogOdds log_odds,
+              ObjectId object = kNoObject) {
     for (int x = from.x(); x < to.x(); ++x) {
       for (int y = from.y(); y < to.y(); ++y) {
         for (int z = from.z(); z < to.z(); ++z) {
           const VoxelKey key{static_cast<std::uint16_t>(kOriginKey + x),
                              static_cast<std::uint16_t>(kOriginKey + y),
                              static_cast<std::uint16_t>(kOriginKey + z)};
-          EXPECT_TRUE(octree_.set_leaf({.key = key, .log_odds = log_odds}));
+          StoredLeaf leaf{.key = key, .log_odds = log_odds};
+          if (object != kNoObject) leaf.label.emplace().vote(object);
+          EXPECT_TRUE(octree_.set_leaf(leaf));
         }
       }
     }
@@ -39,6 +44,11 @@ class Blocks {
         if (leaf.centre_in_map.x() >= 0.0) visit(leaf);
       });
     });
+  }
+
+  /// Around a sensor in the middle of the room.
+  [[nodiscard]] std::optional<double> floor_below_m(double sensor_height_m) const {
+    return hypermap::floor_below_m(octree_, PointInMap{{1.5, 1.5, sensor_height_m}});
   }
 
  private:
@@ -105,6 +115,53 @@ TEST(FloorSurface, WhatIsNotSeenFreeAboveIsNoFloor) {
   solid.put({0, 0, -3}, {30, 30, 1}, kHit);
   EXPECT_FALSE(solid.floor_m());
   EXPECT_FALSE(Blocks().floor_m());
+}
+
+TEST(FloorBelow, IsWhatLinesDownMeetFirst) {
+  EXPECT_NEAR(room(0).floor_below_m(1.25).value(), 0.05, 1e-9);
+  EXPECT_NEAR(room(-14).floor_below_m(0.0).value(), -1.35, 1e-9);
+  EXPECT_FALSE(room(-40).floor_below_m(0.0)) << "3.9 m below";
+  EXPECT_FALSE(Blocks().floor_below_m(1.25)) << "nothing is known";
+}
+
+TEST(FloorBelow, IsUnderTheTables) {
+  Blocks furnished = room(0);
+  furnished.put({0, 0, 7}, {25, 30, 8}, kHit);  // all but a strip of half a metre
+  EXPECT_NEAR(furnished.floor_below_m(1.25).value(), 0.05, 1e-9);
+  EXPECT_NEAR(furnished.floor_below_m(0.45).value(), 0.05, 1e-9) << "from below the tops";
+  furnished.put({25, 0, 7}, {29, 30, 8}, kHit).put({29, 0, 7}, {30, 11, 8}, kHit);  // 12 are left
+  EXPECT_NEAR(furnished.floor_below_m(1.25).value(), 0.05, 1e-9);
+  furnished.put({29, 11, 7}, {30, 13, 8}, kHit);  // 11
+  EXPECT_NEAR(furnished.floor_below_m(1.25).value(), 0.75, 1e-9);
+}
+
+TEST(FloorBelow, IsNoObject) {
+  Blocks bed;
+  bed.put({0, 0, 4}, {30, 30, 5}, kHit, ObjectId{7});
+  EXPECT_FALSE(bed.floor_below_m(1.25));
+  bed.put({0, 0, 4}, {30, 2, 5}, kHit);
+  EXPECT_NEAR(bed.floor_below_m(1.25).value(), 0.45, 1e-9) << "a rim of no object";
+}
+
+TEST(FloorBelow, EndsWithTheVolumeAndInsideWhatIsOccupied) {
+  EXPECT_FALSE(room(0).floor_below_m(0.05)) << "the sensor is in the floor";
+  const SemanticOctree octree = SemanticOctree::create({.resolution_m = 0.1}).value();
+  EXPECT_FALSE(floor_below_m(octree, PointInMap{{4000.0, 0.0, -4000.0}}));
+}
+
+TEST(FloorBelow, IsTheLowerOfTwoLevels) {
+  Blocks step = room(0);
+  step.put({0, 0, -3}, {10, 30, -2}, kHit).put({0, 0, -2}, {10, 30, 2}, kMiss);
+  EXPECT_NEAR(step.floor_below_m(1.25).value(), -0.25, 1e-9);
+}
+
+TEST(FloorBelow, NeedsTwelveLines) {
+  Blocks little;
+  little.put({0, 0, 0}, {19, 2, 1}, kHit);
+  EXPECT_TRUE(little.floor_below_m(1.0));
+  Blocks less;
+  less.put({0, 0, 0}, {17, 2, 1}, kHit);
+  EXPECT_FALSE(less.floor_below_m(1.0));
 }
 
 }  // namespace

@@ -256,8 +256,7 @@ Result<Segment> segment_by_foreground(const RgbdFrame& frame,
 
   const Eigen::Matrix3f gravity_aligned_from_camera =
       frame.map_from_camera.isometry().linear().cast<float>();
-  const std::vector<Plane> planes =
-      background_planes(window, gravity_aligned_from_camera.row(2).transpose(), foreground);
+  const std::vector<Plane> planes = background_planes(window, upright_view(frame), foreground);
   const std::vector<std::uint8_t> kind =
       without_slices(window, planes, plane_of_cells(window, planes, foreground));
   notes.step(

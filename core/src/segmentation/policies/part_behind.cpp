@@ -31,6 +31,11 @@ constexpr double kLeastTopWidth = 0.4;
 constexpr double kLeastBoxHeight = 0.4;
 /// With it the object is no deeper than this many times the box's width there.
 constexpr float kMostDepthOfWidth = 1.5F;
+/// And without its side so much of the box's width, by what is so high.
+constexpr double kLeastBeside = 0.15;
+constexpr double kLeastSideHeight = 0.3;
+/// Nothing that is seen along its length is longer: a sofa, a bed, a table.
+constexpr float kMostLengthM = 2.5F;
 /// What hides a foot is measured within so many cells of it.
 constexpr int kFootReachCells = 3;
 
@@ -90,6 +95,19 @@ double hidden_foot_share(const DepthWindow& window,
   return num_hidden / std::max(1.0, static_cast<double>(num_columns));
 }
 
+/// Whether surface `id` reaches farther back than the best one, and with it the object is no deeper
+/// than so much.
+bool is_far_end(const DepthWindow& window,
+                const DepthComponents& labelled,
+                std::uint32_t best,
+                std::uint32_t id,
+                float most_depth_m) {
+  const DepthRange of_best = depth_range(window, labelled, best);
+  const DepthRange of_end = depth_range(window, labelled, id);
+  return of_end.farthest_m >= of_best.farthest_m &&
+         of_end.farthest_m - of_best.nearest_m <= most_depth_m;
+}
+
 }  // namespace
 
 bool is_top_of_box(const DepthWindow& window,
@@ -108,10 +126,34 @@ bool is_top_of_box(const DepthWindow& window,
   if (std::abs(component.bounds.v_begin - box.v_begin) > std::max(1.0, kMostBesideEdge * height))
     return false;
   const float best_m = mean_depth_m(window, labelled, best);
-  const DepthRange of_best = depth_range(window, labelled, best);
-  const DepthRange of_top = depth_range(window, labelled, id);
-  return of_top.farthest_m >= of_best.farthest_m &&
-         of_top.farthest_m - of_best.nearest_m <= kMostDepthOfWidth * box_width_m(window, best_m);
+  return is_far_end(window, labelled, best, id, kMostDepthOfWidth * box_width_m(window, best_m));
+}
+
+bool is_side_of_box(const DepthWindow& window,
+                    const DepthComponents& labelled,
+                    const PixelRect& covered,
+                    std::uint32_t best,
+                    std::uint32_t id) {
+  const DepthComponent& component = labelled.components[id];
+  const PixelRect& box = window.box;
+  if (component.num_in_box < kBehindMinCells) return false;
+  if (component.bounds_in_box.height() < kLeastSideHeight * box.height() ||
+      component.bounds_in_box.width() < kLeastTopWidth * box.width())
+    return false;
+  const double most_off = std::max(1.0, kMostBesideEdge * box.width());
+  const auto ends_it = [&](int uncovered, int off, bool is_cut) {
+    return !is_cut && uncovered >= kLeastBeside * box.width() && std::abs(off) <= most_off;
+  };
+  const PixelRect& bounds = component.bounds;
+  const bool is_left = ends_it(covered.u_begin - box.u_begin,
+                               bounds.u_begin - box.u_begin,
+                               std::min(box.u_begin, bounds.u_begin) == 0);
+  const bool is_right = ends_it(box.u_end - covered.u_end,
+                                bounds.u_end - box.u_end,
+                                std::max(box.u_end, bounds.u_end) == window.width());
+  if (!is_left && !is_right) return false;
+  const float there_m = kMostDepthOfWidth * box_width_m(window, mean_depth_m(window, labelled, id));
+  return is_far_end(window, labelled, best, id, std::min(there_m, kMostLengthM));
 }
 
 bool is_part_behind(const DepthWindow& window,

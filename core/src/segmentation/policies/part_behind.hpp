@@ -36,4 +36,18 @@ namespace hypermap {
                                  std::uint32_t best,
                                  std::uint32_t id);
 
+/// Whether surface `id` is the far side of the object though it stands apart behind it: the back of
+/// a sofa that is seen over its near arm by a low camera, which sees nothing of the seat.
+///
+/// The detector's box ends with it on the left or on the right, far beside what is `covered`. It is
+/// high and wide, reaches farther back than the best surface, and with it the object is no deeper
+/// than one and a half times the box's width there and 2.5 m. Boundary: none where the picture cuts
+/// it or the box on that side. Requires: both have cells in the box. Cost: O(cells of the bounds of
+/// both).
+[[nodiscard]] bool is_side_of_box(const DepthWindow& window,
+                                  const DepthComponents& labelled,
+                                  const PixelRect& covered,
+                                  std::uint32_t best,
+                                  std::uint32_t id);
+
 }  // namespace hypermap

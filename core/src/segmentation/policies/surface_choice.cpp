@@ -127,8 +127,8 @@ ComponentIds part_candidates(const DepthWindow& window,
 }
 
 /// Adds surfaces near the best one that widen what is covered of the box, until none does: the seat
-/// to the back of a chair, not the cup in front of a screen. And those that stand free behind it,
-/// and below or above it what the same thing hides.
+/// to the back of a chair, not the cup in front of a screen. And those that stand free behind it or
+/// end the box there, and below or above it what the same thing hides.
 ComponentIds with_parts(const DepthWindow& window,
                         const DepthComponents& labelled,
                         std::uint32_t best,
@@ -167,6 +167,7 @@ ComponentIds with_parts(const DepthWindow& window,
     if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id) &&
         !is_top_of_box(window, labelled, covered, best, id) &&
+        !is_side_of_box(window, labelled, covered, best, id) &&
         !are_ends_of_one_face(window, labelled, best, id))
       return false;
     if (is_other_level(id)) return false;
