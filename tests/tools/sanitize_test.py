@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/sanitize: a test is run when what it is about has changed, and all are within three commits."""
+"""scripts/sanitize: a test is run when what it is about has changed, all are within some commits, no other is built."""
 
 import importlib.machinery
 import importlib.util
@@ -32,6 +32,27 @@ class Topics(unittest.TestCase):
             self.assertTrue(sanitize.is_about(test, changed), changed)
         for changed in ("core/src/geometry/box.cpp", "io/archive/src/objects/object_json.cpp", "docs/RESULTS.md"):
             self.assertFalse(sanitize.is_about(test, changed), changed)
+
+
+class Programs(unittest.TestCase):
+    BUILD = "/build/tsan"
+    FOLDER = {"name": "WORKING_DIRECTORY", "value": "/build/tsan/tests/io"}
+
+    def is_started(self, linked, command, *properties):
+        test = {"name": "io_a_tests", "command": command, "properties": [self.FOLDER, *properties]}
+        return sanitize.is_started_by(test, linked, self.BUILD)
+
+    def test_its_own_and_no_neighbour_in_the_folder_that_it_runs_in(self):
+        command = ["/build/tsan/tests/io/io_a_tests", "--gtest_brief=1"]
+        self.assertTrue(self.is_started("tests/io/io_a_tests", command))
+        self.assertFalse(self.is_started("tests/io/io_b_tests", command))
+
+    def test_what_the_command_and_the_environment_name(self):
+        script = ["python3", "c_test.py", "/build/tsan/apps/hypermap"]
+        self.assertTrue(self.is_started("apps/hypermap", script))
+        preload = {"name": "ENVIRONMENT", "value": ["FAULTS=/build/tsan/tests/support/faults.so"]}
+        self.assertTrue(self.is_started("tests/support/faults.so", script, preload))
+        self.assertTrue(self.is_started("tests/fuzz/seeds", ["run", "--tools=/build/tsan/tests/fuzz"]))
 
 
 class Choice(unittest.TestCase):
