@@ -12,6 +12,8 @@ namespace {
 
 /// A column that was known to less than this share of its height can hide something.
 constexpr double kMinHiddenShare = 0.2;
+/// As many as bits of a word.
+constexpr int kMaxLevels = 64;
 /// Edges are that far, in columns, on the other side of a column's edge by rounding at most.
 constexpr double kSlackColumns = 1e-6;
 /// Leaves are on an octree's lattice: one that is no larger than a tile lies in one tile.
@@ -21,6 +23,15 @@ double height_within(const LeafSample& leaf, const Box& box) {
   const double low = std::max(leaf.centre_in_map.z() - leaf.edge_m / 2, box.min_in_map.z());
   const double high = std::min(leaf.centre_in_map.z() + leaf.edge_m / 2, box.max_in_map.z());
   return std::max(high - low, 0.0);
+}
+
+/// Boundary: the edge itself where the box is not finite.
+double level_edge_m(const Box& box, double edge_m) {
+  const double height_m = box.extent().z();
+  double level_m = edge_m;
+  // Unaligned, a box reaches into one more level than its height fills.
+  while (std::isfinite(height_m) && height_m > (kMaxLevels - 1) * level_m) level_m *= 2.0;
+  return level_m;
 }
 
 /// Which objects' boxes reach into each tile of the plan.
@@ -63,14 +74,20 @@ class ObjectTiles {
 }  // namespace
 
 ObjectColumns::ObjectColumns(const Object& object, double edge_m, std::size_t max_columns)
-    : id_(object.id), box_(object.box), edge_m_(edge_m) {
-  const Eigen::Vector2d first = (box_.min_in_map.head<2>() / edge_m).array().floor();
-  const Eigen::Vector2d end = (box_.max_in_map.head<2>() / edge_m).array().ceil();
-  const Eigen::Vector2d size = (end - first).cwiseMax(1.0);
-  if (!(size.prod() <= static_cast<double>(max_columns))) return;
+    : id_(object.id),
+      box_(object.box),
+      edge_m_(edge_m),
+      level_edge_m_(level_edge_m(object.box, edge_m)) {
+  const Eigen::Array3d edges_m(edge_m, edge_m, level_edge_m_);
+  const Eigen::Vector3d first = (box_.min_in_map.array() / edges_m).floor();
+  const Eigen::Vector3d end = (box_.max_in_map.array() / edges_m).ceil();
+  const Eigen::Vector3d size = (end - first).cwiseMax(1.0);
+  if (!(size.head<2>().prod() <= static_cast<double>(max_columns)) || !(size.z() <= kMaxLevels))
+    return;
   first_ = first;
   cols_ = static_cast<int>(size.x());
   rows_ = static_cast<int>(size.y());
+  levels_ = static_cast<int>(size.z());
   columns_.resize(static_cast<std::size_t>(cols_) * static_cast<std::size_t>(rows_));
   for (const Eigen::Vector3d& point : object.points.supported_points()) {
     if (const auto column = index_at(point.head<2>())) columns_[*column].has_points = true;
@@ -78,7 +95,8 @@ ObjectColumns::ObjectColumns(const Object& object, double edge_m, std::size_t ma
 }
 
 std::optional<std::size_t> ObjectColumns::index_at(const Eigen::Vector2d& point_in_map) const {
-  const Eigen::Vector2d place = (point_in_map / edge_m_).array().floor().matrix() - first_;
+  const Eigen::Vector2d place =
+      (point_in_map / edge_m_).array().floor().matrix() - first_.head<2>();
   const bool is_inside =
       place.x() >= 0.0 && place.y() >= 0.0 && place.x() < cols_ && place.y() < rows_;
   if (!is_inside) return std::nullopt;
@@ -104,29 +122,56 @@ bool ObjectColumns::shows_foot(const LeafSample& leaf) const {
 }
 
 ObjectColumns::Span ObjectColumns::covered(const LeafSample& leaf, int axis) const {
-  const double size = axis == 0 ? cols_ : rows_;
-  const double low = (leaf.centre_in_map[axis] - leaf.edge_m / 2) / edge_m_ - first_[axis];
-  const double high = low + leaf.edge_m / edge_m_;
+  const double size = std::array{cols_, rows_, levels_}[static_cast<std::size_t>(axis)];
+  const double edge_m = axis == 2 ? level_edge_m_ : edge_m_;
+  const double low = (leaf.centre_in_map[axis] - leaf.edge_m / 2) / edge_m - first_[axis];
+  const double high = low + leaf.edge_m / edge_m;
   if (!(high > 0.0 && low < size)) return {};
   return {static_cast<int>(std::floor(std::max(low + kSlackColumns, 0.0))),
           static_cast<int>(std::ceil(std::min(high - kSlackColumns, size))) - 1};
 }
 
+std::uint64_t ObjectColumns::levels_of(const LeafSample& leaf) const {
+  const Span levels = covered(leaf, 2);
+  std::uint64_t bits = 0;
+  for (int level = levels.first; level <= levels.last; ++level) bits |= std::uint64_t{1} << level;
+  return bits;
+}
+
 void ObjectColumns::add(const LeafSample& leaf) {
-  const double height_m = height_within(leaf, box_);
+  const auto height_m = static_cast<float>(height_within(leaf, box_));
   const bool is_foot = shows_foot(leaf);
-  if (columns_.empty() || !(height_m > 0.0 || is_foot)) return;
+  if (columns_.empty() || !(height_m > 0.0F || is_foot)) return;
   const Span cols = covered(leaf, 0);
   const Span rows = covered(leaf, 1);
+  const std::uint64_t levels = levels_of(leaf);
   for (int row = rows.first; row <= rows.last; ++row) {
     for (int col = cols.first; col <= cols.last; ++col) {
       Column& column = columns_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) +
                                 static_cast<std::size_t>(col)];
       column.known_m += height_m;
+      column.known |= levels;
+      if (!leaf.occupied) column.free |= levels;
       column.is_blocked = column.is_blocked || may_be_of_object(leaf, column);
       column.is_foot_seen = column.is_foot_seen || is_foot;
     }
   }
+}
+
+bool ObjectColumns::hides_level(const Column& column) const {
+  bool is_free_below = false;
+  bool is_hidden = false;
+  for (int level = 0; level < levels_; ++level) {
+    const auto has = [level](std::uint64_t levels) { return ((levels >> level) & 1U) != 0; };
+    if (!has(column.known)) {
+      is_hidden = is_free_below;
+      continue;
+    }
+    if (is_hidden && has(column.free)) return true;
+    is_free_below = has(column.free);
+    is_hidden = false;
+  }
+  return is_hidden;
 }
 
 bool ObjectColumns::can_hold_more(const Eigen::Vector2d& point_in_map) const {
@@ -135,7 +180,8 @@ bool ObjectColumns::can_hold_more(const Eigen::Vector2d& point_in_map) const {
   const Column& column = columns_[*at];
   const double height_m = box_.extent().z();
   return !column.is_foot_seen || column.is_blocked ||
-         height_m - column.known_m >= kMinHiddenShare * height_m;
+         height_m - static_cast<double>(column.known_m) >= kMinHiddenShare * height_m ||
+         hides_level(column);
 }
 
 std::vector<ObjectColumns> columns_of(std::span<const Object* const> objects,

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,8 +22,10 @@ namespace hypermap {
 /// More of the object can stand in a column that was not looked through down to its foot, or where
 /// something was measured that no other object owns. It cannot where sensors looked through and saw
 /// what is under it, nor where another object stands. What is under it must have been seen, since
-/// rays along a flat top clear the leaves of that top, but show nothing below it. Where the object
-/// has points, those show it finer than its leaves.
+/// rays along a flat top clear the leaves of that top, but show nothing below it. And a column that
+/// was looked through but for a level hides one: the seat of a chair seen from the height of the
+/// seat, the top of a table seen from below. Where the object has points, those show it finer than
+/// its leaves.
 class ObjectColumns {
  public:
   /// Nothing is known of any column. Requires: edge_m > 0.
@@ -38,7 +41,9 @@ class ObjectColumns {
 
  private:
   struct Column {
-    double known_m = 0.0;       ///< Height that was looked through or measured.
+    std::uint64_t known = 0;    ///< Bit i: of level i something was looked through or measured.
+    std::uint64_t free = 0;     ///< Bit i: of level i something was looked through.
+    float known_m = 0.0F;       ///< Height that was looked through or measured.
     bool is_foot_seen = false;  ///< What is beside or below the lowest leaf was measured.
     bool has_points = false;    ///< Supported ones of the object.
     bool is_blocked = false;    ///< Something was measured above its foot that may be the object.
@@ -48,20 +53,27 @@ class ObjectColumns {
     int last = -1;
   };
   [[nodiscard]] Span covered(const LeafSample& leaf, int axis) const;
+  [[nodiscard]] std::uint64_t levels_of(const LeafSample& leaf) const;
   [[nodiscard]] std::optional<std::size_t> index_at(const Eigen::Vector2d& point_in_map) const;
   [[nodiscard]] bool may_be_of_object(const LeafSample& leaf, const Column& column) const;
   [[nodiscard]] bool shows_foot(const LeafSample& leaf) const;
+  /// Whether nothing was seen of a level above one that was looked through, and what is above both
+  /// was looked through or not seen either.
+  [[nodiscard]] bool hides_level(const Column& column) const;
 
   ObjectId id_;
   Box box_;
   double edge_m_;
-  Eigen::Vector2d first_ = Eigen::Vector2d::Zero();  ///< Number of column (0, 0) from the origin.
+  double level_edge_m_;  ///< That of the columns, or that doubled until kMaxLevels are enough.
+  /// Number of column (0, 0) and of the lowest level from the origin.
+  Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
   int cols_ = 0;
   int rows_ = 0;
+  int levels_ = 0;
   std::vector<Column> columns_;
 };
 
-/// Of all objects of a map, 16 bytes each.
+/// Of all objects of a map, 24 bytes each.
 inline constexpr std::size_t kMaxColumns = 20'000'000;
 
 /// The columns of each object, in its order, filled from the leaves. Frame: Map.

@@ -98,6 +98,44 @@ TEST(ColumnEvidence, OwnLeavesCountWhereTheObjectHasNoPoints) {
   EXPECT_FALSE(can_hold_more(object, leaves, 0.75));
 }
 
+/// `num_levels` high: a level is a smaller share of it than what is hidden anyway.
+bool holds_more_when_high(int num_levels, const std::vector<LeafSample>& leaves) {
+  Object object = object_with_box();
+  object.box.max_in_map.z() = kEdgeM * num_levels;
+  return can_hold_more(object, leaves, 0.75);
+}
+
+/// The floor, and free leaves up to that level but for those from `first` to before `end`.
+std::vector<LeafSample> free_but(int first, int end, int num_levels) {
+  std::vector<LeafSample> leaves{leaf(1, -1, true)};
+  for (int level = 0; level < num_levels; ++level) {
+    if (level < first || level >= end) leaves.push_back(leaf(1, level, false));
+  }
+  return leaves;
+}
+
+TEST(ColumnEvidence, ALevelThatNobodySawBetweenFreeOnesHidesSomething) {
+  EXPECT_FALSE(holds_more_when_high(20, free_but(0, 0, 20)));
+  EXPECT_TRUE(holds_more_when_high(20, free_but(9, 10, 20))) << "a seat, seen along it";
+  EXPECT_TRUE(holds_more_when_high(20, free_but(19, 20, 20))) << "a top, seen from below";
+  EXPECT_FALSE(holds_more_when_high(20, free_but(0, 1, 20))) << "its foot";
+}
+
+TEST(ColumnEvidence, ALevelBesideWhatWasMeasuredHidesNothing) {
+  for (const int level : {8, 10}) {
+    auto leaves = free_but(8, 11, 20);
+    for (const int other : {8, 10}) leaves.push_back(leaf(1, other, other == level, kOther));
+    EXPECT_FALSE(holds_more_when_high(20, leaves)) << level;
+  }
+}
+
+TEST(ColumnEvidence, LevelsOfHighObjectsAreSomeLeavesHigh) {
+  EXPECT_TRUE(holds_more_when_high(63, free_but(9, 10, 63)));
+  EXPECT_FALSE(holds_more_when_high(64, free_but(8, 9, 64))) << "half of a level";
+  EXPECT_TRUE(holds_more_when_high(64, free_but(8, 10, 64))) << "a whole one";
+  EXPECT_TRUE(holds_more_when_high(1000, free_but(800, 816, 1000)));
+}
+
 TEST(ColumnEvidence, LargeLeavesCoverAllTheirColumns) {
   const Object object = object_with_box();
   LeafSample large;
