@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace hypermap {
 namespace {
@@ -172,6 +173,41 @@ TEST(HiddenParts, WhatWouldMakeItMuchLargerIsNoPart) {
   EXPECT_EQ(map.size(), 2U);
 }
 
+/// The back of a chair and all that is before it, both in view of 40 frames: the first `num_both`
+/// detect both, the others one in turn.
+std::size_t num_objects_seen_in_turn(const Box& seat, std::uint64_t num_both) {
+  const Box back = box_at({-0.08, 0.0, 0.65}, {0.2, 0.4, 0.4});
+  ObjectMap map;
+  (void)associate(map, std::array{seen(back, kOvenClass, 0), seen(seat, kOvenClass, 0)}, {});
+  const ObjectId first = map.objects().begin()->id;
+  const ObjectId second = (++map.objects().begin())->id;
+  for (std::uint64_t frame = 1; frame < 40 && map.size() == 2; ++frame) {
+    const bool shows_both = frame < num_both;
+    const bool shows_back = shows_both || frame % 2 == 0;
+    const bool shows_seat = shows_both || frame % 2 == 1;
+    if (!shows_back) miss(map, first, frame, 0.5F);
+    if (!shows_seat) miss(map, second, frame, 0.5F);
+    std::vector<Observation> all;
+    if (shows_back) all.push_back(seen(back, kOvenClass, frame));
+    if (shows_seat) all.push_back(seen(seat, kOvenClass, frame));
+    (void)associate(map, all, {});
+  }
+  return map.size();
+}
+
+TEST(HiddenParts, WhatIsDetectedInTurnWhileBothAreInViewIsOne) {
+  const Box seat = box_at({0.28, 0.0, 0.43}, {0.5, 0.5, 0.86});
+  EXPECT_EQ(num_objects_seen_in_turn(seat, 1), 1U);
+  EXPECT_EQ(num_objects_seen_in_turn(seat, 3), 1U)
+      << "of 40 frames 22 and 21 detect one each: 12 that detect both are to be expected";
+  EXPECT_EQ(num_objects_seen_in_turn(seat, 12), 2U);
+}
+
+TEST(HiddenParts, WhatIsDetectedInTurnAndMakesALargerThingIsTwo) {
+  const Box as_large = box_at({-0.08, 0.41, 0.65}, {0.2, 0.4, 0.4});
+  EXPECT_EQ(num_objects_seen_in_turn(as_large, 1), 2U);
+}
+
 TEST(HiddenParts, TwoRunsDoNotTellWhatIsInViewTogether) {
   ObjectMap known;
   see(known, kFrontFace, 0, 6);
@@ -198,35 +234,48 @@ ObservationLog log_of_frames(std::uint64_t first,
   return log;
 }
 
-TEST(ObservationLog, InViewTogetherIsWhatWasDetectedBesideTheVisible) {
+DetectionsInView in_view(const ObservationLog& a, const ObservationLog& b, double share) {
+  const auto seen = detections_in_view(a, b, share);
+  EXPECT_TRUE(seen.has_value());
+  return seen.value_or(DetectionsInView());
+}
+
+TEST(ObservationLog, InViewIsWhatWasDetectedOrVisible) {
   const ObservationLog log = log_of_frames(0, 10);
   const auto missed = log_of_frames(6, 20, ObservationKind::kMissedDetection, 0.3F);
-  EXPECT_EQ(num_frames_in_view_together(log, log_of_frames(6, 20), 0.3), 4U);
-  EXPECT_EQ(num_frames_in_view_together(log, missed, 0.25), 4U);
-  EXPECT_EQ(num_frames_in_view_together(missed, log, 0.25), 4U);
-  EXPECT_EQ(num_frames_in_view_together(missed, log, 0.35), 0U) << "too little of it";
-  EXPECT_EQ(num_frames_in_view_together(missed, missed, 0.25), 0U) << "no detection";
+  EXPECT_EQ(in_view(log, log_of_frames(6, 20), 0.3), (DetectionsInView{4, 4, 4, 4, true}));
+  EXPECT_EQ(in_view(log, missed, 0.25), (DetectionsInView{4, 4, 0, 0, true}));
+  EXPECT_EQ(in_view(missed, log, 0.25), (DetectionsInView{4, 0, 4, 0, true}));
+  EXPECT_EQ(in_view(missed, log, 0.35), (DetectionsInView{0, 0, 0, 0, true})) << "too little of it";
+  EXPECT_EQ(in_view(missed, missed, 0.25), (DetectionsInView{14, 0, 0, 0, true}));
   ObservationLog absent;
   absent.add({.frame_index = 3,
               .stamp = Stamp{3},
               .kind = ObservationKind::kMissedDetection,
               .visibility = Visibility::kAbsent});
-  EXPECT_EQ(num_frames_in_view_together(log, absent, 0.25), 1U) << "its place was";
+  EXPECT_EQ(in_view(log, absent, 0.25), (DetectionsInView{1, 1, 0, 0, true})) << "its place was";
 }
 
-TEST(ObservationLog, WhoForgotFramesDoesNotKnowWhatWasInViewTogether) {
+TEST(ObservationLog, TwoThingsAreDetectedTogetherAsOftenAsByChance) {
+  const DetectionsInView seen{.num_frames = 40, .of_first = 20, .of_second = 10, .of_both = 2};
+  EXPECT_EQ(seen.of_any(), 28U);
+  EXPECT_DOUBLE_EQ(seen.expected_of_both(), 5.0) << "half of ten";
+  EXPECT_DOUBLE_EQ(DetectionsInView().expected_of_both(), 0.0);
+}
+
+TEST(ObservationLog, WhoForgotFramesDoesNotKnowAllThatWasInView) {
   const ObservationLog longer = log_of_frames(0, 65);  // forgot frame 0
-  EXPECT_EQ(num_frames_in_view_together(longer, log_of_frames(0, 3), 0.3), std::nullopt);
-  EXPECT_EQ(num_frames_in_view_together(log_of_frames(0, 3), longer, 0.3), std::nullopt);
-  EXPECT_EQ(num_frames_in_view_together(longer, log_of_frames(1, 3), 0.3), 2U)
+  EXPECT_FALSE(in_view(longer, log_of_frames(0, 3), 0.3).is_complete);
+  EXPECT_FALSE(in_view(log_of_frames(0, 3), longer, 0.3).is_complete);
+  EXPECT_EQ(in_view(longer, log_of_frames(1, 3), 0.3), (DetectionsInView{2, 2, 2, 2, true}))
       << "it holds all since both began";
-  EXPECT_EQ(num_frames_in_view_together(longer, ObservationLog(), 0.3), std::nullopt);
+  EXPECT_EQ(detections_in_view(longer, ObservationLog(), 0.3), std::nullopt);
   ObservationLog of_an_earlier_run;  // whose stamps were later
   of_an_earlier_run.add({.frame_index = 0, .stamp = Stamp{5'000}});
-  EXPECT_EQ(num_frames_in_view_together(longer, of_an_earlier_run, 0.3), std::nullopt);
+  EXPECT_FALSE(in_view(longer, of_an_earlier_run, 0.3).is_complete);
   ObservationLog restarted = log_of_frames(0, 3);
   restarted.add({.frame_index = 3, .stamp = Stamp{0}});
-  EXPECT_EQ(num_frames_in_view_together(restarted, log_of_frames(0, 3), 0.3), std::nullopt);
+  EXPECT_EQ(detections_in_view(restarted, log_of_frames(0, 3), 0.3), std::nullopt);
 }
 
 }  // namespace

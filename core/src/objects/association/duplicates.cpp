@@ -20,34 +20,61 @@ bool frames_refute_merge(const Object& a,
   return num_common_frames(a.observation_log, b.observation_log) >= least;
 }
 
-/// Parts that hide each other are never detected in one frame, and one is in view of a detection of
-/// the other in no more frames, by this visible share: where one of them was cut out wrongly.
-constexpr std::size_t kMostFramesTogether = 2;
+/// A part is in view of a detection of the other by this visible share.
 constexpr double kLeastVisibleShare = 0.1;
 /// Both are real by this probability: what wrong segments left here and there does not add up.
 constexpr Probability kLeastReal(0.5);
-/// And what they make together is not much larger than the larger one, by its diagonal.
-constexpr double kMostGrowth = 1.45;
 
-/// Whether two objects are parts of one that were never in view together. Requires: they touch.
-bool are_hidden_parts(const Object& a, const Object& b, const AssignmentOptions& options) {
+/// Whether two objects of one class, seen so often, can be parts of one at all. Requires: they
+/// touch.
+bool may_be_parts(const Object& a, const Object& b, const AssignmentOptions& options) {
   if (options.hidden_part_detections == 0 ||
       std::min(a.num_observations, b.num_observations) < options.hidden_part_detections)
     return false;
   const auto best_of_a = best_detected_class(a);
   const auto best_of_b = best_detected_class(b);
-  if (!best_of_a || !best_of_b || best_of_a->id != best_of_b->id) return false;
+  return best_of_a && best_of_b && best_of_a->id == best_of_b->id &&
+         std::min(real_probability(a), real_probability(b)) >= kLeastReal &&
+         absence_run(a.observation_log).looks == 0 && absence_run(b.observation_log).looks == 0;
+}
+
+/// How much larger than the larger of two objects both are, by the diagonal.
+double growth_of_larger(const Object& a, const Object& b) {
   const double larger_m = std::max(a.box.extent().norm(), b.box.extent().norm());
-  if (bounding_box(a.box, b.box).extent().norm() > kMostGrowth * larger_m) return false;
-  if (std::min(real_probability(a), real_probability(b)) < kLeastReal) return false;
-  if (absence_run(a.observation_log).looks > 0 || absence_run(b.observation_log).looks > 0)
-    return false;
-  if (num_common_frames(a.observation_log, b.observation_log) > 0) return false;
-  const auto together =
-      num_frames_in_view_together(a.observation_log, b.observation_log, kLeastVisibleShare);
+  return bounding_box(a.box, b.box).extent().norm() / larger_m;
+}
+
+/// Whether two parts were never in view together: they are never detected in one frame, and one is
+/// in view of a detection of the other in no more frames than where one was cut out wrongly. What
+/// they make together is not much larger than the larger one.
+bool hide_each_other(const DetectionsInView& seen,
+                     double growth,
+                     const AssignmentOptions& options) {
+  constexpr std::size_t kMostFrames = 2;
+  constexpr double kMostGrowth = 1.45;
   // The newest frame's misses are not noted yet: of n frames with a detection n - 1 may have one.
-  return together && *together <= kMostFramesTogether &&
-         *together + 2 <= options.hidden_part_detections;
+  return growth <= kMostGrowth && seen.is_complete && seen.of_both == 0 &&
+         seen.of_any() <= kMostFrames && seen.of_any() + 2 <= options.hidden_part_detections;
+}
+
+/// Whether each detection shows one of two parts that are in view together: far fewer frames detect
+/// both than if they were two things, beside wrong segments, and one is hardly larger than the
+/// other with it. So of a chair at a table whose back alone is seen from behind.
+bool exclude_each_other(const DetectionsInView& seen, double growth) {
+  constexpr double kMostGrowth = 1.15;
+  constexpr double kLeastExpected = 6.0;
+  constexpr double kMostShareOfExpected = 0.3;
+  const double expected = seen.expected_of_both();
+  return growth <= kMostGrowth && expected >= kLeastExpected &&
+         static_cast<double>(seen.of_both) <= kMostShareOfExpected * expected;
+}
+
+/// Whether two objects are parts of one. Requires: they touch.
+bool are_parts_of_one(const Object& a, const Object& b, const AssignmentOptions& options) {
+  if (!may_be_parts(a, b, options)) return false;
+  const auto seen = detections_in_view(a.observation_log, b.observation_log, kLeastVisibleShare);
+  const double growth = growth_of_larger(a, b);
+  return seen && (hide_each_other(*seen, growth, options) || exclude_each_other(*seen, growth));
 }
 
 /// What `merged` of two objects requires; maps that were merged may have objects of two kinds.
@@ -64,7 +91,7 @@ std::optional<ObjectId> duplicate_of(ObjectId id,
   const Box around = grown(run.objects.at(id).box, 2.0 * options.near_m);
   for (const ObjectId other : run.objects.query(around)) {
     if (other == id || !have_same_options(run.objects.at(id), run.objects.at(other))) continue;
-    if (are_hidden_parts(run.objects.at(id), run.objects.at(other), options)) return other;
+    if (are_parts_of_one(run.objects.at(id), run.objects.at(other), options)) return other;
     const Overlap c = measure_overlap(point_sets.of(id), point_sets.of(other), options.near_m);
     if (is_same_object(c, options, options.merge_factor) &&
         !frames_refute_merge(run.objects.at(id), run.objects.at(other), c, options)) {

@@ -6,19 +6,49 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace hypermap {
 
-std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
-  const auto of_a = detected_frames(a.state().newest);
-  const auto of_b = detected_frames(b.state().newest);
+namespace {
+
+using Frames = std::vector<FrameOfEntry>;
+
+/// Frames of the first that are in the second. Requires: both ascending.
+std::size_t num_common(const Frames& a, const Frames& b) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      of_a, [&](const FrameOfEntry& frame) { return std::ranges::binary_search(of_b, frame); }));
+      a, [&](const FrameOfEntry& frame) { return std::ranges::binary_search(b, frame); }));
 }
 
-std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
-                                                       const ObservationLog& b,
-                                                       double least_visible_share) {
+/// Frames whose entries had the object in view, ascending.
+Frames frames_in_view(std::span<const ObservationLogEntry> entries, double least_visible_share) {
+  Frames frames;
+  for (const ObservationLogEntry& entry : entries) {
+    const bool is_in_view = entry.kind == ObservationKind::kDetection ||
+                            entry.visibility == Visibility::kAbsent ||
+                            static_cast<double>(entry.score) >= least_visible_share;
+    if (is_in_view) frames.push_back(frame_of(entry));
+  }
+  std::ranges::sort(frames);
+  return frames;
+}
+
+}  // namespace
+
+std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
+  return num_common(detected_frames(a.state().newest), detected_frames(b.state().newest));
+}
+
+double DetectionsInView::expected_of_both() const noexcept {
+  if (num_frames == 0) return 0.0;
+  return static_cast<double>(of_first) * static_cast<double>(of_second) /
+         static_cast<double>(num_frames);
+}
+
+std::optional<DetectionsInView> detections_in_view(const ObservationLog& a,
+                                                   const ObservationLog& b,
+                                                   double least_visible_share) {
   const auto& of_a = a.state().newest;
   const auto& of_b = b.state().newest;
   if (of_a.empty() || of_b.empty()) return std::nullopt;
@@ -31,18 +61,16 @@ std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
     return std::max(of_a.front().stamp, of_b.front().stamp) <= first.stamp &&
            std::max(of_a.front().frame_index, of_b.front().frame_index) <= first.frame_index;
   };
-  if (!holds_all_since(*a.state().first) && !holds_all_since(*b.state().first)) return std::nullopt;
-  const auto num_missed_beside = [&](const auto& entries, const auto& detected) {
-    return std::ranges::count_if(entries, [&](const ObservationLogEntry& entry) {
-      return entry.kind == ObservationKind::kMissedDetection &&
-             (entry.visibility == Visibility::kAbsent ||
-              static_cast<double>(entry.score) >= least_visible_share) &&
-             std::ranges::binary_search(detected, frame_of(entry));
-    });
-  };
-  return num_common_frames(a, b) +
-         static_cast<std::size_t>(num_missed_beside(of_a, detected_frames(of_b)) +
-                                  num_missed_beside(of_b, detected_frames(of_a)));
+  const Frames detected_a = detected_frames(of_a);
+  const Frames detected_b = detected_frames(of_b);
+  const Frames in_view_of_a = frames_in_view(of_a, least_visible_share);
+  const Frames in_view_of_b = frames_in_view(of_b, least_visible_share);
+  return DetectionsInView{
+      .num_frames = num_common(in_view_of_a, in_view_of_b),
+      .of_first = num_common(detected_a, in_view_of_b),
+      .of_second = num_common(detected_b, in_view_of_a),
+      .of_both = num_common(detected_a, detected_b),
+      .is_complete = holds_all_since(*a.state().first) || holds_all_since(*b.state().first)};
 }
 
 }  // namespace hypermap

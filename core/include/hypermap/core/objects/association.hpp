@@ -109,8 +109,10 @@ struct AssignmentOptions {
   double one_surface_share = 0.6;
   /// Two real objects of one class that touch and were detected so often each are parts of one when
   /// they were hardly ever in view together: the faces of a box, the back and the seat of a chair
-  /// under a table. Things that stand side by side come into view together. 0: never; fewer than 4
-  /// ask for as many fewer frames in which one of them was in view beside the other.
+  /// under a table. Things that stand side by side come into view together. Or when they were in
+  /// view together and detected in turn, far more seldom together than two things would be by
+  /// chance, and one is hardly larger than the other with it. 0: never; fewer than 4 ask for as many
+  /// fewer frames in which one of them was in view beside the other.
   std::uint32_t hidden_part_detections = 4;
   /// Of two observations in one frame that might show the same object, the lesser one shows another
   /// object when neither has more than this share of its points in the other.

@@ -175,14 +175,29 @@ struct GoneRule {
 /// objects with such frames were told apart by a detector.
 [[nodiscard]] std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b);
 
-/// Frames in which one of the logs had a detection while the other one had one, too, or noted that
-/// it missed one: at least this share of its object was visible, or the camera looked through its
-/// place. None when one of them may have forgotten such a frame, or runs restarted their stamps.
+/// Detections of two objects in the frames that had both in view.
+struct DetectionsInView {
+  std::size_t num_frames = 0;
+  std::size_t of_first = 0;  ///< Frames of these that detected the first one, ...
+  std::size_t of_second = 0;
+  std::size_t of_both = 0;
+  bool is_complete = false;  ///< None of them is forgotten.
+
+  [[nodiscard]] std::size_t of_any() const noexcept { return of_first + of_second - of_both; }
+  /// Detections of both that are to be expected of two things, each detected as often as it was
+  /// whether the other one is or not. Boundary: 0 without frames.
+  [[nodiscard]] double expected_of_both() const noexcept;
+  friend bool operator==(const DetectionsInView&, const DetectionsInView&) = default;
+};
+
+/// A log has an object in view in the frames that detected it, and in those in which it noted a
+/// missed detection: at least this share of the object was visible, or the camera looked through
+/// its place. None when one of them has no entry, or runs restarted their stamps.
 /// Boundary: what is not noted is not counted, as misses of frames whose detections a deadline
 /// dropped. Cost: linear in the kept entries, times their logarithm.
-[[nodiscard]] std::optional<std::size_t> num_frames_in_view_together(const ObservationLog& a,
-                                                                     const ObservationLog& b,
-                                                                     double least_visible_share);
+[[nodiscard]] std::optional<DetectionsInView> detections_in_view(const ObservationLog& a,
+                                                                 const ObservationLog& b,
+                                                                 double least_visible_share);
 
 /// Bin of 20 degrees that a bearing falls into; bin 0 starts at 0, counter-clockwise.
 [[nodiscard]] std::uint8_t log_bearing_bin(double bearing_rad);
