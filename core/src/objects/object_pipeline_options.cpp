@@ -37,13 +37,16 @@ const OptionTable& option_table(const ObjectPipelineOptions&) {
   return kTable;
 }
 
+bool is_transient_by_default(std::string_view name) {
+  return std::ranges::any_of(ObjectPipelineOptions().transient_class_names,
+                             [&](const std::string& usual) { return is_spelling_of(name, usual); });
+}
+
 std::vector<std::string> transient_names(const ObjectPipelineOptions& options,
                                          const ClassRegistry& classes) {
-  const std::vector<std::string> by_default = ObjectPipelineOptions().transient_class_names;
   std::vector<std::string> names = options.transient_class_names;
   std::erase_if(names, [&](const std::string& name) {
-    const auto is_it = [&](const std::string& usual) { return is_spelling_of(name, usual); };
-    return !classes.find(name) && std::ranges::any_of(by_default, is_it);
+    return !classes.find(name) && is_transient_by_default(name);
   });
   return names;
 }

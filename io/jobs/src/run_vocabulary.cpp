@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_vocabulary.hpp"
 
+#include "hypermap/core/objects/object_pipeline_options.hpp"
 #include "hypermap/core/places/place_prior.hpp"
 #include "hypermap/core/places/vocabulary_rules.hpp"
 #include "named_classes.hpp"
@@ -19,11 +20,6 @@ void move_to_end(std::vector<Finding>& findings, std::vector<Finding>& more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
-bool is_by_default(const std::string& name) {
-  return std::ranges::any_of(ObjectPipelineOptions().transient_class_names,
-                             [&](const std::string& usual) { return is_spelling_of(name, usual); });
-}
-
 /// The transient classes as they are called. Where the input does not have a class of the default,
 /// people, that is nothing to tell.
 Result<NamedClasses> transient_classes(const ObjectPipelineOptions& options,
@@ -32,7 +28,7 @@ Result<NamedClasses> transient_classes(const ObjectPipelineOptions& options,
   std::vector<std::string> usual;
   std::vector<std::string> others;
   for (const std::string& name : options.transient_class_names)
-    (is_by_default(name) ? usual : others).push_back(name);
+    (is_transient_by_default(name) ? usual : others).push_back(name);
   HYPERMAP_ASSIGN_OR_RETURN(NamedClasses named,
                             named_classes(others, "transient_classes", classes, vocabulary));
   HYPERMAP_ASSIGN_OR_RETURN(const NamedClasses known,

@@ -80,7 +80,9 @@ ObjectColumns::ObjectColumns(const Object& object, double edge_m, std::size_t ma
       level_edge_m_(level_edge_m(object.box, edge_m)) {
   const Eigen::Array3d edges_m(edge_m, edge_m, level_edge_m_);
   const Eigen::Vector3d first = (box_.min_in_map.array() / edges_m).floor();
-  const Eigen::Vector3d end = (box_.max_in_map.array() / edges_m).ceil();
+  Eigen::Vector3d end = (box_.max_in_map.array() / edges_m).ceil();
+  // A sliver of a level is none: half of it at least is of the box.
+  end.z() = std::floor(box_.max_in_map.z() / level_edge_m_ + 0.5);
   const Eigen::Vector3d size = (end - first).cwiseMax(1.0);
   if (!(size.head<2>().prod() <= static_cast<double>(max_columns)) || !(size.z() <= kMaxLevels))
     return;
@@ -144,7 +146,7 @@ void ObjectColumns::add(const LeafSample& leaf) {
   if (columns_.empty() || !(height_m > 0.0F || is_foot)) return;
   const Span cols = covered(leaf, 0);
   const Span rows = covered(leaf, 1);
-  const std::uint64_t levels = levels_of(leaf);
+  const std::uint64_t levels = height_m > 0.0F ? levels_of(leaf) : 0;
   for (int row = rows.first; row <= rows.last; ++row) {
     for (int col = cols.first; col <= cols.last; ++col) {
       Column& column = columns_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) +

@@ -84,6 +84,12 @@ TEST(Presets, ErrorsNameTheStage) {
   EXPECT_EQ(validate(options).error().field, "association.radius_m");
 }
 
+TEST(TransientNames, OfTheDefaultArePeopleInAnySpelling) {
+  for (const char* name : {"person", "Person"}) EXPECT_TRUE(is_transient_by_default(name)) << name;
+  for (const char* name : {"", "people", "chair"})
+    EXPECT_FALSE(is_transient_by_default(name)) << name;
+}
+
 TEST(TransientNames, AreAllButPeopleWhomNoClassMeans) {
   ClassRegistry classes;
   ASSERT_TRUE(classes.add("chair"));

@@ -134,6 +134,19 @@ TEST(ColumnEvidence, LevelsOfHighObjectsAreSomeLeavesHigh) {
   EXPECT_FALSE(holds_more_when_high(64, free_but(8, 9, 64))) << "half of a level";
   EXPECT_TRUE(holds_more_when_high(64, free_but(8, 10, 64))) << "a whole one";
   EXPECT_TRUE(holds_more_when_high(1000, free_but(800, 816, 1000)));
+  Object unaligned = object_with_box();  // reaches into 64 levels
+  unaligned.box.min_in_map.z() = 0.49;
+  unaligned.box.max_in_map.z() = 31.99;
+  EXPECT_TRUE(can_hold_more(unaligned, free_but(63, 64, 64), 0.75));
+  EXPECT_FALSE(can_hold_more(unaligned, free_but(0, 0, 64), 0.75));
+}
+
+TEST(ColumnEvidence, ASliverOfALevelHidesNothing) {
+  Object object = object_with_box();
+  object.box.max_in_map.z() = 10.24;  // twenty levels and a bit
+  EXPECT_FALSE(can_hold_more(object, free_but(0, 0, 20), 0.75));
+  object.box.max_in_map.z() = 10.26;
+  EXPECT_TRUE(can_hold_more(object, free_but(0, 0, 20), 0.75));
 }
 
 TEST(ColumnEvidence, LargeLeavesCoverAllTheirColumns) {
@@ -153,6 +166,12 @@ TEST(ColumnEvidence, BoxesThatAreNoneHaveNoColumns) {
   EXPECT_TRUE(can_hold_more(object, column(1, {}), 0.75));
   object.box.max_in_map.x() = 1e9;
   EXPECT_TRUE(can_hold_more(object, column(1, {}), 0.75));
+  object = object_with_box();
+  for (const double high :
+       {1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    object.box.max_in_map.z() = high;
+    EXPECT_TRUE(can_hold_more(object, column(1, {}), 0.75)) << high;
+  }
   EXPECT_TRUE(can_hold_more(object_with_box(), {}, 0.75)) << "no leaves";
 }
 

@@ -59,8 +59,9 @@ constexpr OptionRow kAssignmentRows[] = {
     option::count<&Assignment::hidden_part_detections>(
         "hidden_part_detections",
         {0, 64},
-        {.effect = "Objects of a class whose boxes touch, seen so often and not together, merge; "
-                   "0: none."}),
+        {.effect =
+             "Objects of a class whose boxes touch, seen so often and hardly together, merge; "
+             "0: none."}),
     option::number<&Assignment::apart_share>(
         "apart_share",
         {0, 1},

@@ -20,8 +20,6 @@ bool frames_refute_merge(const Object& a,
   return num_common_frames(a.observation_log, b.observation_log) >= least;
 }
 
-/// A part is in view of a detection of the other by this visible share.
-constexpr double kLeastVisibleShare = 0.1;
 /// Both are real by this probability: what wrong segments left here and there does not add up.
 constexpr Probability kLeastReal(0.5);
 
@@ -38,43 +36,52 @@ bool may_be_parts(const Object& a, const Object& b, const AssignmentOptions& opt
          absence_run(a.observation_log).looks == 0 && absence_run(b.observation_log).looks == 0;
 }
 
-/// How much larger than the larger of two objects both are, by the diagonal.
-double growth_of_larger(const Object& a, const Object& b) {
-  const double larger_m = std::max(a.box.extent().norm(), b.box.extent().norm());
-  return bounding_box(a.box, b.box).extent().norm() / larger_m;
+/// The frames that had both in view by this visible share of each; none when some are forgotten.
+std::optional<DetectionsInView> all_in_view(const Object& a, const Object& b, double share) {
+  const auto seen = detections_in_view(a.observation_log, b.observation_log, share);
+  return seen && seen->is_complete ? seen : std::nullopt;
 }
 
 /// Whether two parts were never in view together: they are never detected in one frame, and one is
 /// in view of a detection of the other in no more frames than where one was cut out wrongly. What
-/// they make together is not much larger than the larger one.
-bool hide_each_other(const DetectionsInView& seen,
-                     double growth,
-                     const AssignmentOptions& options) {
+/// they make together is not much larger than the larger one, by its diagonal.
+bool hide_each_other(const Object& a, const Object& b, const AssignmentOptions& options) {
+  constexpr double kLeastVisibleShare = 0.1;
   constexpr std::size_t kMostFrames = 2;
   constexpr double kMostGrowth = 1.45;
+  const double larger_m = std::max(a.box.extent().norm(), b.box.extent().norm());
+  if (bounding_box(a.box, b.box).extent().norm() > kMostGrowth * larger_m) return false;
+  const auto seen = all_in_view(a, b, kLeastVisibleShare);
   // The newest frame's misses are not noted yet: of n frames with a detection n - 1 may have one.
-  return growth <= kMostGrowth && seen.is_complete && seen.of_both == 0 &&
-         seen.of_any() <= kMostFrames && seen.of_any() + 2 <= options.hidden_part_detections;
+  return seen && seen->of_both == 0 && seen->of_any() <= kMostFrames &&
+         seen->of_any() + 2 <= options.hidden_part_detections;
 }
 
-/// Whether each detection shows one of two parts that are in view together: far fewer frames detect
-/// both than if they were two things, beside wrong segments, and one is hardly larger than the
-/// other with it. So of a chair at a table whose back alone is seen from behind.
-bool exclude_each_other(const DetectionsInView& seen, double growth) {
-  constexpr double kMostGrowth = 1.15;
+/// Whether each detection shows one of two parts that are in view together, most of each: far fewer
+/// frames detect both than if they were two things, by which wrong segments are left over. So of a
+/// chair at a table whose back alone is seen from behind. The larger one holds most of the box
+/// around both, and the other is no small thing beside it or in it.
+bool exclude_each_other(const Object& a, const Object& b, const AssignmentOptions& options) {
+  constexpr double kLeastVisibleShare = 0.5;
+  constexpr double kMostGrowth = 1.45;  // Of the volume: 2 and more of equal things side by side.
   constexpr double kLeastExpected = 6.0;
   constexpr double kMostShareOfExpected = 0.3;
-  const double expected = seen.expected_of_both();
-  return growth <= kMostGrowth && expected >= kLeastExpected &&
-         static_cast<double>(seen.of_both) <= kMostShareOfExpected * expected;
+  const auto [smaller_m, larger_m] = std::minmax({a.box.extent().norm(), b.box.extent().norm()});
+  const double larger_m3 = std::max(a.box.extent().prod(), b.box.extent().prod());
+  if (smaller_m < options.part_diagonal * larger_m ||
+      bounding_box(a.box, b.box).extent().prod() > kMostGrowth * larger_m3)
+    return false;
+  const auto seen = all_in_view(a, b, kLeastVisibleShare);
+  if (!seen) return false;
+  const double expected = seen->expected_of_both();
+  return expected >= kLeastExpected &&
+         static_cast<double>(seen->of_both) <= kMostShareOfExpected * expected;
 }
 
 /// Whether two objects are parts of one. Requires: they touch.
 bool are_parts_of_one(const Object& a, const Object& b, const AssignmentOptions& options) {
-  if (!may_be_parts(a, b, options)) return false;
-  const auto seen = detections_in_view(a.observation_log, b.observation_log, kLeastVisibleShare);
-  const double growth = growth_of_larger(a, b);
-  return seen && (hide_each_other(*seen, growth, options) || exclude_each_other(*seen, growth));
+  return may_be_parts(a, b, options) &&
+         (hide_each_other(a, b, options) || exclude_each_other(a, b, options));
 }
 
 /// What `merged` of two objects requires; maps that were merged may have objects of two kinds.

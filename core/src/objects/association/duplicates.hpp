@@ -27,8 +27,8 @@ class PointSetCache {
 
 /// Merges each of the objects that have `changed` with those that overlap it like one by
 /// `merge_factor`, until none does; two that frames showed beside each other stay two. Besides with
-/// those that touch it, by twice `near_m`, and are parts of the same that are not detected together
-/// (`AssignmentOptions`).
+/// those that touch it, by twice `near_m`, and are parts of one by when each was detected
+/// (`AssignmentOptions::hidden_part_detections`).
 /// Cost: an overlap for each neighbour of a changed object.
 void merge_duplicates(AssociationRun& run, PointSetCache& point_sets, std::set<ObjectId> changed);
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -21,7 +22,13 @@ std::size_t num_common(const Frames& a, const Frames& b) {
       a, [&](const FrameOfEntry& frame) { return std::ranges::binary_search(b, frame); }));
 }
 
-/// Frames whose entries had the object in view, ascending.
+/// Each once. Requires: ascending.
+Frames unique(Frames frames) {
+  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  return frames;
+}
+
+/// Frames whose entries had the object in view, ascending, each once.
 Frames frames_in_view(std::span<const ObservationLogEntry> entries, double least_visible_share) {
   Frames frames;
   for (const ObservationLogEntry& entry : entries) {
@@ -31,13 +38,14 @@ Frames frames_in_view(std::span<const ObservationLogEntry> entries, double least
     if (is_in_view) frames.push_back(frame_of(entry));
   }
   std::ranges::sort(frames);
-  return frames;
+  return unique(std::move(frames));
 }
 
 }  // namespace
 
 std::size_t num_common_frames(const ObservationLog& a, const ObservationLog& b) {
-  return num_common(detected_frames(a.state().newest), detected_frames(b.state().newest));
+  return num_common(unique(detected_frames(a.state().newest)),
+                    unique(detected_frames(b.state().newest)));
 }
 
 double DetectionsInView::expected_of_both() const noexcept {
@@ -61,8 +69,8 @@ std::optional<DetectionsInView> detections_in_view(const ObservationLog& a,
     return std::max(of_a.front().stamp, of_b.front().stamp) <= first.stamp &&
            std::max(of_a.front().frame_index, of_b.front().frame_index) <= first.frame_index;
   };
-  const Frames detected_a = detected_frames(of_a);
-  const Frames detected_b = detected_frames(of_b);
+  const Frames detected_a = unique(detected_frames(of_a));
+  const Frames detected_b = unique(detected_frames(of_b));
   const Frames in_view_of_a = frames_in_view(of_a, least_visible_share);
   const Frames in_view_of_b = frames_in_view(of_b, least_visible_share);
   return DetectionsInView{

@@ -105,14 +105,16 @@ struct AssignmentOptions {
   double merge_factor = 1.15;
   /// But not when they were detected beside each other in so many frames, ...
   std::uint32_t apart_frames = 2;
-  /// ... unless each has this share of its points in the other: one surface.
+  /// ... unless each has this share of its points in the other: one surface. Or they are parts of
+  /// one, below.
   double one_surface_share = 0.6;
   /// Two real objects of one class that touch and were detected so often each are parts of one when
   /// they were hardly ever in view together: the faces of a box, the back and the seat of a chair
-  /// under a table. Things that stand side by side come into view together. Or when they were in
-  /// view together and detected in turn, far more seldom together than two things would be by
-  /// chance, and one is hardly larger than the other with it. 0: never; fewer than 4 ask for as many
-  /// fewer frames in which one of them was in view beside the other.
+  /// under a table. Things that stand side by side come into view together. Or when both were in
+  /// view, most of each, and were detected in turn: in less than 0.3 of the frames that two things
+  /// would share by chance, of which there are six or more; and the larger one holds most of the
+  /// box around both. The few frames that detect both do not keep such apart. 0: never; fewer than
+  /// 4 ask for as many fewer frames in which one of them was in view beside the other.
   std::uint32_t hidden_part_detections = 4;
   /// Of two observations in one frame that might show the same object, the lesser one shows another
   /// object when neither has more than this share of its points in the other.

@@ -43,6 +43,9 @@ struct ObjectPipelineOptions {
   friend bool operator==(const ObjectPipelineOptions&, const ObjectPipelineOptions&) = default;
 };
 
+/// Whether a name is a spelling (`is_spelling_of`) of one of the default's transient classes.
+[[nodiscard]] bool is_transient_by_default(std::string_view name);
+
 /// The names of transient classes, without one of the default that no class has: it is no error
 /// where a detector knows no people.
 [[nodiscard]] std::vector<std::string> transient_names(const ObjectPipelineOptions& options,

@@ -193,8 +193,9 @@ struct DetectionsInView {
 /// A log has an object in view in the frames that detected it, and in those in which it noted a
 /// missed detection: at least this share of the object was visible, or the camera looked through
 /// its place. None when one of them has no entry, or runs restarted their stamps.
-/// Boundary: what is not noted is not counted, as misses of frames whose detections a deadline
-/// dropped. Cost: linear in the kept entries, times their logarithm.
+/// Boundary: a frame with several entries counts once. What is not noted is not counted, as misses
+/// of frames whose detections a deadline dropped. Cost: linear in the kept entries, times their
+/// logarithm.
 [[nodiscard]] std::optional<DetectionsInView> detections_in_view(const ObservationLog& a,
                                                                  const ObservationLog& b,
                                                                  double least_visible_share);

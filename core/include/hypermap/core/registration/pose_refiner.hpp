@@ -52,8 +52,6 @@ class PoseRefiner {
   /// `refined` is of `frame` and nothing was added since.
   std::optional<RegisteredPose> add(const RgbdFrame& frame, const RefinedPose& refined);
 
-  [[nodiscard]] const SurfaceModel& surfaces() const noexcept { return surfaces_; }
-
  private:
   void follow_given(const MapFromCamera& given, const Eigen::Isometry3d& model_from_camera);
 
