@@ -24,7 +24,7 @@ std::size_t num_common(const Frames& a, const Frames& b) {
 
 /// Each once. Requires: ascending.
 Frames unique(Frames frames) {
-  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;
 }
 
