@@ -123,7 +123,10 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          "lounge",
                                          "office",
                                          "pillars",
+                                         "reading_room",
                                          "store_room",
+                                         "studio",
+                                         "ward",
                                          "workshop"),
                          [](const auto& scene) { return std::string(scene.param); });
 
