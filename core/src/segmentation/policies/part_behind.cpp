@@ -31,6 +31,9 @@ constexpr double kLeastTopWidth = 0.4;
 constexpr double kLeastBoxHeight = 0.4;
 /// With it the object is no deeper than this many times the box's width there.
 constexpr float kMostDepthOfWidth = 1.5F;
+/// Or its best surface leads there: it is so much of the whole depth, as a mattress that is seen
+/// from the foot and ends short of the head, where it is seen too flat.
+constexpr float kLeastLeadingShare = 2.0F / 3.0F;
 /// And without its side so much of the box's width, by what is so high.
 constexpr double kLeastBeside = 0.15;
 constexpr double kLeastSideHeight = 0.3;
@@ -95,17 +98,22 @@ double hidden_foot_share(const DepthWindow& window,
   return num_hidden / std::max(1.0, static_cast<double>(num_columns));
 }
 
-/// Whether surface `id` reaches farther back than the best one, and with it the object is no deeper
-/// than so much.
-bool is_far_end(const DepthWindow& window,
-                const DepthComponents& labelled,
-                std::uint32_t best,
-                std::uint32_t id,
-                float most_depth_m) {
+/// How deep the object is with surface `id`, and with the best one alone.
+struct Depths {
+  float whole_m = 0.0F;
+  float of_best_m = 0.0F;
+  bool is_behind = false;  ///< Surface `id` reaches farther back.
+};
+
+Depths depths_of(const DepthWindow& window,
+                 const DepthComponents& labelled,
+                 std::uint32_t best,
+                 std::uint32_t id) {
   const DepthRange of_best = depth_range(window, labelled, best);
   const DepthRange of_end = depth_range(window, labelled, id);
-  return of_end.farthest_m >= of_best.farthest_m &&
-         of_end.farthest_m - of_best.nearest_m <= most_depth_m;
+  return {.whole_m = of_end.farthest_m - of_best.nearest_m,
+          .of_best_m = of_best.farthest_m - of_best.nearest_m,
+          .is_behind = of_end.farthest_m >= of_best.farthest_m};
 }
 
 }  // namespace
@@ -125,8 +133,12 @@ bool is_top_of_box(const DepthWindow& window,
   if (covered.v_begin - box.v_begin < kLeastUncovered * height) return false;
   if (std::abs(component.bounds.v_begin - box.v_begin) > std::max(1.0, kMostBesideEdge * height))
     return false;
-  const float best_m = mean_depth_m(window, labelled, best);
-  return is_far_end(window, labelled, best, id, kMostDepthOfWidth * box_width_m(window, best_m));
+  const Depths depths = depths_of(window, labelled, best, id);
+  if (!depths.is_behind) return false;
+  const float width_m = box_width_m(window, mean_depth_m(window, labelled, best));
+  return depths.whole_m <= kMostDepthOfWidth * width_m ||
+         (depths.whole_m <= kMostLengthM &&
+          depths.of_best_m >= kLeastLeadingShare * depths.whole_m);
 }
 
 bool is_side_of_box(const DepthWindow& window,
@@ -153,7 +165,8 @@ bool is_side_of_box(const DepthWindow& window,
                                 std::max(box.u_end, bounds.u_end) == window.width());
   if (!is_left && !is_right) return false;
   const float there_m = kMostDepthOfWidth * box_width_m(window, mean_depth_m(window, labelled, id));
-  return is_far_end(window, labelled, best, id, std::min(there_m, kMostLengthM));
+  const Depths depths = depths_of(window, labelled, best, id);
+  return depths.is_behind && depths.whole_m <= std::min(there_m, kMostLengthM);
 }
 
 bool is_part_behind(const DepthWindow& window,

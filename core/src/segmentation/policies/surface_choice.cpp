@@ -24,7 +24,7 @@ constexpr double kPartMinGain = 0.03;
 constexpr double kFragmentShare = 0.2;
 constexpr double kFragmentSizeM = 0.5;
 /// A part is not the background seen through the object: of what is hidden more, only what is of an
-/// upright face with the best surface.
+/// upright face with the best surface, and the upper end of the box.
 constexpr double kPartMinOutline = 0.3;
 /// What stands out of its support covers at least this share of the box; else the object is flat.
 constexpr double kStandsOutShare = 0.05;
@@ -160,13 +160,13 @@ ComponentIds with_parts(const DepthWindow& window,
         component.num_in_box < kFragmentShare * labelled.components[best].num_in_box;
     const bool is_hidden = component.outline_share() < kPartMinOutline;
     if (!widens && !is_small) return false;
-    if (is_hidden && (!widens || is_small || !is_upright_with_best(id))) return false;
+    const bool is_top = widens && is_top_of_box(window, labelled, covered, best, id);
+    if (is_hidden && !is_top && (!widens || is_small || !is_upright_with_best(id))) return false;
     const double height_gap_m = widens ? options.part_height_gap_m : options.part_gap_m;
     const Columns part = columns(id);
     if (!widens && plan_size_m(part, options.part_gap_m) > kFragmentSizeM) return false;
-    if (!is_hidden && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
+    if (!is_hidden && !is_top && !are_near(part, reached, static_cast<float>(height_gap_m)) &&
         !is_part_behind(window, labelled, best, id) &&
-        !is_top_of_box(window, labelled, covered, best, id) &&
         !is_side_of_box(window, labelled, covered, best, id) &&
         !are_ends_of_one_face(window, labelled, best, id))
       return false;
