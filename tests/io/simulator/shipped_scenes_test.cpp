@@ -25,12 +25,6 @@ class ShippedScene : public testing::TestWithParam<const char*> {
   }
 };
 
-double distance_m(const Box& box, const Eigen::Vector2d& at) {
-  const Eigen::Vector2d nearest =
-      at.cwiseMax(box.min_in_map.head<2>()).cwiseMin(box.max_in_map.head<2>());
-  return (at - nearest).norm();
-}
-
 TEST_P(ShippedScene, IsReadAndFurnished) {
   const Scene scene = load();
   EXPECT_EQ(scene.name, GetParam());
@@ -52,14 +46,15 @@ TEST_P(ShippedScene, TheCameraAndThoseWhoWalkGoFree) {
     for (const PlacedObject& object : furnished->objects) {
       for (const Eigen::Vector2d& eye : eyes) {
         EXPECT_TRUE(contains(scene.floor, eye)) << eye.transpose();
-        ASSERT_GE(distance_m(object.box, eye), 0.1) << object.name << " at " << eye.transpose();
+        ASSERT_GE(distance_m(object.footprint, eye), 0.1)
+            << object.name << " at " << eye.transpose();
       }
       // Nothing stands in a wall.
       for (const Eigen::Vector2d& corner : object.footprint.outer)
         EXPECT_TRUE(contains(scene.floor, corner)) << object.name << " " << corner;
       for (const MovingBody& body : scene.moving) {
         for (const Eigen::Vector2d& point : body.way_in_map)
-          EXPECT_GE(distance_m(object.box, point), 0.25) << object.name << " " << body.name;
+          EXPECT_GE(distance_m(object.footprint, point), 0.25) << object.name << " " << body.name;
       }
     }
   }
