@@ -33,12 +33,16 @@ class Scene:
         self.calibration = json.loads((folder / "together.json").read_text())["calibration"]
         self.rows = [report["one_to_one"] for report in self.reports.values()]
         self.voxels = [report["voxels"] or {} for report in self.reports.values()]
+        self.occupancy = [report.get("occupancy") or {} for report in self.reports.values()]
 
     def mean(self, key):
         return mean(row[key] for row in self.rows)
 
     def voxel_mean(self, key):
         return mean(voxels.get(key) for voxels in self.voxels)
+
+    def occupancy_mean(self, key):
+        return mean(grid.get(key) for grid in self.occupancy)
 
     def duplicates(self):
         return sum(row["duplicates"] for row in self.rows)
@@ -65,7 +69,9 @@ def print_means(scene):
           f"covered: footprints {shown(scene.mean('footprint_covered'))}, "
           f"surfaces {shown(scene.voxel_mean('surface_covered'))}; "
           f"labels: precision {shown(scene.voxel_mean('precision'))}, recall {shown(scene.voxel_mean('recall'))}, "
-          f"wrong class {shown(scene.voxel_mean('wrong_class_share'))}; duplicates {scene.duplicates()}; "
+          f"wrong class {shown(scene.voxel_mean('wrong_class_share'))}; "
+          f"free cells: precision {shown(scene.occupancy_mean('free_precision'))}, "
+          f"recall {shown(scene.occupancy_mean('free_recall'))}; duplicates {scene.duplicates()}; "
           f"excluded {sum(row['excluded'] for row in scene.rows)}, "
           f"rarely seen {sum(row['rarely_seen'] for row in scene.rows)}")
     for key, name in (("best_class", "P(best class)"), ("real", "P(real)")):
@@ -115,7 +121,8 @@ def print_classes(scene):
 
 
 HEADING = ["scene", "F1", "worst", "precision", "recall", "distance m", "Jaccard", "worst", "half seen", "box IoU",
-           "duplicates", "label precision", "label recall", "wrong class", "error P(class)", "error P(real)"]
+           "duplicates", "label precision", "label recall", "wrong class", "free precision", "free recall", "error P(class)",
+           "error P(real)"]
 
 
 def print_table(scenes):
@@ -128,6 +135,7 @@ def print_table(scenes):
                  shown(scene.mean("seen_jaccard_in_place")), shown(scene.mean("box_iou")), str(scene.duplicates()),
                  shown(scene.voxel_mean("precision")), shown(scene.voxel_mean("recall")),
                  shown(scene.voxel_mean("wrong_class_share")),
+                 shown(scene.occupancy_mean("free_precision")), shown(scene.occupancy_mean("free_recall")),
                  shown(scene.calibration["best_class"]["expected_error"]),
                  shown(scene.calibration["real"]["expected_error"])]
         print("| " + " | ".join(cells) + " |")

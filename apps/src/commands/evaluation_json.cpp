@@ -51,6 +51,22 @@ EvaluationJson json_of(const VoxelOutcome& outcome) {
   return json;
 }
 
+EvaluationJson json_of(const GridAgreement& grid) {
+  return {{"free", grid.free},
+          {"free_right", grid.free_right},
+          {"free_precision", number_json(grid.free_precision())},
+          {"true_free", grid.true_free},
+          {"free_found", grid.free_found},
+          {"free_recall", number_json(grid.free_recall())},
+          {"occupied", grid.occupied},
+          {"occupied_right", grid.occupied_right},
+          {"occupied_precision", number_json(grid.occupied_precision())},
+          {"true_occupied", grid.true_occupied},
+          {"occupied_found", grid.occupied_found},
+          {"occupied_recall", number_json(grid.occupied_recall())},
+          {"occupied_free", grid.occupied_free}};
+}
+
 EvaluationJson json_of(const RelationEvaluation& relations) {
   EvaluationJson json = EvaluationJson::object();
   for (const RelationKind kind : kRelationKinds) {
@@ -118,6 +134,7 @@ std::string json_text_of(const EvaluationOutcome& outcome) {
   }
   json["voxels"] = outcome.voxels ? json_of(*outcome.voxels) : EvaluationJson(nullptr);
   if (!outcome.voxels) json["why_no_voxels"] = outcome.why_no_voxels;
+  json["occupancy"] = outcome.occupancy ? json_of(*outcome.occupancy) : EvaluationJson(nullptr);
   json["relations"] = outcome.relations ? json_of(*outcome.relations) : EvaluationJson(nullptr);
   json["calibration"] = {{"best_class", json_of(outcome.best_class)},
                          {"real", json_of(outcome.real)}};

@@ -75,6 +75,15 @@ std::string voxel_text(const EvaluationOutcome& outcome) {
   return text;
 }
 
+std::string occupancy_text(const GridAgreement& grid) {
+  return "of the free cells of the occupancy layer " + fixed(grid.free_precision(), 3) +
+         " are free in truth, of the truly free ones " + fixed(grid.free_recall(), 3) +
+         " are found; of the occupied ones " + fixed(grid.occupied_precision(), 3) +
+         " are right to a cell, " + fixed(grid.occupied_recall(), 3) + " are found, " +
+         count_text(grid.occupied_free, "cell") +
+         " that are occupied in truth are free in the map\n";
+}
+
 std::string relation_table(const RelationEvaluation& relations) {
   Table table({"relation", "right", "in the map", "true", "precision", "recall"});
   for (const RelationKind kind : kRelationKinds) {
@@ -110,6 +119,7 @@ std::string table_text_of(const EvaluationOutcome& outcome) {
   std::string text = object_table(outcome.report);
   text += object_remarks(outcome);
   text += voxel_text(outcome);
+  if (outcome.occupancy) text += occupancy_text(*outcome.occupancy);
   if (outcome.relations) text += relation_table(*outcome.relations);
   text += calibration_text("P(best class)", outcome.best_class);
   text += calibration_text("P(real)", outcome.real);

@@ -95,6 +95,18 @@ std::vector<TrueObjectOutcome> true_object_outcomes(const EvaluationReport& repo
   return outcomes;
 }
 
+std::optional<GridAgreement> occupancy_agreement(const Hypermap& map, const Hypermap& truth) {
+  const Layer* found = map.find(kOccupancyLayer);
+  const Layer* true_layer = truth.find(kOccupancyLayer);
+  if (found == nullptr || true_layer == nullptr) return std::nullopt;
+  const auto* grid = map.find_as<OccupancyLayer>(kOccupancyLayer);
+  const auto* true_grid = truth.find_as<OccupancyLayer>(kOccupancyLayer);
+  const bool are_alike =
+      grid != nullptr && true_grid != nullptr && found->info.frame_id == true_layer->info.frame_id;
+  if (!are_alike) return std::nullopt;
+  return grid_agreement(grid->grid, true_grid->grid);
+}
+
 bool knows_frames_named(const std::vector<EvaluatedObject>& truth) {
   return !truth.empty() && std::all_of(truth.begin(), truth.end(), [](const auto& object) {
     return object.frames_named.has_value();
@@ -122,6 +134,7 @@ Result<EvaluationOutcome> run_evaluation(const EvaluationJob& job) {
   if (outcome.why_no_voxels.empty()) {
     HYPERMAP_ASSIGN_OR_RETURN(outcome.voxels, evaluated_voxels(map, truth, job.stop));
   }
+  outcome.occupancy = occupancy_agreement(map.archive.hypermap, truth.archive.hypermap);
   outcome.relations = evaluated_relations(map, truth, outcome.report);
   const std::vector<BelievedObject> believed = believed_objects(map);
   HYPERMAP_ASSIGN_OR_RETURN(const ObjectPredictions predictions,

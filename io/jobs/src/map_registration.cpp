@@ -24,10 +24,11 @@ Result<LogOddsGrid> grid_of(const SemanticOctree& octree,
                             const LayerOptions& options) {
   HYPERMAP_ASSIGN_OR_RETURN(
       const OccupancyGrid occupancy,
-      project_occupancy(leaf_source(octree),
-                        over({.height_m = floor_m},
-                             {.min_m = options.min_height_m, .max_m = options.max_height_m}),
-                        {.min_free_share = options.min_free_share}));
+      project_occupancy(
+          leaf_source(octree),
+          over({.height_m = floor_m},
+               {.min_m = options.min_height_m, .max_m = options.max_height_m}),
+          {.min_free_share = options.min_free_share, .max_unseen_m = options.max_unseen_m}));
   return LogOddsGrid::of_occupancy(occupancy);
 }
 

@@ -13,7 +13,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::int8_t kLeastBlocked = 50;
 /// Rounding of a radius in cells decides nothing.
 constexpr double kRounding = 1e-9;
 /// Places that are so much farther from a footprint than the nearest one will do, too.

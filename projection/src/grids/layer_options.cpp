@@ -28,10 +28,16 @@ constexpr OptionRow kLayerRows[] = {
         "min_free_share",
         option::above(0, 1),
         {.effect = "A cell is free when so much of its height was seen free."}),
+    option::number<&LayerOptions::max_unseen_m>(
+        "max_unseen_m",
+        {0, 1000},
+        {.unit = "m",
+         .effect = "And the lowest of it lies at most so high over min_height_m: below may stand "
+                   "what no camera saw."}),
     option::flag<&LayerOptions::carve_footprints>(
         "carve_footprints",
         {.effect = "Footprints by policy voxels lack what was looked through and where other "
-                   "objects stand; else they are convex."}),
+                   "objects stand, and no cell under them is free; else they are convex."}),
     option::flag<&LayerOptions::class_stack>(
         "class_stack",
         {.effect = "A layer `stack` of log-odds for each class is kept beside the others."}),

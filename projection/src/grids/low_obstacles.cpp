@@ -12,7 +12,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::int8_t kLeastOccupied = 50;
 /// Rounding of heights and of sums decides nothing.
 constexpr double kSlackM = 1e-6;
 /// Where no leaf is occupied.
@@ -93,7 +92,7 @@ OccupancyGrid without_low_obstacles(OccupancyGrid grid,
     for (int col = 0; col < geometry.cols; ++col) {
       const Cell cell{.col = col, .row = row};
       const std::size_t i = geometry.index(cell);
-      if (grid.at(cell) < kLeastOccupied || tops[i] == kNoTop) continue;
+      if (grid.at(cell) < kLeastBlocked || tops[i] == kNoTop) continue;
       const double above_m = band.max_m - static_cast<double>(tops[i]);
       const bool is_looked_over =
           above_m > kSlackM &&

@@ -10,14 +10,12 @@
 namespace hypermap {
 namespace {
 
-constexpr std::int8_t kLeastRim = 50;
-
 /// The grid with, of each cell, whether an obstacle meets it.
 struct MetGrid {
   OccupancyGrid grid;
   std::vector<std::uint8_t> is_met;
 
-  [[nodiscard]] bool is_occupied(Cell cell) const { return grid.at(cell) >= kLeastRim; }
+  [[nodiscard]] bool is_occupied(Cell cell) const { return grid.at(cell) >= kLeastBlocked; }
   /// What is beyond the grid, too.
   [[nodiscard]] bool is_unknown(Cell cell) const {
     return !grid.geometry().contains(cell) || grid.at(cell) == kUnknownCell;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hypermap/projection/grids/occupancy_projection.hpp"
 
+#include "grids/hidden_levels.hpp"
 #include "hypermap/core/base/option_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -13,6 +16,8 @@ namespace {
 
 /// A leaf's edge on a cell's edge up to rounding does not reach into the next cell.
 constexpr double kSlackCells = 1e-6;
+/// Rounding of a height decides nothing.
+constexpr double kHeightSlackM = 1e-6;
 
 constexpr OptionRow kProjectionRows[] = {
     option::number<&OccupancyProjectionOptions::resolution_m>(
@@ -23,6 +28,11 @@ constexpr OptionRow kProjectionRows[] = {
         "min_free_share",
         option::above(0, 1),
         {.effect = "A cell is free when so much of its height was seen free."}),
+    option::number<&OccupancyProjectionOptions::max_unseen_m>(
+        "max_unseen_m",
+        {0, 1000},
+        {.unit = "m",
+         .effect = "And the lowest of it lies at most so high over the band's lower end."}),
 };
 
 Result<void> check_geometry(const OccupancyProjectionOptions& options) {
@@ -114,6 +124,51 @@ Result<GridGeometry> around(const Extent& extent, double resolution_m) {
   return geometry;
 }
 
+/// The grid that is asked for, else one around the extent; without cells where that is empty.
+Result<GridGeometry> geometry_for(const Extent& extent, const OccupancyProjectionOptions& options) {
+  if (options.geometry) return *options.geometry;
+  if (extent.smallest_edge_m == 0.0) return GridGeometry{};
+  return around(extent, options.resolution_m > 0.0 ? options.resolution_m : extent.smallest_edge_m);
+}
+
+struct Column {
+  float free_m = 0.0F;  ///< Mean height that was seen free.
+  bool is_seen_low = false;
+  bool is_occupied = false;
+};
+
+struct Columns {
+  std::vector<Column> cells;
+  std::vector<bool> hides_level;
+};
+
+/// Of the band, over each cell; low is what begins at `low_m` at most. Requires: leaf_edge_m > 0,
+/// of the smallest leaves in the band.
+Columns columns_of(const LeafSource& leaves,
+                   const HeightBand& band,
+                   const GridGeometry& geometry,
+                   double leaf_edge_m,
+                   double low_m) {
+  Columns columns{.cells = std::vector<Column>(geometry.num_cells()), .hides_level = {}};
+  HiddenLevels levels(geometry, band, leaf_edge_m);
+  leaves([&](const LeafSample& leaf) {
+    const std::uint64_t of_leaf = levels.levels_of(leaf);
+    const bool is_low = leaf.centre_in_map.z() - leaf.edge_m / 2 <= low_m;
+    for_each_column(geometry, band, leaf, [&](Cell cell, double covered, double height_m) {
+      Column& column = columns.cells[geometry.index(cell)];
+      levels.add(cell, leaf, of_leaf);
+      if (leaf.occupied) {
+        column.is_occupied = true;
+      } else {
+        column.free_m += static_cast<float>(covered * height_m);
+        column.is_seen_low = column.is_seen_low || is_low;
+      }
+    });
+  });
+  columns.hides_level = std::move(levels).take_hidden_cells();
+  return columns;
+}
+
 }  // namespace
 
 const OptionTable& option_table(const OccupancyProjectionOptions&) {
@@ -145,35 +200,27 @@ Result<GridGeometry> projection_geometry(const LeafSource& leaves,
                                          const OccupancyProjectionOptions& options) {
   HYPERMAP_TRY(validate(band, options));
   if (options.geometry) return *options.geometry;
-  const Extent extent = extent_of(leaves, band);
-  const bool is_empty = extent.smallest_edge_m == 0.0;
-  if (is_empty) return GridGeometry{};
-  return around(extent, options.resolution_m > 0.0 ? options.resolution_m : extent.smallest_edge_m);
+  return geometry_for(extent_of(leaves, band), options);
 }
 
 Result<OccupancyGrid> project_occupancy(const LeafSource& leaves,
                                         const HeightBand& band,
                                         const OccupancyProjectionOptions& options) {
-  HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry,
-                            projection_geometry(leaves, band, options));
+  HYPERMAP_TRY(validate(band, options));
+  const Extent extent = extent_of(leaves, band);
+  HYPERMAP_ASSIGN_OR_RETURN(const GridGeometry geometry, geometry_for(extent, options));
+  if (extent.smallest_edge_m == 0.0) return OccupancyGrid::create(geometry, kUnknownCell);
   try {
-    std::vector<float> free_m(geometry.num_cells(), 0.0F);  // mean height seen free, by cell
-    std::vector<std::int8_t> cells(geometry.num_cells(), kUnknownCell);
-    leaves([&](const LeafSample& leaf) {
-      for_each_column(geometry, band, leaf, [&](Cell cell, double covered, double height_m) {
-        const std::size_t i = geometry.index(cell);
-        if (leaf.occupied) {
-          cells[i] = kOccupiedCell;
-        } else {
-          free_m[i] += static_cast<float>(covered * height_m);
-        }
-      });
-    });
+    const double low_m = band.min_m + options.max_unseen_m + kHeightSlackM;
+    const Columns columns = columns_of(leaves, band, geometry, extent.smallest_edge_m, low_m);
     // Rounding of sums must not make a column miss a share that it has exactly.
     const double needed_m = options.min_free_share * (band.max_m - band.min_m) * (1.0 - 1e-5);
+    std::vector<std::int8_t> cells(geometry.num_cells(), kUnknownCell);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const bool is_free = cells[i] != kOccupiedCell && static_cast<double>(free_m[i]) >= needed_m;
-      if (is_free) cells[i] = kFreeCell;
+      const Column& column = columns.cells[i];
+      const bool is_free = static_cast<double>(column.free_m) >= needed_m && column.is_seen_low &&
+                           !columns.hides_level[i];
+      cells[i] = column.is_occupied ? kOccupiedCell : is_free ? kFreeCell : kUnknownCell;
     }
     return OccupancyGrid::create(geometry, std::move(cells));
   } catch (const std::bad_alloc&) {

@@ -16,7 +16,6 @@
 namespace hypermap {
 namespace {
 
-constexpr std::int8_t kHalfOccupied = 50;
 /// Less than that of a cell may be a wall's.
 constexpr double kCoveredShare = 0.5;
 
@@ -104,7 +103,7 @@ CellMask floor_of(const OccupancyGrid& grid, const RoomOptions& options) {
   CellMask floor{.cols = geometry.cols, .rows = geometry.rows, .is_in = {}};
   floor.is_in.reserve(geometry.num_cells());
   for (const std::int8_t value : grid.cells()) {
-    floor.is_in.push_back(value >= kFreeCell && value < kHalfOccupied ? 1 : 0);
+    floor.is_in.push_back(value >= kFreeCell && value < kLeastBlocked ? 1 : 0);
   }
   std::vector<std::uint8_t> is_done(floor.is_in.size(), 0);
   std::vector<std::size_t> filled;
@@ -209,6 +208,18 @@ std::vector<Doorway> doorways_of(const RoomPlan& plan, const std::vector<std::in
   return doorways;
 }
 
+/// Calls `visit(cell)` for each cell that one of the polygons covers by half.
+template <class Visit>
+void for_each_half_covered(const GridGeometry& geometry,
+                           std::span<const Polygon> obstacles,
+                           Visit visit) {
+  for (const Polygon& obstacle : obstacles) {
+    for_each_covered_cell(geometry, obstacle, [&](Cell cell, double covered) {
+      if (covered >= kCoveredShare) visit(cell);
+    });
+  }
+}
+
 }  // namespace
 
 const OptionTable& option_table(const RoomOptions&) {
@@ -221,12 +232,16 @@ Result<void> validate(const RoomOptions& options) {
 }
 
 OccupancyGrid without_obstacles(OccupancyGrid grid, std::span<const Polygon> obstacles) {
-  const GridGeometry geometry = grid.geometry();
-  for (const Polygon& obstacle : obstacles) {
-    for_each_covered_cell(geometry, obstacle, [&](Cell cell, double covered) {
-      if (covered >= kCoveredShare) grid.set(cell, kFreeCell);
-    });
-  }
+  for_each_half_covered(grid.geometry(), obstacles, [&](Cell cell) { grid.set(cell, kFreeCell); });
+  return grid;
+}
+
+OccupancyGrid with_obstacles(OccupancyGrid grid, std::span<const Polygon> obstacles) {
+  for_each_half_covered(grid.geometry(), obstacles, [&](Cell cell) {
+    const std::int8_t value = grid.at(cell);
+    const bool is_free = value >= kFreeCell && value < kLeastBlocked;
+    if (is_free) grid.set(cell, kOccupiedCell);
+  });
   return grid;
 }
 

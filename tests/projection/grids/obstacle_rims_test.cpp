@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -36,6 +37,16 @@ Polygon box_between(double x0, double y0, double x1, double y1) {
 
 Rows cleared(const Rows& rows, const std::vector<Polygon>& obstacles) {
   return rows_of_grid(without_rims(without_obstacles(drawn_plan(rows), obstacles), obstacles));
+}
+
+TEST(WithObstacles, OccupyFreeCellsThatTheyCoverByHalf) {
+  OccupancyGrid grid = drawn_plan({"....", "?..#"});
+  grid.set({1, 0}, 49);
+  // All of the first row, half of the second one but for the last cell, of which it has a bit less.
+  const std::vector<Polygon> obstacles{
+      box_between(0, 0, 4, 1), box_between(0, 1, 3, 1.5), box_between(3, 1, 4, 1.49)};
+  EXPECT_THAT(rows_of_grid(with_obstacles(std::move(grid), obstacles)),
+              ElementsAreArray(Rows{"###.", "?###"}));
 }
 
 // The chair covers the middle cell, and 0.4 or 0.16 of those around it.

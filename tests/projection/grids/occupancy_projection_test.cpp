@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace hypermap {
@@ -58,6 +59,109 @@ TEST(OccupancyProjection, UnknownIsNotFree) {
   EXPECT_THAT(grid_cells(*grid), ElementsAre(0, -1, -1, 0));
   const auto strict = project_occupancy(voxels.source(), kBand, {.min_free_share = 1.0});
   EXPECT_THAT(grid_cells(*strict), ElementsAre(-1, -1, -1, 0));
+}
+
+TEST(OccupancyProjection, WhatWasNotSeenFreeNearTheFloorIsNotFree) {
+  Voxels voxels;  // the lowest free leaf 0.2, 0.3 m over the band's lower end
+  voxels.column(0, 0, 3, 11).column(1, 0, 4, 11);
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand)), ElementsAre(0, -1));
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand, {.max_unseen_m = 0.3})),
+              ElementsAre(0, 0));
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand, {.max_unseen_m = 0})),
+              ElementsAre(-1, -1));
+}
+
+/// Cells along x. At 0.7 m something was measured in the first one, in `edge_leaves` leaves; of the
+/// others all was seen free but `num_hidden` leaves from 0.7 m on.
+std::vector<std::int8_t> cells_beside_an_edge(int num_hidden, int edge_leaves, int num_cells = 5) {
+  Voxels voxels;
+  voxels.column(0, 0, 1, 7).column(0, 0, 7, 7 + edge_leaves, true);
+  voxels.column(0, 0, 7 + edge_leaves, 11);
+  for (int x = 1; x < num_cells; ++x) voxels.column(x, 0, 1, 7).column(x, 0, 7 + num_hidden, 11);
+  return grid_cells(*project_occupancy(voxels.source(), kBand));
+}
+
+TEST(OccupancyProjection, ATopGoesOnBesideItsEdgeWhereItsHeightWasNotSeen) {
+  EXPECT_THAT(cells_beside_an_edge(1, 1), ElementsAre(100, -1, 0, 0, 0)) << "0.1 m of 0.15";
+  EXPECT_THAT(cells_beside_an_edge(2, 1), ElementsAre(100, -1, 0, 0, 0));
+  EXPECT_THAT(cells_beside_an_edge(0, 1), ElementsAre(100, 0, 0, 0, 0)) << "looked through";
+  EXPECT_THAT(cells_beside_an_edge(3, 1), ElementsAre(100, 0, 0, 0, 0)) << "no picture reached it";
+  EXPECT_THAT(cells_beside_an_edge(1, 2), ElementsAre(100, 0, 0, 0, 0)) << "of 0.2 m: no top";
+}
+
+TEST(OccupancyProjection, ATopGoesOnAtItsOwnHeight) {
+  // The edge is at leaf 5; of its neighbour one leaf was not seen.
+  for (const auto& [unseen, is_free] :
+       {std::pair(3, true), {4, false}, {5, false}, {6, false}, {7, true}}) {
+    Voxels voxels;
+    voxels.column(0, 0, 1, 11).add(0, 0, 5, true);
+    voxels.column(1, 0, 1, unseen).column(1, 0, unseen + 1, 11);
+    const auto grid = project_occupancy(voxels.source(), kBand);
+    EXPECT_EQ(grid->at({1, 0}), is_free ? kFreeCell : kUnknownCell) << unseen;
+  }
+}
+
+TEST(OccupancyProjection, WhatWasNotSeenAtTheEndsOfTheBandIsHiddenByNothing) {
+  for (const int unseen : {1, 10}) {
+    Voxels voxels;
+    voxels.column(0, 0, 1, 11).add(0, 0, unseen, true).column(1, 0, 2, 10);
+    voxels.add(1, 0, unseen == 1 ? 10 : 1, false);
+    EXPECT_EQ(project_occupancy(voxels.source(), kBand)->at({1, 0}), kFreeCell) << unseen;
+  }
+}
+
+TEST(OccupancyProjection, ATopEndsAtWhatIsOccupiedAndGoesOnToAllSides) {
+  // A row of five cells with a post at the third one, and a cell beside the edge in the next row.
+  Voxels voxels;
+  const auto all_but_the_top = [&](int x, int y) { voxels.column(x, y, 1, 7).column(x, y, 8, 11); };
+  voxels.add(1, 0, 7, true).column(2, 0, 1, 11, true);
+  all_but_the_top(0, 0);
+  all_but_the_top(3, 0);
+  all_but_the_top(1, 1);
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand)),
+              ElementsAre(-1, 100, 100, 0, -1, -1, -1, -1));
+}
+
+TEST(OccupancyProjection, LevelsAreThoseOfTheLeavesWhateverTheBand) {
+  Voxels voxels;
+  voxels.column(0, 0, 0, 12).add(0, 0, 7, true).column(1, 0, 0, 7).column(1, 0, 8, 12);
+  for (const double off_m : {0.0, 0.03, 0.05, 0.07}) {
+    const HeightBand band{.min_m = 0.1 + off_m, .max_m = 1.0 + off_m};
+    EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), band)), ElementsAre(100, -1))
+        << off_m;
+  }
+}
+
+TEST(OccupancyProjection, NoLevelIsHiddenInCellsWiderThanATopGoesOn) {
+  Voxels voxels;
+  voxels.column(0, 0, 1, 7).add(0, 0, 7, true);
+  for (int x = 1; x < 4; ++x) voxels.column(x, 0, 1, 7).column(x, 0, 8, 11);
+  const OccupancyProjectionOptions wide{.resolution_m = 0.2, .min_free_share = 0.4};
+  EXPECT_THAT(grid_cells(*project_occupancy(voxels.source(), kBand, wide)), ElementsAre(100, 0));
+}
+
+TEST(OccupancyProjection, ATopGoesOnForThreeLeavesOf5Cm) {
+  std::vector<LeafSample> leaves;
+  const auto add = [&](int x, int z, bool occupied) {
+    leaves.push_back({.centre_in_map = 0.05 * Eigen::Vector3d(x + 0.5, 0.5, z + 0.5),
+                      .edge_m = 0.05,
+                      .occupancy = {},
+                      .occupied = occupied});
+  };
+  for (int x = 0; x < 6; ++x) {
+    for (int z = 2; z < 36; ++z) {
+      if (z != 14) add(x, z, false);
+    }
+  }
+  add(0, 14, true);
+  const LeafSource source = [&](const LeafVisitor& visit) {
+    for (const LeafSample& leaf : leaves) visit(leaf);
+  };
+  EXPECT_THAT(grid_cells(*project_occupancy(source)), ElementsAre(100, -1, -1, -1, 0, 0));
+  // The same over a band of so many leaves that levels are of two of them.
+  const HeightBand high{.min_m = 0.1, .max_m = 3.3};
+  EXPECT_THAT(grid_cells(*project_occupancy(source, high, {.min_free_share = 0.4})),
+              ElementsAre(100, 0, 0, 0, 0, 0));
 }
 
 TEST(OccupancyProjection, FloorAndCeilingAreNotInTheBand) {

@@ -9,6 +9,7 @@
 #include "hypermap/octree_semantic/octree/voxel_owners.hpp"
 #include "hypermap/projection/grids/class_grids.hpp"
 #include "hypermap/projection/grids/occupancy_projection.hpp"
+#include "hypermap/projection/grids/rooms.hpp"
 #include "hypermap/projection/layers/object_footprints.hpp"
 
 #include <algorithm>
@@ -46,13 +47,49 @@ auto guarded_layer(const Make& make) -> decltype(make()) {
   return guarded(ErrorCode::kInvalidArgument, "it", make);
 }
 
+OccupancyProjectionOptions projection_of(const LayerOptions& options) {
+  return {.min_free_share = options.min_free_share, .max_unseen_m = options.max_unseen_m};
+}
+
+/// Shapes that were held against the map, column by column, and that say what stands on the floor.
+struct StandingShapes {
+  const SemanticLayer* layer = nullptr;  ///< None: there are no such shapes.
+  std::vector<ObjectId> left_out = {};   ///< Their box stands in for them.
+};
+
+/// Of those objects that reach into the band by more than a voxel.
+std::vector<Polygon> shapes_in(const HeightBand& band,
+                               const StandingShapes& standing,
+                               const MapArchive& archive,
+                               std::span<const ObjectId> confirmed) {
+  std::vector<Polygon> found;
+  if (standing.layer == nullptr) return found;
+  const double least_m = archive.octree->resolution_m();
+  for (const ObjectId id : confirmed) {
+    const SemanticObject* shape = standing.layer->find(id.value);
+    const auto& out = standing.left_out;
+    if (shape == nullptr || std::find(out.begin(), out.end(), id) != out.end()) continue;
+    const Box& box = archive.objects.at(id).box;
+    const double top_m = std::min(box.max_in_map.z(), band.max_m);
+    if (top_m - std::max(box.min_in_map.z(), band.min_m) <= least_m) continue;
+    found.insert(found.end(), shape->parts.begin(), shape->parts.end());
+  }
+  return found;
+}
+
 /// The layer is new, or, on an error, not there: one of an earlier map would be of another map.
+/// What shapes cover is not free, though rays passed over a seat.
 Result<void> put_occupancy(MapArchive& archive,
                            const LeafSource& leaves,
+                           std::span<const ObjectId> confirmed,
+                           const StandingShapes& standing,
                            const LayerOptions& options) {
+  const HeightBand band = band_of(options, archive.floor);
   auto grid = guarded_layer([&] {
-    return project_occupancy(
-        leaves, band_of(options, archive.floor), {.min_free_share = options.min_free_share});
+    auto projected = project_occupancy(leaves, band, projection_of(options));
+    if (!projected) return projected;
+    const auto shapes = shapes_in(band, standing, archive, confirmed);
+    return Result<OccupancyGrid>(with_obstacles(std::move(*projected), shapes));
   });
   const bool has_cells = grid && grid->geometry().num_cells() > 0;
   if (has_cells) {
@@ -67,18 +104,25 @@ Result<void> put_occupancy(MapArchive& archive,
                   std::to_string(archive.floor.height_m) + " m");
 }
 
-/// As put_occupancy.
-Result<void> put_footprints(MapArchive& archive,
-                            std::span<const ObjectId> confirmed,
-                            std::optional<CarvingMap> carving,
-                            const ObjectPipelineOptions& options) {
-  auto footprints = guarded_layer([&] {
+Result<FootprintLayer> footprints_of(const MapArchive& archive,
+                                     const LeafSource& leaves,
+                                     std::span<const ObjectId> confirmed,
+                                     const ObjectPipelineOptions& objects,
+                                     const LayerOptions& options) {
+  auto carving = options.carve_footprints
+                     ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
+                     : std::nullopt;
+  return guarded_layer([&] {
     return project_footprints(objects_of(archive.objects, confirmed),
                               archive.classes,
-                              {.policy = options.footprint,
-                               .confidence = options.confirmation.confidence,
+                              {.policy = objects.footprint,
+                               .confidence = objects.confirmation.confidence,
                                .carving = std::move(carving)});
   });
+}
+
+/// As put_occupancy.
+Result<void> put_footprints(MapArchive& archive, Result<FootprintLayer> footprints) {
   if (footprints) return put_layer(archive.hypermap, kSemanticLayer, std::move(footprints->layer));
   archive.hypermap.remove_layer(kSemanticLayer);
   return Unexpected(std::move(footprints).error());
@@ -89,11 +133,10 @@ Result<void> put_class_grids(MapArchive& archive,
                              const LeafSource& leaves,
                              const LayerOptions& options) {
   archive.class_grids.clear();
-  HYPERMAP_ASSIGN_OR_RETURN(
-      auto grids, guarded_layer([&] {
-        return project_class_grids(
-            leaves, band_of(options, archive.floor), {.min_free_share = options.min_free_share});
-      }));
+  HYPERMAP_ASSIGN_OR_RETURN(auto grids, guarded_layer([&] {
+                              return project_class_grids(
+                                  leaves, band_of(options, archive.floor), projection_of(options));
+                            }));
   for (auto& [id, grid] : grids) {
     archive.class_grids.push_back(
         {.class_name = archive.classes.name(id), .frame_id = "map", .grid = std::move(grid)});
@@ -130,6 +173,13 @@ Finding kept_as_it_was(std::string_view layer) {
       {.code = ErrorCode::kUnsupported,
        .what = "stays as it was, its enable_update is false: what was mapped since is not in it",
        .entry = std::string(layer)}};
+}
+
+/// Of a layer that is there.
+Finding made_without_footprints(Error error) {
+  error.what = "made without the footprints of objects: " + error.what;
+  error.entry = std::string(kOccupancyLayer);
+  return {Severity::kWarning, std::move(error)};
 }
 
 Finding left_out(Error error, std::string_view layer) {
@@ -196,13 +246,21 @@ Result<DerivedLayers> derive_layers(MapArchive& archive,
       derived.left_out.push_back(left_out(done.error(), layer));
     }
   };
-  make(kOccupancyLayer, [&] { return put_occupancy(archive, leaves, options); });
-  make(kSemanticLayer, [&] {
-    auto carving = options.carve_footprints
-                       ? std::optional(CarvingMap{leaves, archive.octree->resolution_m()})
-                       : std::nullopt;
-    return put_footprints(archive, confirmed, std::move(carving), objects);
+  auto footprints = footprints_of(archive, leaves, confirmed, objects, options);
+  const bool are_held_against_map =
+      options.carve_footprints && objects.footprint == ShapePolicy::kVoxels;
+  make(kOccupancyLayer, [&] {
+    StandingShapes standing;
+    if (!takes_updates(archive.hypermap, kSemanticLayer)) {
+      standing.layer = archive.hypermap.find_as<SemanticLayer>(kSemanticLayer);
+    } else if (are_held_against_map && footprints) {
+      standing = {.layer = &footprints->layer, .left_out = footprints->from_box};
+    } else if (are_held_against_map) {
+      derived.left_out.push_back(made_without_footprints(footprints.error()));
+    }
+    return put_occupancy(archive, leaves, confirmed, standing, options);
   });
+  make(kSemanticLayer, [&] { return put_footprints(archive, std::move(footprints)); });
   make("class grids", [&] { return put_class_grids(archive, leaves, options); });
   if (wants_stack(archive, options)) {
     make(kStackLayer, [&] { return put_stack(archive, leaves, options); });

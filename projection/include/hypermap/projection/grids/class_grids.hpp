@@ -25,7 +25,8 @@ struct ClassColumns {
 };
 
 /// A grid for each class that some occupied leaf in the band bears, by ascending id, all of one
-/// geometry: that of project_occupancy with the same band and options.
+/// geometry: that of project_occupancy with the same band and options, unknown where it is unknown.
+/// Voxels alone decide: a cleared seat is no cell of its class.
 /// Errors: as project_occupancy; kLimit when all grids together have more than 2^30 cells.
 [[nodiscard]] Result<std::vector<ClassColumns>> project_class_grids(
     const LeafSource& leaves,

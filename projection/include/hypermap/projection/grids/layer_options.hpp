@@ -21,6 +21,9 @@ struct LayerOptions {
   double max_height_m = 1.8;  ///< Above min_height_m.
   /// Least share of the band's height that must have been seen free for a free cell.
   double min_free_share = 0.5;
+  /// And at most so much of the band's height, from below, in which nothing free was seen. Unit:
+  /// metre.
+  double max_unseen_m = 0.2;
   /// Footprints by policy `voxels` lack what was looked through and where other objects stand.
   bool carve_footprints = true;
   /// A stack of evidence for each class is kept beside the other layers.

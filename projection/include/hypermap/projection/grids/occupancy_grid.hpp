@@ -19,6 +19,8 @@ namespace hypermap {
 inline constexpr std::int8_t kFreeCell = 0;
 inline constexpr std::int8_t kOccupiedCell = 100;
 inline constexpr std::int8_t kUnknownCell = -1;
+/// Where it is asked whether something stands in a cell: from this occupancy on.
+inline constexpr std::int8_t kLeastBlocked = 50;
 
 struct OccupancyCounts {
   std::size_t occupied = 0;  ///< Cells of 100.

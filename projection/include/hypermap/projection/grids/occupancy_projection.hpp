@@ -5,8 +5,14 @@
 /// Ours, in the sense of [hypermap] 3.3.3 (an occupancy layer beside the others). Rule for the
 /// column above a cell, within the height band:
 /// - occupied, when any occupied leaf lies in it;
-/// - else free, when at least `min_free_share` of its volume was seen free;
+/// - else free, when at least `min_free_share` of its volume was seen free, down to `max_unseen_m`
+///   over the band's lower end (below it a suitcase may stand that nobody saw), and it hides no
+///   level: where all but a height of at most 0.2 m was seen free and beside it, within 0.15 m,
+///   something thin was measured at that height, the top of a table goes on;
 /// - else unknown. Unknown is not free: what was not observed may hold a wall.
+/// Boundary: a cell larger than leaves, or turned, was seen at a height where any part of it was.
+/// No level is hidden among leaves or cells of more than 0.15 m; in a band of more than 61 leaves
+/// levels are of two, or four and so on, and one that was seen in part counts as seen.
 #pragma once
 
 #include "hypermap/core/base/result.hpp"
@@ -38,6 +44,8 @@ struct OccupancyProjectionOptions {
   double resolution_m = 0.0;
   /// Least share of the band's height that must have been seen free, in (0, 1].
   double min_free_share = 0.5;
+  /// The lowest of what was seen free lies at most so high over the band's lower end. Unit: metre.
+  double max_unseen_m = 0.2;
   /// The grid to fill, turned or not; none: the smallest one around the band's leaves, unturned,
   /// its cells aligned with the map's origin.
   std::optional<GridGeometry> geometry = std::nullopt;
@@ -50,7 +58,8 @@ struct OccupancyProjectionOptions {
 
 /// Boundary: a map without leaves in the band gives a grid without cells (or all of
 /// `options.geometry` unknown). Errors: kInvalidArgument; kLimit when the grid would be too large.
-/// Cost: two passes over the leaves, 5 bytes a cell besides the grid.
+/// Cost: two passes over the leaves, 25 bytes a cell besides the grid, and 32 for each one beside
+/// the edge of something thin.
 [[nodiscard]] Result<OccupancyGrid> project_occupancy(
     const LeafSource& leaves,
     const HeightBand& band = {},

@@ -84,6 +84,11 @@ struct RoomPlan {
 [[nodiscard]] OccupancyGrid without_obstacles(OccupancyGrid grid,
                                               std::span<const Polygon> obstacles);
 
+/// The occupancy with the free cells occupied that one of the polygons covers by half: something
+/// stands there, whatever rays passed through its column. Unknown ones stay.
+/// Cost: as for_each_covered_cell.
+[[nodiscard]] OccupancyGrid with_obstacles(OccupancyGrid grid, std::span<const Polygon> obstacles);
+
 /// Free are cells of 0 to 49. What is not known is in no room, but only what is occupied narrows a
 /// gap: where nobody looked there need not be a wall.
 ///

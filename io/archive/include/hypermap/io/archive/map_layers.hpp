@@ -60,10 +60,14 @@ struct DerivedLayers {
 ///
 /// Heights are over the floor of the map (`shown_floor`, or the one that the options state), which
 /// the archive keeps. Grids cover the largest region of the octree alone (map_regions.hpp);
-/// `semantic` has the objects of all regions. What cannot be made (too many cells, no memory) is
-/// left out and said: the map would else be lost with it. A layer whose `enable_update` is false
-/// stays as it was, which is said, too. Source: [hypermap] 3.3.5. Requires: archive.octree. Errors:
-/// those of validate(options). Cost: some walks over the leaves, the cells of the grids.
+/// `semantic` has the objects of all regions. Cells of `occupancy` that were seen free are occupied
+/// where one of its shapes covers half of them, when these were held against the map
+/// (`carve_footprints`, policy `voxels`, no box in the place of a shape; a layer `semantic` that
+/// takes no updates as it is) and the object reaches into the band by more than a voxel. What
+/// cannot be made (too many cells, no memory) is left out and said: the map would else be lost with
+/// it. A layer whose `enable_update` is false stays as it was, which is said, too. Source:
+/// [hypermap] 3.3.5. Requires: archive.octree. Errors: those of validate(options). Cost: some walks
+/// over the leaves, the cells of the grids.
 [[nodiscard]] Result<DerivedLayers> derive_layers(MapArchive& archive,
                                                   const ObjectPipelineOptions& objects,
                                                   const LayerOptions& options);

@@ -11,6 +11,7 @@
 #include "hypermap/core/evaluation/relation_evaluation.hpp"
 #include "hypermap/core/evaluation/voxel_evaluation.hpp"
 #include "hypermap/io/archive/map_archive.hpp"
+#include "hypermap/projection/grids/grid_agreement.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -79,6 +80,8 @@ struct EvaluationOutcome {
   std::optional<MapComparison> against =
       std::nullopt;  ///< The map against the other one, when there is one.
   std::optional<VoxelOutcome> voxels = std::nullopt;
+  /// Of the layers `occupancy`; none where either side lacks it or they lie in different frames.
+  std::optional<GridAgreement> occupancy = std::nullopt;
   std::string why_no_voxels = {};  ///< Why there is no `voxels`; empty when there is.
   /// The truth tells how often each object was named rightly, so rarely seen ones are excluded.
   bool knows_frames_named = false;
