@@ -12,7 +12,8 @@
 namespace hypermap {
 namespace {
 
-/// All of 2 m x 1 m x 1.8 m was looked through. A board of 1 m x 1 m at 0.5 m is an object.
+/// All of 2 m x 1 m x 1.8 m was looked through. A board of 1 m x 1 m, from 0.41 to
+/// 0.5 m, is an object.
 MapArchive archive_with_a_cleared_board() {
   MapArchive archive;
   const ClassId table = archive.classes.add("diningtable").value();
@@ -29,7 +30,9 @@ MapArchive archive_with_a_cleared_board() {
   std::vector<Eigen::Vector3f> top;
   for (int i = 0; i < 100; ++i) {
     for (int j = 0; j < 100; ++j) {
-      top.emplace_back(0.01F * static_cast<float>(i), 0.01F * static_cast<float>(j), 0.5F);
+      for (const float z : {0.41F, 0.5F}) {
+        top.emplace_back(0.01F * static_cast<float>(i), 0.01F * static_cast<float>(j), z);
+      }
     }
   }
   Object object;

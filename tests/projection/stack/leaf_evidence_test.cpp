@@ -50,9 +50,9 @@ TEST(ClassEvidence, IsTheSumOverTheVoxelsOfAColumn) {
                                        leaf_of_class(0, 4, kChair, 0.7),
                                        leaf_of_class(1, 3, kTable, 2.0),
                                        leaf_of_class(1, 4, kChair, 0.4),
-                                       leaf_at(2, 6, 3.5),
+                                       leaf_at(2, 5, 3.5),
                                        leaf_at(3, 3, -2.0),
-                                       leaf_at(3, 5, -1.0),
+                                       leaf_at(3, 4, -1.0),
                                        leaf_at(4, 3, -2.0),
                                        leaf_of_class(5, 7, kChair, 1.0)};
   const auto grids = project_class_evidence(visiting(leaves), kBand);
