@@ -154,15 +154,20 @@ TEST(SurfaceChoice, HasTheFarSideThatEndsTheBox) {
   EXPECT_LT(depth_of_settee_m(1.9, 0.75), 0.6) << "a board on the wall is too low for a side";
 }
 
-/// How high a bed is found, 0.94 m wide and seen from its foot, whose mattress and cushions end so
-/// far away and whose head ends there; so far behind the head is a wall.
-double height_of_narrow_bed_m(double cushions_end_m, double head_end_m, double wall_gap_m) {
+/// How high a bed is found, so wide and seen from its foot, whose mattress and cushions end so far
+/// away and whose head ends there; so far behind the head is a wall.
+double height_of_long_bed_m(double cushions_end_m,
+                            double head_end_m,
+                            double wall_gap_m,
+                            double width_m = 0.94) {
   BoxScene scene;
   scene.add(kFloor, {-1, -4, -0.1}, {8, 4, 0});
   scene.add(kWall, {head_end_m + wall_gap_m, -4, 0}, {8, 4, 3});
-  scene.add(kChair, {2.6, -0.47, 0}, {cushions_end_m - 0.2, 0.47, 0.5});
-  scene.add(kChair, {cushions_end_m - 0.2, -0.4, 0.3}, {cushions_end_m, 0.4, 0.62});
-  scene.add(kChair, {head_end_m - 0.05, -0.47, 0}, {head_end_m, 0.47, 1.0});
+  const double side_m = width_m / 2;
+  const double slim_m = side_m - 0.07;
+  scene.add(kChair, {2.6, -side_m, 0}, {cushions_end_m - 0.1, side_m, 0.5});
+  scene.add(kChair, {cushions_end_m - 0.1, -slim_m, 0.3}, {cushions_end_m, slim_m, 0.62});
+  scene.add(kChair, {head_end_m - 0.05, -side_m, 0}, {head_end_m, side_m, 1.0});
   const SceneView view = scene.view(test::look_at({0, 0, 1.3}, {3.5, 0, 0.4}), 1);
   const auto found = segment(view.frame, detection_of(view, kChair), {});
   EXPECT_TRUE(found.has_value());
@@ -170,10 +175,11 @@ double height_of_narrow_bed_m(double cushions_end_m, double head_end_m, double w
 }
 
 TEST(SurfaceChoice, HasTheHeadToWhichALongBedLeads) {
-  EXPECT_GT(height_of_narrow_bed_m(4.4, 4.7, 0.6), 0.95);
-  EXPECT_GT(height_of_narrow_bed_m(4.4, 4.7, 0.05), 0.95) << "a wall: hardly an outline";
-  EXPECT_LT(height_of_narrow_bed_m(3.6, 4.7, 0.6), 0.7) << "a chair, and what is behind it";
-  EXPECT_LT(height_of_narrow_bed_m(4.9, 5.3, 0.6), 0.7) << "nothing in a room is 2.7 m deep";
+  EXPECT_GT(height_of_long_bed_m(4.4, 4.7, 0.6), 0.95);
+  EXPECT_GT(height_of_long_bed_m(4.4, 4.7, 0.05), 0.95) << "a wall: hardly an outline";
+  EXPECT_LT(height_of_long_bed_m(3.6, 4.7, 0.6), 0.7) << "a chair, and what is behind it";
+  EXPECT_LT(height_of_long_bed_m(3.4, 3.6, 0.6, 0.45), 0.7) << "so deep a chair is none";
+  EXPECT_LT(height_of_long_bed_m(4.9, 5.3, 0.6), 0.7) << "nothing in a room is 2.7 m deep";
 }
 
 /// Share of the pixels of a board, half under the top of a table at that height, in what is found

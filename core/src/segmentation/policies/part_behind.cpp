@@ -32,8 +32,10 @@ constexpr double kLeastBoxHeight = 0.4;
 /// With it the object is no deeper than this many times the box's width there.
 constexpr float kMostDepthOfWidth = 1.5F;
 /// Or its best surface leads there: it is so much of the whole depth, as a mattress that is seen
-/// from the foot and ends short of the head, where it is seen too flat.
+/// from the foot and ends short of the head, where it is seen too flat. The seat of a chair is less
+/// deep than that, and leads to what stands behind the chair.
 constexpr float kLeastLeadingShare = 2.0F / 3.0F;
+constexpr float kLeastLeadingM = 1.0F;
 /// And without its side so much of the box's width, by what is so high.
 constexpr double kLeastBeside = 0.15;
 constexpr double kLeastSideHeight = 0.3;
@@ -138,7 +140,7 @@ bool is_top_of_box(const DepthWindow& window,
   const float width_m = box_width_m(window, mean_depth_m(window, labelled, best));
   return depths.whole_m <= kMostDepthOfWidth * width_m ||
          (depths.whole_m <= kMostLengthM &&
-          depths.of_best_m >= kLeastLeadingShare * depths.whole_m);
+          depths.of_best_m >= std::max(kLeastLeadingM, kLeastLeadingShare * depths.whole_m));
 }
 
 bool is_side_of_box(const DepthWindow& window,

@@ -27,10 +27,10 @@ namespace hypermap {
 ///
 /// The detector's box ends with it at the top, far above what is `covered`. It is wide, reaches
 /// farther back than the best surface, and with it the object is no deeper than one and a half
-/// times the box's width; or than 2.5 m where the best surface fills two thirds of that, as the
-/// mattress of a bed that is seen from its foot. Boundary: none where the picture or the window
-/// cuts it or the box, and none of a box much wider than high. Requires: both have cells in the
-/// box. Cost: O(cells of the bounds of both).
+/// times the box's width; or than 2.5 m where the best surface fills two thirds of that and a
+/// metre, as the mattress of a bed that is seen from its foot. Boundary: none where the picture or
+/// the window cuts it or the box, and none of a box much wider than high. Requires: both have cells
+/// in the box. Cost: O(cells of the bounds of both).
 [[nodiscard]] bool is_top_of_box(const DepthWindow& window,
                                  const DepthComponents& labelled,
                                  const PixelRect& covered,
