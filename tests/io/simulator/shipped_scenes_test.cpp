@@ -83,7 +83,7 @@ TEST_P(ShippedScene, ThingsStandOnWhatBearsThem) {
 /// Of what the detector can name, nine in ten are seen well enough to count.
 TEST_P(ShippedScene, ShowsWhatItHolds) {
   SimulationOptions options;
-  options.num_frames = test::kSanitized ? 20 : 60;
+  options.num_frames = test::kSanitized ? 30 : 60;
   options.camera = {160, 120, 131.25, 131.25, 79.5, 59.5};  // a sixteenth of the usual pixels
   const auto simulator = Simulator::create(load(), options);
   ASSERT_TRUE(simulator) << to_string(simulator.error());
